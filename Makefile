@@ -189,12 +189,10 @@ $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # How csv files are read.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # What completion offers, by the tables of commands.
-$(B)/unit/test_complete $(B)/unit/test_lines: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
-$(B)/unit/test_complete $(B)/unit/test_lines: GSL := $(B)/libdomino.a $(GSL) -lreadline
+$(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
+$(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
-# Where the dominoes of a picture are.
-$(B)/unit/test_scene: $(call OBJ,src/shell/picture/scene.c)
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
 # Tests compare answers of the widest type in double.

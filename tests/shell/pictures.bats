@@ -119,35 +119,35 @@ END
 }
 
 @test "draw: on a terminal with UTF-8 the row is of braille, in colour, and has its size" {
-    cat >"$BATS_TEST_TMPDIR/terminal.py" <<'END'
-import fcntl, os, pty, struct, sys, termios
-child, terminal = pty.fork()
-if child == 0:
-    fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
-    os.execvp(sys.argv[1], [sys.argv[1], "-e", sys.argv[2]])
-seen = b""
-while True:
-    try:
-        more = os.read(terminal, 65536)
-    except OSError:
-        break
-    if not more:
-        break
-    seen += more
-sys.stdout.buffer.write(seen.replace(b"\r\n", b"\n"))
-END
-    terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_TMPDIR/terminal.py" "$DOMINO" "$record; draw at 5"; }
+    terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$dir/terminal.py" 100 30 '62;22' "$DOMINO" -e "$record; draw at 5"; }
     terminal >"$BATS_TEST_TMPDIR/seen"
     grep -q $'\u28ff' "$BATS_TEST_TMPDIR/seen" || same braille 'a full cell' "$(cat "$BATS_TEST_TMPDIR/seen")"
     grep -q $'\e\[' "$BATS_TEST_TMPDIR/seen"
     grep -q 'Weakest: domino 8 (red)' "$BATS_TEST_TMPDIR/seen"
     lines=$(wc -l <"$BATS_TEST_TMPDIR/seen")
     [ "$lines" -le 29 ] && [ "$lines" -ge 15 ]
-    sed 's/\x1b\[[0-9;]*m//g' "$BATS_TEST_TMPDIR/seen" | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
+    sed 's/\x1b\[[0-9;]*m//g; s/<asked>//' "$BATS_TEST_TMPDIR/seen" | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
     terminal NO_COLOR=1 >"$BATS_TEST_TMPDIR/grey"
     grep -q 'Weakest: domino 8 (filled)' "$BATS_TEST_TMPDIR/grey"
     same 'no colour' 0 "$(grep -c $'\e\[[0-9]' "$BATS_TEST_TMPDIR/grey")"
     terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
+}
+
+@test "draw: every domino of a row of 14 has its number and its height in the picture, or in the line that says which do not" {
+    cd "$BATS_TEST_TMPDIR" || false
+    local row sentence numbers
+    while IFS='|' read -r row sentence numbers; do
+        "$DOMINO" -e "$row; draw > a.svg"
+        "$dir/labels" a.svg | cut -d ' ' -f 5- >texts
+        same "$row" "$sentence" "$(grep '^Too small' texts)"
+        for k in $numbers; do
+            grep -qx "$k" texts || same "$row" "domino $k" "$(cat texts)"
+        done
+    done <<'END'
+effect row 14|Too small for labels: domino 1 (4.8 cm), 3 to 6 (10.8 cm to 36.5 cm).|2 7 8 9 10 11 12 13 14
+set r 1.3; effect row 14|Too small for labels: domino 1 (4.8 cm), 3 and 4 (8.11 cm and 10.5 cm).|2 5 6 7 8 9 10 11 12 13 14
+set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
+END
 }
 
 @test "animate: the row in real time from before the first hit to the end, held for a second" {

@@ -77,10 +77,12 @@ golden_screens() { # NAME
 }
 
 @test "a terminal that says sixel gets sixel; one that does not, or is not asked, gets characters" {
-    local scene='plot growth'
-    on_terminal 80 24 '62;4;22' "$scene" >"$BATS_TEST_TMPDIR/screen"
-    grep -q '^<asked>' "$BATS_TEST_TMPDIR/screen"
-    grep -qa $'\x1bP' "$BATS_TEST_TMPDIR/screen"
+    local scene
+    for scene in 'effect row 6; draw' 'draw train' 'plot growth'; do
+        on_terminal 80 24 '62;4;22' "$scene" >"$BATS_TEST_TMPDIR/screen"
+        grep -q '^<asked>' "$BATS_TEST_TMPDIR/screen"
+        grep -qa $'\x1bP' "$BATS_TEST_TMPDIR/screen"
+    done
     for attributes in '62;22' '64;14' ''; do
         on_terminal 80 24 "$attributes" "$scene" >"$BATS_TEST_TMPDIR/screen"
         same "$attributes" 0 "$(grep -ca $'\x1bP' "$BATS_TEST_TMPDIR/screen")"
@@ -93,8 +95,9 @@ golden_screens() { # NAME
 }
 
 @test "kitty gets a png of the size of the window" {
-    TERM=xterm-kitty on_terminal 80 24 '' 'plot growth' >"$BATS_TEST_TMPDIR/screen"
-    python3 - "$BATS_TEST_TMPDIR/screen" <<'END'
+    for scene in 'effect row 6; draw' 'plot growth'; do
+        TERM=xterm-kitty on_terminal 80 24 '' "$scene" >"$BATS_TEST_TMPDIR/screen"
+        python3 - "$BATS_TEST_TMPDIR/screen" <<'END'
 import base64, re, struct, sys
 written = open(sys.argv[1], "rb").read()
 pieces = re.findall(rb"\x1b_G([^;]*);([A-Za-z0-9+/=]*)\x1b\\", written)
@@ -106,6 +109,7 @@ width, height = struct.unpack(">II", png[16:24])
 assert width == 800 and 300 <= height <= 480, (width, height)
 assert b"<asked>" not in written
 END
+    done
     KITTY_WINDOW_ID=1 on_terminal 80 24 '' 'plot growth' | grep -qa $'\x1b_G'
     same 'not through tmux' 0 "$(KITTY_WINDOW_ID=1 TERM=tmux-256color on_terminal 80 24 '62;22' 'plot growth' | grep -ca $'\x1b_G')"
     same 'not into a file' "$("$DOMINO" -e 'plot growth')" \

@@ -64,14 +64,16 @@ void column_fit(struct column *c, const char *word)
     c->width = wide > c->width ? wide : c->width;
 }
 
-/* Returns true if a word of n bytes stays in one line with the next one: "r = 1.5", "7.5 cm", "5 %". */
+/* Returns true if a word of n bytes stays in one line with the next one: "r = 1.5", "7.5 cm", "5 %",
+ * "2: 0.14". */
 static bool word_joins(const char *word, size_t n)
 {
-    const char *next = word + n + 1;
-    size_t length = strcspn(next, " .,;:)");
+    const char *next = word + n + 1, last = word[n - 1];
+    size_t length = strcspn(next, " .,;:)\n");
     bool unit = *next == '%' || (length > 0 && length <= 2 && isalpha((unsigned char)*next));
-    return *next == '=' || word[n - 1] == '=' ||
-           (unit && isdigit((unsigned char)*word) && isdigit((unsigned char)word[n - 1]));
+    bool number = isdigit((unsigned char)*word) != 0;
+    return *next == '=' || last == '=' || (number && unit && isdigit((unsigned char)last)) ||
+           (number && last == ':' && isdigit((unsigned char)*next));
 }
 
 static size_t line_piece(const char *text)
@@ -94,14 +96,20 @@ static int columns_of(const char *text, size_t length)
 
 size_t line_break(const char *text, int columns)
 {
-    size_t at = line_piece(text), next;
-    while (text[at] == ' ' && columns_of(text, next = at + 1 + line_piece(text + at + 1)) <= columns)
+    size_t end = strcspn(text, "\n"), at = line_piece(text);
+    at = at < end ? at : end;
+    while (at > 1 && columns_of(text, at) > columns) /* a piece that is longer than a line is broken itself */
+        at--;
+    while (at > 1 && ((unsigned char)text[at] & 0xc0) == 0x80)
+        at--;
+    while (at < end && text[at] == ' ') {
+        size_t next = at + 1 + line_piece(text + at + 1);
+        next = next < end ? next : end;
+        if (columns_of(text, next) > columns)
+            break;
         at = next;
-    while (at > 1 && columns_of(text, at) > columns) /* a piece longer than a line */
-        at--;
-    while (at > 0 && ((unsigned char)text[at] & 0xc0) == 0x80)
-        at--;
-    return at ? at : line_piece(text);
+    }
+    return at;
 }
 
 /* Returns the columns that the longest piece of a text takes. */

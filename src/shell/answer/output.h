@@ -79,8 +79,12 @@ void answer_line(struct answer *answer, const char *text);
 /* Writes so many blanks; none for a number below 1. */
 void output_blanks(FILE *out, int blanks);
 
-/* Returns the length in bytes of what stands in the first line of a text, if a line has this many columns.
- * Lines are broken at blanks, but never within "r = 1.5" or "7.5 cm". */
+/*
+ * Returns the length in bytes of the first line of a text, if a line has this many columns. Lines are broken
+ * at
+ * '\n' and at blanks, but not within "r = 1.5" or "7.5 cm"; a piece that is longer than a line is broken,
+ * too.
+ */
 size_t line_break(const char *text, int columns);
 
 /*

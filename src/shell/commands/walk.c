@@ -273,3 +273,25 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
     answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
     (walk->theta == e->theta ? say[e->kind] : say_between)(query, walk, state, answer);
 }
+
+bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
+{
+    struct domq_value omegasq, stop = {.value = DOMQ_NAN};
+    const struct output_style *style = &query->state->settings.style;
+    enum dom_status status =
+        domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
+    if (status == DOM_NO_FUEL)
+        return problem_error(problem, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
+                                      "says why, 'rmax' how large r may be");
+    if (status == DOM_STOPS)
+        status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    /* The end may have been rounded up to the 6 digits of a table: a picture does not show the difference. */
+    if (stop.value < theta * (1 - (domq_real)1e-5))
+        return problem_error(
+            problem, "the train does not come to T = %.10g %s: it stops at %.10g %s, below the barrier",
+            (double)style_angle(style, theta), style_angle_unit(style),
+            (double)style_angle(style, stop.value), style_angle_unit(style));
+    return true;
+}

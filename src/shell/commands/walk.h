@@ -29,6 +29,9 @@ void walk_columns_in(const struct query *query, struct answer *answer);
 /* Holds why no cycle begins. */
 extern const char walk_no_start[];
 
+/* Returns true if the train moves and comes to this tilt; else describes why not. */
+bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
+
 /* Says the event in words, with the paper's symbols and the numbers of its equations. */
 void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);

@@ -5,7 +5,7 @@
 #include "interpreter/question.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
-#include "picture/picture.h"
+#include "picture/show.h"
 #include "session/engine.h"
 #include "session/parameters.h"
 #include "session/undo.h"

@@ -249,9 +249,15 @@ static bool blank(const struct canvas_cell *cell)
     return !cell->dots && !shaded(cell) && (cell->glyph[0] == '\0' || strcmp(cell->glyph, " ") == 0);
 }
 
-void canvas_write(const struct canvas *c, FILE *out)
+bool canvas_blank(const struct canvas *c, int column, int row)
 {
-    for (int row = 0; row < c->height; row++) {
+    const struct canvas_cell *cell = cell_at(c, column, row);
+    return !cell || blank(cell);
+}
+
+void canvas_write(const struct canvas *c, int from, FILE *out)
+{
+    for (int row = from; row < c->height; row++) {
         const struct canvas_cell *cell = &c->cell[(size_t)row * (size_t)c->width];
         int end = c->width;
         enum ink now = INK_TEXT;

@@ -70,8 +70,11 @@ void canvas_text(struct canvas *canvas, int column, int row, const char *text, e
 /* Puts two shades, 0 .. 1, one above the other, into a cell; NaN for none. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
-/* Writes the canvas, without blanks at the ends of lines. */
-void canvas_write(const struct canvas *canvas, FILE *out);
+/* Returns true if a cell shows nothing, or is outside. */
+bool canvas_blank(const struct canvas *canvas, int column, int row);
+
+/* Writes the canvas from a row on, without blanks at the ends of lines. */
+void canvas_write(const struct canvas *canvas, int from, FILE *out);
 
 /* Writes red, green and blue of a shade, dark to light also in grey: viridis in nine steps. */
 void shade_colour(double shade, int rgb[3]);

@@ -78,12 +78,6 @@ void chart_range(struct chart *chart, struct chart_curve *curve, double x, doubl
 /* Adds a vertical line with a name. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Reports an error, before any work is done, if the picture cannot be drawn where the answer goes. */
-bool chart_ready(struct answer *a, struct problem *problem);
-
-/* Draws the chart and gives it back; false: an error was reported. */
-bool chart_show(const struct query *query, struct answer *a, struct problem *problem, struct chart *chart);
-
 /* ---- For the files that draw ---- */
 
 /* Sets the ends of both axes that are NaN. */

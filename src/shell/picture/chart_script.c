@@ -196,8 +196,9 @@ static void style_script(const struct chart_curve *curve, FILE *out)
 
 void chart_script(const struct chart *c, FILE *out)
 {
+    fprintf(out, "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
+                 "set key below Left reverse samplen 4 height 0.6\nset grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
     texts_script(c, out);
-    fprintf(out, "set style fill noborder\n");
     axis_script(out, &c->x, "x");
     axis_script(out, &c->y, "y");
     events_script(c, out);

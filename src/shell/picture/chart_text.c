@@ -345,7 +345,7 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     legend(chart, &canvas, f.bottom + 2 + f.label_rows, true);
     if (chart->map.value)
         map_legend(chart, &canvas, width, f.bottom + 2 + f.label_rows, most);
-    canvas_write(&canvas, out);
+    canvas_write(&canvas, 0, out);
     canvas_free(&canvas);
     if (*chart->note) {
         output_wrapped(out, chart->note, 0, width);

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/graphics.h"
-#include "io/io.h"
 #include "io/terminal.h"
-#include "picture/picture.h"
-#include <errno.h>
+#include "picture/stage.h"
 #include <fcntl.h>
 #include <poll.h>
 #include <stdlib.h>
@@ -95,8 +93,7 @@ enum graphics graphics_of(FILE *stream)
 
 /* ---- The picture ---- */
 
-/* Finds the dots of a picture that leaves room for the prompt, no taller than two thirds of its width. */
-static void picture_size(FILE *stream, int *width, int *height)
+void graphics_size(FILE *stream, int *width, int *height)
 {
     struct winsize size = {0};
     int columns, rows;
@@ -107,6 +104,17 @@ static void picture_size(FILE *stream, int *width, int *height)
     *width = wide > 1200 ? 1200 : wide < 320 ? 320 : wide;
     *height = rows > 4 ? tall * (rows - 3) / rows : tall;
     *height = *height > 2 * *width / 3 ? 2 * *width / 3 : *height < 200 ? 200 : *height;
+}
+
+void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
+{
+    bool kitty = graphics_of(stream) == GRAPHICS_KITTY;
+    snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %g",
+             kitty ? "pngcairo" : "sixelgd truecolor", width, height,
+             stage         ? 14
+             : width > 700 ? 13
+                           : 10,
+             stage ? 0.72 * width / SHEET_WIDTH : 1);
 }
 
 /* Writes a file as kitty takes it: base64, in pieces of 4096 letters. */
@@ -134,29 +142,13 @@ static bool kitty_write(FILE *png, FILE *out)
     return !ferror(png);
 }
 
-bool graphics_show(const struct query *query, struct answer *a, struct problem *problem,
-                   const struct chart *chart)
+bool graphics_write(FILE *drawing, FILE *out)
 {
-    struct picture picture;
-    char terminal[128];
-    int width, height;
-    bool kitty = graphics_of(a->out) == GRAPHICS_KITTY;
-    FILE *png = kitty ? io_temporary(NULL) : NULL;
-    if (kitty && !png)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
-    picture_size(a->out, &width, &height);
-    snprintf(terminal, sizeof terminal, "%s size %d,%d font 'sans,%d'",
-             kitty ? "pngcairo" : "sixelgd truecolor", width, height, width > 700 ? 13 : 10);
-    bool drawn = picture_on(problem, &picture, kitty ? png : a->out, terminal);
-    if (drawn) {
-        chart_script(chart, picture.script);
-        drawn = picture_end(query, problem, &picture, true);
-    }
-    if (drawn && kitty)
-        drawn = kitty_write(png, a->out);
-    else if (drawn)
-        putc('\n', a->out);
-    if (png)
-        fclose(png);
-    return drawn;
+    if (graphics_of(out) == GRAPHICS_KITTY)
+        return kitty_write(drawing, out);
+    rewind(drawing);
+    for (int c; (c = getc(drawing)) != EOF;)
+        putc(c, out);
+    putc('\n', out);
+    return !ferror(drawing);
 }

@@ -3,7 +3,8 @@
 #ifndef SHELL_GRAPHICS_H
 #define SHELL_GRAPHICS_H
 
-#include "picture/chart.h"
+#include <stdbool.h>
+#include <stdio.h>
 
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
@@ -14,8 +15,14 @@ enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
  */
 enum graphics graphics_of(FILE *stream);
 
-/* Draws the chart into the terminal of the session; false: an error was reported. */
-bool graphics_show(const struct query *query, struct answer *a, struct problem *problem,
-                   const struct chart *chart);
+/* Finds the dots of a picture that leaves room for the prompt, no taller than two thirds of its width. */
+void graphics_size(FILE *stream, int *width, int *height);
+
+/* Writes gnuplot's terminal for a picture of this size; of a stage the letters are as large as its sheet has
+ * them. */
+void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size);
+
+/* Puts what was drawn into the terminal. */
+bool graphics_write(FILE *drawing, FILE *out);
 
 #endif

@@ -28,14 +28,10 @@ static const struct movie_kind *kind_of(const char *path)
     return NULL;
 }
 
-bool movie_named(struct answer *a, struct problem *problem, const char *path)
+bool movie_named(const char *path, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     const struct movie_kind *kind = kind_of(path);
-    if (a->path)
-        return problem_error(
-            problem,
-            "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
     if (!kind)
         return problem_error(problem,
                              "'%s' is not the name of an animation: use the ending .gif, .webm or .mp4",
@@ -47,45 +43,42 @@ bool movie_named(struct answer *a, struct problem *problem, const char *path)
                kind->ending);
 }
 
-bool movie_begin(const struct query *query, struct answer *a, struct problem *problem, struct movie *m,
-                 const char *path, int width, int height, int delay)
+bool movie_begin(struct movie *m, const char *path, int width, int height, int delay,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    if (!movie_named(a, problem, path))
+    char terminal[160];
+    if (!movie_named(path, problem))
         return false;
     names_shown(path, m->shown);
     m->kind = kind_of(path);
     m->delay = delay;
     m->frames = NULL;
     m->file = NULL;
-    const char *wrong = file_push(&m->file, path, false, query->scene->compute.interrupt);
+    const char *wrong = file_push(&m->file, path, false, interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
-    if (m->kind->ffmpeg && !(m->frames = io_temporary(NULL))) {
-        (void)output_pop(&m->file, false);
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
-    }
     height += m->kind->ffmpeg ? height % 2 : 0; /* its formats halve the dots of colours */
-    if (!picture_animation(problem, &m->picture, m->frames ? m->frames : m->file->out, width, height,
-                           delay)) {
-        if (m->frames)
-            fclose(m->frames);
-        (void)output_pop(&m->file, false);
-        return false;
-    }
-    if (m->frames)
-        fprintf(m->picture.script,
-                "set terminal pngcairo size %d,%d font 'sans,14' fontscale 0.72 noenhanced\n", width, height);
+    if (m->kind->ffmpeg)
+        snprintf(terminal, sizeof terminal, "pngcairo size %d,%d font 'sans,14' fontscale 0.72 noenhanced",
+                 width, height);
     else
-        fprintf(m->picture.script,
-                "set terminal gif animate delay %d loop 0 size %d,%d font 'sans,14' fontscale 0.72 "
-                "noenhanced optimize\n",
-                delay, width, height);
-    return true;
+        snprintf(terminal, sizeof terminal,
+                 "gif animate delay %d loop 0 size %d,%d font 'sans,14' fontscale 0.72 noenhanced optimize",
+                 delay, width, height);
+    bool begun = !m->kind->ffmpeg || (m->frames = io_temporary(NULL)) ||
+                 problem_error(problem, "cannot draw: %s", strerror(errno));
+    begun = begun &&
+            picture_begin(&m->picture, m->frames ? m->frames : m->file->out, terminal, interrupt, problem);
+    if (!begun && m->frames)
+        fclose(m->frames);
+    if (!begun)
+        (void)output_pop(&m->file, false);
+    return begun;
 }
 
-static bool movie_convert(const struct query *query, struct problem *problem, struct movie *m)
+static bool movie_convert(struct movie *m, struct problem *problem)
 {
-    char rate[32], line[256] = "";
+    char rate[32], what[NAMES_SHOWN + 16];
     const char *argv[ARGUMENTS] = {"ffmpeg", "-hide_banner", "-loglevel",  "error", "-f", "image2pipe",
                                    "-c:v",   "png",          "-framerate", rate,    "-i", "pipe:0",
                                    "-an",    "-pix_fmt",     "yuv420p",    "-y"};
@@ -98,25 +91,20 @@ static bool movie_convert(const struct query *query, struct problem *problem, st
     FILE *complaints = io_temporary(NULL);
     if (!complaints)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
-    int wrong = program_run(query, (char *const *)argv, m->frames, m->file->out, complaints);
-    rewind(complaints);
-    while (wrong && fgets(line, sizeof line, complaints) && strspn(line, " \t\n") == strlen(line))
-        ;
+    const volatile sig_atomic_t *interrupt = m->picture.interrupt;
+    int wrong = program_run((char *const *)argv, m->frames, m->file->out, complaints, interrupt);
+    snprintf(what, sizeof what, "make '%s'", m->shown);
+    if (wrong)
+        program_failed("ffmpeg", wrong, complaints, what, interrupt, problem);
     fclose(complaints);
-    line[strcspn(line, "\n")] = '\0';
-    if (wrong && dom_raised(query->scene->compute.interrupt))
-        return problem_status(problem, query->scene, DOM_INTERRUPTED);
-    if (wrong > 0)
-        return problem_error(problem, "cannot run ffmpeg: %s", strerror(wrong));
-    return !wrong ||
-           problem_error(problem, "ffmpeg did not make '%s': %s", m->shown, *line ? line : "it was stopped");
+    return !wrong;
 }
 
-bool movie_end(const struct query *query, struct problem *problem, struct movie *m, bool whole)
+bool movie_end(struct movie *m, bool whole, struct problem *problem)
 {
-    bool drawn = picture_end(query, problem, &m->picture, whole);
+    bool drawn = picture_end(&m->picture, whole, problem);
     if (drawn && m->frames)
-        drawn = movie_convert(query, problem, m);
+        drawn = movie_convert(m, problem);
     if (m->frames)
         fclose(m->frames);
     const char *wrong = output_pop(&m->file, drawn);

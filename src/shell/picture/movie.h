@@ -16,15 +16,15 @@ struct movie {
     char shown[NAMES_SHOWN];
 };
 
-/* Reports an error unless the file can be made here: its ending, its programs, no '>'. */
-bool movie_named(struct answer *a, struct problem *problem, const char *path);
+/* Reports an error unless the file can be made here: its ending, its programs. */
+bool movie_named(const char *path, struct problem *problem);
 
 /* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart; letters of 14
  * dots. False: an error was reported. */
-bool movie_begin(const struct query *query, struct answer *a, struct problem *problem, struct movie *movie,
-                 const char *path, int width, int height, int delay);
+bool movie_begin(struct movie *movie, const char *path, int width, int height, int delay,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 /* Draws it and puts it into the file, if the script is whole. False: it is not, or an error was reported. */
-bool movie_end(const struct query *query, struct problem *problem, struct movie *movie, bool whole);
+bool movie_end(struct movie *movie, bool whole, struct problem *problem);
 
 #endif

@@ -1,246 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The train itself, to scale, in characters or by gnuplot. */
-#include "commands/drawing/draw_row.h"
+/* draw: the row, or the train, to scale, at one moment. */
+#include "commands/drawing/draw_words.h"
+#include "commands/drawing/falling_row.h"
+#include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "io/terminal.h"
 #include "language/quad.h"
-#include "picture/picture.h"
-#include "picture/scene.h"
+#include "picture/show.h"
 #include <string.h>
-
-/* ---- In characters ---- */
-
-/* Characters: the scale at the left; ground, scale and words below; all; the most in a line. */
-enum { TEXT_LEFT = 6, TEXT_BELOW = 6, CELLS = 40000, WIDTH_MOST = 200 };
-
-struct canvas {
-    char cell[CELLS];
-    int width, height;
-    double unit, left; /* of a column, in heights of the head; a row is two */
-};
-
-static void canvas_put(struct canvas *c, struct point p, char mark, bool over)
-{
-    int column = (int)quad(floor)((domq_real)((p.x - c->left) / c->unit));
-    int row = c->height - 1 - (int)quad(floor)((domq_real)(p.y / (2 * c->unit)));
-    if (column < 0 || column >= c->width || row < 0 || row >= c->height)
-        return;
-    char *cell = &c->cell[row * c->width + column];
-    if (over || *cell == ' ')
-        *cell = mark;
-}
-
-/* Points on a grid finer than the characters, over the face of the domino. */
-static void canvas_fill(struct canvas *c, const struct drawn *k, double d, double top)
-{
-    char mark = "#0123456789"[k->number < 0 ? 0 : 1 + k->number % 10];
-    /* Only the next one is ever taller than the picture, and it is upright. */
-    double seen = k->height > top ? top / k->height : 1;
-    int rows = (int)(3 * seen * k->height / c->unit) + 2, columns = (int)(3 * d * k->height / c->unit) + 2;
-    const struct point *p = k->corner;
-    for (int i = 0; i <= rows; i++)
-        for (int j = 0; j <= columns; j++) {
-            /* Not its very edges, which would make every domino a character wider. */
-            double up = seen * (0.02 + 0.96 * i / rows), back = (j + 0.5) / (columns + 1);
-            double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
-            double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
-            canvas_put(c, (struct point){x, y}, mark, false);
-        }
-}
-
-static void canvas_make(struct canvas *c, const struct stage *scene, double d, int width, int height)
-{
-    c->width = width;
-    c->height = height;
-    memset(c->cell, ' ', sizeof c->cell);
-    double quad = (scene->right - scene->left) / width, tall = scene->top / (2 * height);
-    c->unit = quad > tall ? quad : tall;
-    c->left = scene->right - c->unit * width;
-    for (int k = 0; k < scene->count; k++)
-        canvas_fill(c, &scene->domino[k], d, scene->top);
-    for (int k = 0; k < scene->count; k++)
-        if (scene->domino[k].touched && scene->domino[k].height > 4 * c->unit)
-            canvas_put(c, scene->domino[k].contact, '@', true);
-}
-
-/* A mark each half height of the head, so far apart that their numbers do not meet. */
-static double canvas_step(const struct canvas *c)
-{
-    double step = 0.5;
-    while (step < 8 * c->unit)
-        step *= 2;
-    return step;
-}
-
-/* The ground with its marks, and their numbers below. */
-static void canvas_ground(const struct canvas *c, FILE *out)
-{
-    enum { LAST = 16 }; /* a longer number continues after the last column */
-    char ground[WIDTH_MOST], numbers[WIDTH_MOST + LAST];
-    double step = canvas_step(c);
-    memset(ground, '-', (size_t)c->width);
-    memset(numbers, ' ', (size_t)c->width + 8);
-    for (double k = (double)quad(ceil)((domq_real)(c->left / step)); k * step < c->left + c->unit * c->width;
-         k++) {
-        int at = (int)((k * step - c->left) / c->unit), from = at > 2 ? at - 2 : 0;
-        char number[16];
-        int n = snprintf(number, sizeof number, "%4.3g", k * step + 0.0); /* no -0 */
-        if (at < 0 || at >= c->width)
-            continue;
-        ground[at] = '+';
-        memcpy(numbers + from, number, (size_t)(n < 6 ? n : 6));
-    }
-    int end = c->width;
-    while (end > 0 && numbers[end - 1] == ' ')
-        end--;
-    fprintf(out, "%*s%.*s\n%*s%.*s\n", TEXT_LEFT, "0 -", c->width, ground, TEXT_LEFT, "x [h]", end, numbers);
-}
-
-static void canvas_write(const struct canvas *c, FILE *out)
-{
-    double step = canvas_step(c) / 2;
-    for (int row = 0; row < c->height; row++) {
-        double low = 2 * c->unit * (c->height - 1 - row), high = low + 2 * c->unit;
-        double mark = step * (double)quad(ceil)((domq_real)(low / step));
-        const char *line = c->cell + (size_t)row * (size_t)c->width;
-        int end = c->width;
-        while (end > 0 && line[end - 1] == ' ')
-            end--;
-        if (mark > 0 && mark < high && row > 0)
-            fprintf(out, "%4.3g -", mark);
-        else
-            fprintf(out, "%*s", row == 0 || end > 0 ? TEXT_LEFT : 0, row == 0 ? "z [h]" : "");
-        fprintf(out, "%.*s\n", end, line);
-    }
-    canvas_ground(c, out);
-}
-
-enum { TITLE_SIZE = 256 };
-
-/* "theta = 0.3 rad (17.19 deg), s = 0.4, r = 1.5, d = 0.1458, h = 48 mm, to scale"; the radius of rounded
- * edges takes the place of the last words. */
-static const char *title_text(const struct query *query, domq_real theta, const char *letter,
-                              char text[TITLE_SIZE])
-{
-    const struct domq_train *t = &query->scene->train;
-    const struct walk *walk = walk_now(query);
-    struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
-    char last[40] = "to scale";
-    if (t->rho != 0)
-        snprintf(last, sizeof last, "edges %.4g h", (double)t->rho);
-    snprintf(text, TITLE_SIZE, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, %s",
-             letter, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r,
-             (double)t->d, (double)(1000 * units.height), last);
-    return text;
-}
-
-/* How tall the next one is, where the picture cuts it off. */
-static const char *next_cut(const struct stage *scene, char text[32])
-{
-    double height = scene->domino[0].height;
-    text[0] = '\0';
-    if (height > scene->top)
-        snprintf(text, 32, " (%.4g h tall)", height);
-    return text;
-}
-
-enum { FORCES_MOST = 6 }; /* in characters: the others are hardly seen */
-
-/* Returns true where the domino is touched at its hinge (r s = 1): no push there, however large, turns it. */
-static bool force_lost(const struct drawn *k)
-{
-    return k->touched && !isfinite(k->of_own);
-}
-
-/* "0: 0.12, 1: 0.14". */
-static void forces_write(const struct stage *scene, int width, FILE *out)
-{
-    char text[TITLE_SIZE];
-    int at = snprintf(text, sizeof text, "contact forces, in weights of the one that is pushed:");
-    for (int k = 1; k <= FORCES_MOST && k < scene->count && scene->domino[k].touched; k++) {
-        char force[32] = "none is enough";
-        if (!force_lost(&scene->domino[k]))
-            snprintf(force, sizeof force, "%.3g", scene->domino[k].of_own);
-        at += snprintf(text + at, sizeof text - (size_t)at, "%s %d: %s", k > 1 ? "," : "",
-                       scene->domino[k].number, force);
-    }
-    output_wrapped(out, text, 0, width);
-    putc('\n', out);
-}
-
-static void draw_text(const struct query *query, struct answer *a, domq_real theta, const struct stage *scene,
-                      bool forces)
-{
-    static struct canvas canvas;
-    char text[TITLE_SIZE], cut[32];
-    FILE *out = a->out;
-    int width, height;
-    ticker_stop();
-    picture_room(a, &width, &height);
-    width = width < WIDTH_MOST ? width : WIDTH_MOST;
-    canvas_make(&canvas, scene, (double)query->scene->train.d, width - TEXT_LEFT,
-                height - TEXT_BELOW - forces);
-    output_wrapped(out, title_text(query, theta, "theta", text), 0, width);
-    putc('\n', out);
-    canvas_write(&canvas, out);
-    snprintf(text, sizeof text, "0: head; 1, 2, ...: its followers; #: the next%s; @: contact",
-             next_cut(scene, cut));
-    output_wrapped(out, text, 0, width);
-    putc('\n', out);
-    if (forces)
-        forces_write(scene, width, out);
-}
-
-/* ---- By gnuplot ---- */
-
-/* Draws the push on the back of a domino, perpendicular to the back, with its number at the free end. */
-static void script_arrow(FILE *script, const struct drawn *k, double length)
-{
-    double cosine = k->corner[1].y / k->height, sine = (k->corner[1].x - k->corner[0].x) / k->height;
-    struct point from = along(k->contact, -length * k->height, cosine, -sine);
-    fprintf(script,
-            "set arrow from %.7g,%.7g to %.7g,%.7g head filled size graph 0.012,20 lw 2.5 lc rgb '#c00000' "
-            "front\n",
-            from.x, from.y, k->contact.x, k->contact.y);
-    if (k->height > 0.25)
-        fprintf(script, "set label '%.3g' at %.7g,%.7g right offset char -0.3,0.5 tc rgb '#c00000' front\n",
-                k->of_own, from.x, from.y);
-}
-
-static void script_arrows(FILE *script, const struct stage *scene)
-{
-    double largest = 0;
-    for (int k = 1; k < scene->count; k++)
-        if (isfinite(scene->domino[k].of_own) && scene->domino[k].of_own > largest)
-            largest = scene->domino[k].of_own;
-    for (int k = 1; k < scene->count; k++)
-        if (scene->domino[k].height > 0.1 && scene->domino[k].of_own > 0 && !force_lost(&scene->domino[k]))
-            script_arrow(script, &scene->domino[k], 0.4 * scene->domino[k].of_own / largest);
-}
-
-static bool draw_file(const struct query *query, struct answer *a, struct problem *problem, domq_real theta,
-                      const struct stage *scene, bool forces)
-{
-    char text[TITLE_SIZE], cut[32];
-    struct picture picture;
-    if (!picture_begin(a, problem, &picture))
-        return false;
-    FILE *out = picture.script;
-    script_axes(out, scene->left, scene->right, scene->top);
-    fprintf(out, "set title \"%s\\n0: head; 1, 2, ...: its followers; grey: the next%s; dots: contacts%s\"\n",
-            title_text(query, theta, picture.theta, text), next_cut(scene, cut),
-            forces ? "\\narrows: the push at a contact, in weights of the domino that is pushed" : "");
-    for (int k = scene->count - 1; k >= 0; k--)
-        script_domino(out, &scene->domino[k], (struct place){1, 0},
-                      scene->domino[k].height * (double)query->scene->train.d > 0.025 * scene->top
-                          ? scene->left
-                          : (double)INFINITY);
-    if (forces)
-        script_arrows(out, scene);
-    fprintf(out, "plot NaN\n");
-    return picture_end(query, problem, &picture, true);
-}
 
 static const struct column draw_columns[] = {
     {"i", "", "number of the domino: 0 is the head, -1 the next", 5},
@@ -265,60 +32,195 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-static void draw_rows(struct answer *answer, const struct stage *scene, enum dom_status forces)
+/* Writes the dominoes for programs; forces: why some may be missing. */
+static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
-    answer->style.errors = 0; /* a picture needs no bounds */
-    for (int n = 0; n < scene->count; n++) {
-        const struct drawn shown = drawn_for_people(&scene->domino[n]), *k = &shown;
+    a->style.errors = 0; /* a picture needs no bounds */
+    for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
+        const struct drawn shown = drawn_for_people(&stage->domino[n]), *k = &shown;
         const struct point *p = k->corner;
         answer_row(
-            answer,
+            a,
             ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
                 cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
                 cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y), cell_double(k->contact.x),
                 cell_double(k->contact.y), cell_double(k->force), cell_double(k->of_own)),
-            !force_lost(k)     ? NULL
+            !drawn_locked(k)   ? NULL
             : forces == DOM_OK ? "the contact is at the hinge: no push, however large, turns this domino"
                                : dom_status_text(forces));
     }
+    return true;
+}
+
+/* ---- The row ---- */
+
+/* Finds the time that is asked for; false: an error was reported. */
+static bool moment_time(struct problem *problem, const struct draw_what *what, const struct falling_row *row,
+                        domq_real *time)
+{
+    problem->place = what->column;
+    *time = what->at == ROW_AT_END ? (domq_real)HUGE_VAL : what->time;
+    if (what->at == ROW_AT_END)
+        return true;
+    if (what->at == ROW_AT_DOMINO) {
+        size_t count = row->stage.count, end = row->run.verdict.domino;
+        if (!(what->domino >= 1 && what->domino <= (domq_real)count) ||
+            what->domino != quad(floor)(what->domino))
+            return problem_no_answer(
+                problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
+                quad_shown(what->domino).text, count, count);
+        size_t k = (size_t)what->domino - 1;
+        *time = (domq_real)falling_row_hit(row, k);
+        return !isnan(*time) || k + 1 <= end ||
+               problem_no_answer(
+                   problem, "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that",
+                   k + 1, end);
+    }
+    if (*time < 0 && !row_run_tipped(&row->run, 0))
+        return problem_no_answer(problem,
+                                 "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
+    /* As it was answered, in few digits, the end may have been rounded up. */
+    if ((double)*time > row->end * 1.005)
+        return problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
+                                 measured((domq_real)row->end, "s", 4).text);
+    return true;
+}
+
+/* Shows the row at a moment, or, without one, as it is set up; with its caption. */
+static bool moment_show(const struct domq_moment *moment, void *context)
+{
+    struct falling_row *row = context;
+    const struct domq_row *r = &row->run.scene.row;
+    char first[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], edges[64] = "";
+    falling_row_verdict(row, verdict);
+    falling_row_weakest(row, weakest);
+    if (moment) {
+        falling_row_pose(row, moment);
+        falling_row_reach(row, true);
+        falling_row_moment(row, moment, first);
+    } else {
+        falling_row_summary(row, first);
+        if (r->rho != 0)
+            snprintf(edges, sizeof edges, ", edges rounded by %.4g of the height", (double)r->rho);
+    }
+    int at = snprintf(row->stage.caption, CAPTION, "%s%s", first, edges);
+    if (!moment)
+        at += snprintf(row->stage.caption + at, CAPTION - (size_t)at, ", on %s of floor%s.",
+                       measured((domq_real)row->stage.right, "m", 3).text,
+                       r->alpha != 0 ? " that slopes (drawn level)" : "");
+    snprintf(row->stage.caption + at, CAPTION - (size_t)at, "\n%s%s%s", verdict, *weakest ? "\n" : "",
+             weakest);
+    return true;
+}
+
+static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
+                     const struct draw_what *what)
+{
+    struct falling_row row;
+    domq_real time = 0;
+    a->of_row = true;
+    if (!falling_row_make(query, problem, picture_marks(a), &row))
+        return false;
+    bool good = what->at == ROW_STANDS ? moment_show(NULL, &row) : moment_time(problem, what, &row, &time);
+    enum dom_status status = DOM_OK;
+    if (good && what->at != ROW_STANDS)
+        status = falling_row_watch(&row, &time, 1, moment_show, &row);
+    problem->place = 0;
+    if (status != DOM_OK) {
+        good = row_status(query, problem, status);
+    } else if (good && answer_for_people(a)) {
+        good = stage_show(&row.stage, a, query->scene->compute.interrupt, problem);
+    } else if (good) {
+        for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+            if (strcmp(c->unit, "h") == 0)
+                c->unit = "m";
+        static const char *const none[] = {"contact_x", "contact_z", "force", "of_own"};
+        for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+            answer_leave_out(a, none[i]);
+        good = stage_rows(&row.stage, DOM_OK, a);
+    }
+    falling_row_free(&row);
+    return good;
+}
+
+/* ---- The train ---- */
+
+enum { FORCES_MOST = 6 }; /* in a caption: the others are hardly seen */
+
+/* Writes what the picture shows: the scene, what the marks mean, and forces that have no arrows. */
+static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
+{
+    const struct domq_train *t = &query->scene->train;
+    const struct walk *walk = walk_now(query);
+    struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
+    char last[40] = "to scale", next[48] = "";
+    if (t->rho != 0)
+        snprintf(last, sizeof last, "edges %.4g h", (double)t->rho);
+    if (stage->domino[0].height > stage->top)
+        snprintf(next, sizeof next, "; the next is %.4g h tall", stage->domino[0].height);
+    int at = snprintf(stage->caption, CAPTION,
+                      "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, %s\n"
+                      "0: head; 1, 2, ...: its followers%s%s",
+                      mark.theta, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s,
+                      (double)t->r, (double)t->d, (double)(1000 * units.height), last, mark.contacts, next);
+    if (!stage->forces)
+        return;
+    at += snprintf(stage->caption + at, CAPTION - (size_t)at, "\n%s",
+                   mark.forces ? mark.forces : "contact forces, in weights of the one that is pushed:");
+    for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
+         k++) {
+        const struct drawn *d = &stage->domino[k];
+        at += snprintf(stage->caption + at, CAPTION - (size_t)at,
+                       drawn_locked(d) ? "%s %d: none is enough" : "%s %d: %.3g", k > 1 ? "," : "", d->number,
+                       d->of_own);
+    }
+}
+
+static bool draw_train(const struct query *query, struct answer *a, struct problem *problem,
+                       const struct draw_what *what)
+{
+    struct stage stage;
+    /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
+    const struct walk *walk = what->tilted ? NULL : walk_now(query);
+    const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
+    const struct domq_train *train = &query->scene->train;
+    domq_real theta = walk ? walk->theta : what->theta;
+    a->of_row = what->train; /* it was asked for */
+    if (!walk && !train_comes_to(query, problem, theta))
+        return false;
+    bool people = answer_for_people(a), good = false;
+    enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
+    /* Data has forces where there are any; the margin may be too small for them. */
+    if (status == DOM_OK && (what->forces || !people))
+        forces = stage_forces(&stage, train, compute, theta);
+    if (status == DOM_OK && what->forces)
+        status = forces;
+    if (status != DOM_OK) {
+        good = problem_status(problem, query->scene, status);
+    } else if (people) {
+        stage.forces = what->forces;
+        train_caption(query, &stage, theta, picture_marks(a));
+        good = stage_show(&stage, a, query->scene->compute.interrupt, problem);
+    } else {
+        good = stage_rows(&stage, forces, a);
+    }
+    stage_free(&stage);
+    return good;
 }
 
 static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static struct stage scene;
     static const struct draw_what nothing;
     const struct draw_what *what = query->given->own ? query->given->own : &nothing;
-    bool of_row = what->at != ROW_STANDS || !(what->train || what->forces || what->tilted);
-    if (what->at != ROW_STANDS && !query->scene->effect[DOM_EFFECT_row].on) {
+    bool row = query->scene->effect[DOM_EFFECT_row].on, train = what->train || what->forces || what->tilted;
+    if (what->at != ROW_STANDS && !row) {
         problem->place = query->given->column[0];
         return problem_error(problem, "'draw at' shows a moment of a row; first enter 'effect row N', for "
                                       "example 'effect row 10'");
     }
-    if (of_row && query->scene->effect[DOM_EFFECT_row].on)
-        return draw_row(query, a, problem, what);
-    a->of_row = what->train; /* it was asked for */
-    /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
-    const struct walk *walk = what->tilted ? NULL : walk_now(query);
-    const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
-    domq_real theta = walk ? walk->theta : what->theta;
-    bool people = answer_for_people(a);
-    if (!walk && !picture_comes_to(query, problem, theta))
+    if (!picture_ready(a, problem))
         return false;
-    enum dom_status status = stage_make(&query->scene->train, compute, theta, 0, &scene);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    /* Data has forces where there are any; the margin may be too small for them. */
-    if (what->forces || !people)
-        status = scene_forces(&query->scene->train, compute, theta, &scene);
-    if (status != DOM_OK && what->forces)
-        return problem_status(problem, query->scene, status);
-    if (!people)
-        draw_rows(a, &scene, status);
-    else if (picture_is_text(a))
-        draw_text(query, a, theta, &scene, what->forces);
-    else
-        return draw_file(query, a, problem, theta, &scene, what->forces);
-    return true;
+    return row && !train ? draw_row(query, a, problem, what) : draw_train(query, a, problem, what);
 }
 
 const struct command draw_commands[] = {

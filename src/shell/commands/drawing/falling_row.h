@@ -1,63 +1,53 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The session's row for pictures: where its dominoes stand along a tape measure, and how each leans at a
- * time. */
+/* The row of the scene on a stage: as it is set up, and at any time while it falls; and what is said of it.
+ */
 #ifndef SHELL_FALLING_ROW_H
 #define SHELL_FALLING_ROW_H
 
-#include "picture/scene.h"
-#include "session/effects.h"
+#include "commands/rows/row_run.h"
+#include "picture/stage.h"
 
-/* A row and how it falls. Lengths in m, times in s on the clock of struct dom_fall. */
+/* Lengths in m, times in s on the clock of struct domq_fall. */
 struct falling_row {
-    struct scene_row scene;
-    size_t count;
-    double *at;    /* of each domino: its back, from the back of the first: the tape measure */
-    double *hit;   /* when it is hit; NaN: never, or it is the first and tips over its edge */
-    double *slid;  /* how far its foot has slid at the moment that is watched */
-    double *share; /* the energy that it has, of the energy that it needs; NaN: not known */
-    struct domq_verdict verdict;
-    double end;      /* when the motion ends; NaN: a time has no value */
-    double smallest; /* heights */
-    double tallest;
-    bool tipped; /* it starts without a push: times before 0 are those of the first domino alone */
+    struct row_run run;
+    struct stage stage;
+    double *slid;      /* how far each foot has slid at the moment that is watched */
+    double end;        /* when the motion ends; NaN: a time has no value */
+    struct marks mark; /* how captions name the marked dominoes */
 };
 
-/* Makes the row, and runs it. False: an error was reported, and nothing is to be freed. */
-bool falling_row_make(const struct query *query, struct problem *problem, struct falling_row *row);
+/* Makes the row, runs it, and sets it up on its stage. False: an error was reported, and nothing is to be
+ * freed. */
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks mark,
+                      struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
-/* Returns the time from which on a row that is tipped over its edge is seen to move; 0 for one that is
- * pushed. */
-double falling_row_begins(const struct falling_row *row);
+/* Returns when a domino is hit; of the first one of a row that starts without a push, the time from which on
+ * it is seen to move, which is below 0. NaN: it is never hit, or the time has no value. */
+double falling_row_hit(const struct falling_row *row, size_t k);
 
 /* Calls visit for the row at each of these times, which do not decrease. */
 enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
                                   domq_moment_visit *visit, void *context);
 
-/* Returns the tilt of domino k, from 0, before it is hit. */
-double falling_row_lean(const struct falling_row *row, size_t k);
+/* Shows the row at a moment; NULL: as it is set up. */
+void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
-/* Returns domino k, from 0, at this tilt: number, corners in m, no contact. */
-struct drawn falling_row_domino(const struct falling_row *row, size_t k, double tilt);
+/* Lets the stage reach as far as the last dominoes stand, or lie. */
+void falling_row_reach(struct falling_row *row, bool lying);
 
-/* Return true for domino k, from 0, if the row ends there without having fallen, and if it is the weakest. */
-bool row_ends_at(const struct falling_row *row, size_t k);
-bool row_weakest_is(const struct falling_row *row, size_t k);
-
-/* Returns 1, 2 or 5 times a power of ten, the least that is not below this. */
-double row_step(double least);
+enum { SENTENCE = 256 };
 
 /* Writes how many dominoes there are, and how tall: "7 dominoes, 4.8 cm to 54.7 cm tall". */
-enum { ROW_SENTENCE = 512 };
-void falling_row_summary(const struct falling_row *row, char text[ROW_SENTENCE]);
+void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes how the row ends, in one sentence; mark says how the picture shows the domino where it does. */
-void falling_row_verdict(const struct falling_row *row, const char *mark, char text[ROW_SENTENCE]);
+/* Writes how the row ends, in one sentence. */
+void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
 /* Writes which domino is the weakest, and how much energy it has, or "". */
-void falling_row_weakest(const struct falling_row *row, const char *mark, char text[ROW_SENTENCE]);
+void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes what happens at a time, in a few words: "domino 3 falls, 4 to 10 stand". */
-void falling_row_moment(const struct falling_row *row, size_t head, double time, char text[ROW_SENTENCE]);
+/* Writes what happens at a moment: "2.500 s after the push: domino 3 falls, 7 still stand." */
+void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
 
 #endif

@@ -54,7 +54,7 @@ static bool cost_chart(const struct query *query, struct answer *a, struct probl
                 &chart, curve, row->seconds,
                 (double)quad_larger(row->error, (domq_real)domq_arithmetic(row->precision)->epsilon / 4));
     }
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_cost(const struct query *query, struct answer *a, struct problem *problem)
@@ -67,6 +67,6 @@ bool plot_cost(const struct query *query, struct answer *a, struct problem *prob
     if (!answer_for_people(a))
         return cost_rows(query, a, problem);
     const struct costed *answer = &cost_answers[(int)query->given->number[1]];
-    return chart_ready(a, problem) && cost_of(query, problem, answer, &cost) &&
+    return picture_ready(a, problem) && cost_of(query, problem, answer, &cost) &&
            cost_chart(query, a, problem, answer, &cost);
 }

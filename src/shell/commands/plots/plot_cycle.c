@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot energy, omega, inertia, chain: one cycle with its events. */
 #include "commands/plots/plots.h"
+#include "commands/walk.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "picture/picture.h"
 
 enum { STEPS = 160, SAMPLES = STEPS + 1 + DOM_EVENTS_MAX };
 
@@ -34,7 +34,7 @@ static bool events_find(const struct query *query, struct problem *problem, stru
     if (status == DOM_OK)
         status = domq_cycle_events(&query->scene->train, &query->scene->compute, c->events, &c->event_count);
     if (status == DOM_NO_FUEL)
-        return picture_comes_to(query, problem, 0);
+        return train_comes_to(query, problem, 0);
     if (status == DOM_NO_MARGIN)
         return problem_error(
             problem, "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller r has one");
@@ -125,7 +125,7 @@ static bool plot_samples(const struct query *query, struct answer *a, struct pro
 {
     static struct cycle_samples c;
     bool people = answer_for_people(a);
-    if (people && !chart_ready(a, problem))
+    if (people && !picture_ready(a, problem))
         return false;
     bool good = samples_find(query, problem, &c);
     for (int k = 0; k < c.count && good && !people; k++)
@@ -151,7 +151,7 @@ static bool energy_draw(const struct query *query, struct answer *a, struct prob
     struct chart_curve *zero = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "%s", "");
     chart_point(&chart, zero, 0, 0);
     chart_point(&chart, zero, chart.x.high, 0);
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 static bool energy_row(const struct query *query, struct answer *a, struct problem *problem,
@@ -177,7 +177,7 @@ static bool inertia_draw(const struct query *query, struct answer *a, struct pro
     struct chart_curve *J = chart_curve(&chart, CHART_LINE, INK_BLUE, 0, "J (20; c2)");
     for (int k = 0; k < c->count; k++)
         chart_point(&chart, J, plot_angle(query, c->at[k].theta), (double)c->at[k].J);
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 static bool inertia_row(const struct query *query, struct answer *a, struct problem *problem,
@@ -208,7 +208,7 @@ static bool omega_draw(const struct query *query, struct answer *a, struct probl
     for (int k = 0; k < c->count; k++)
         chart_point(&chart, omega, plot_angle(query, c->at[k].theta),
                     plot_angle(query, quad(sqrt)(c->at[k].omegasq) / tau));
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 static bool omega_row(const struct query *query, struct answer *a, struct problem *problem,
@@ -317,7 +317,7 @@ static bool chain_draw(const struct query *query, struct answer *a, struct probl
     struct chart_curve *last = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "the last");
     chart_point(&chart, last, 0, plot_angle(query, c->angles.theta_f));
     chart_point(&chart, last, chart.x.high, plot_angle(query, c->angles.theta_f));
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_chain(const struct query *query, struct answer *a, struct problem *problem)

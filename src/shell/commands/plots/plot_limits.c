@@ -131,7 +131,7 @@ static bool limit_chart(const struct query *query, struct answer *a, struct prob
     struct chart_curve *now = chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "now: s = %.4g, r = %.4g%s",
                                           (double)t->s, (double)t->r, inside ? "" : " (above)");
     chart_point(&chart, now, (double)t->s, inside ? (double)t->r : top);
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 static bool plot_limits(const struct query *query, struct answer *a, struct problem *problem,
@@ -141,7 +141,7 @@ static bool plot_limits(const struct query *query, struct answer *a, struct prob
     table.curve = curves;
     table.curves = count;
     bool people = answer_for_people(a);
-    if ((people && !chart_ready(a, problem)) || !limits_find(query, problem, &table))
+    if ((people && !picture_ready(a, problem)) || !limits_find(query, problem, &table))
         return false;
     return people ? limit_chart(query, a, problem, title, &table)
                   : limit_rows(&query->scene->train, a, &table);

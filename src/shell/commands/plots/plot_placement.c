@@ -84,7 +84,7 @@ static bool likely_chart(const struct query *query, struct answer *a, struct pro
                  "Rows that the model cannot decide widen the intervals upwards.");
     if (l->now > 0)
         chart_event(&chart, (double)l->now / unit.size, "now");
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 static bool likely_make(const struct query *query, struct problem *problem, struct task_pool *pool,
@@ -120,7 +120,7 @@ bool plot_placement(const struct query *query, struct answer *a, struct problem 
     struct likely l;
     struct task_pool pool;
     bool people = answer_for_people(a);
-    if ((people && !chart_ready(a, problem)) || !likely_make(query, problem, &pool, &l))
+    if ((people && !picture_ready(a, problem)) || !likely_make(query, problem, &pool, &l))
         return false;
     for (int k = 0; k < SIGMAS && !people; k++)
         answer_cells(a, cell_real(l.sigma[k]), cell_real((domq_real)share(&l.study[k])),

@@ -3,64 +3,26 @@
 #include "answer/measure.h"
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
+#include "commands/rows/row_run.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
 #include <stdlib.h>
-
-/* A row that was run: what each domino had when it was hit. */
-struct ran {
-    struct scene_row scene;
-    struct domq_fall *fall;
-    size_t count; /* dominoes that were hit */
-    struct domq_verdict verdict;
-};
-
-static bool fall_keep(const struct domq_fall *f, void *context)
-{
-    struct ran *ran = context;
-    ran->fall[ran->count++] = *f;
-    return true;
-}
-
-static void ran_free(struct ran *ran)
-{
-    free(ran->scene.domino);
-    free(ran->fall);
-}
-
-static bool row_ran(const struct query *query, struct problem *problem, bool times, struct ran *ran)
-{
-    *ran = (struct ran){.count = 0};
-    if (!scene_row_make(query->scene, &ran->scene, problem))
-        return false;
-    ran->scene.row.floor = false;
-    ran->fall = calloc(ran->scene.row.count, sizeof *ran->fall);
-    enum dom_status status =
-        ran->fall ? domq_row_run(&ran->scene.row, &ran->scene.compute, times, fall_keep, ran, &ran->verdict)
-                  : DOM_NO_MEMORY;
-    if (status == DOM_OK)
-        return true;
-    ran_free(ran);
-    row_status(query, problem, status);
-    return false;
-}
 
 /* ---- Energy to spare ---- */
 
 /* Returns the share of its barrier that a domino has more than it needs; NaN where the question is idle: the
  * first, tipped over its edge, has just what it needs. */
-static double spare_of(const struct ran *ran, size_t i)
+static double spare_of(const struct row_run *ran, size_t i)
 {
     const struct domq_fall *f = &ran->fall[i];
-    bool tipped = f->domino == 1 && isnan(ran->scene.row.push);
-    return tipped || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
+    return row_run_tipped(ran, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
 }
 
 /* Says in percent what the picture shows. */
-static void fall_note(const struct ran *ran, char *note, size_t size)
+static void fall_note(const struct row_run *ran, char *note, size_t size)
 {
     const struct domq_verdict *v = &ran->verdict;
-    const struct domq_fall *last = &ran->fall[ran->count - 1];
+    const struct domq_fall *last = &ran->fall[ran->hits - 1];
     if (v->end == DOM_ROW_STOPS && last->barrier > 0 && isfinite(last->barrier))
         snprintf(note, size, "Domino %zu stops: it has %.40s of the energy that it needs.", v->domino,
                  measured(fall_share(last), "share", 3).text);
@@ -74,12 +36,12 @@ static void fall_note(const struct ran *ran, char *note, size_t size)
 }
 
 static bool fall_chart(const struct query *query, struct answer *a, struct problem *problem,
-                       const struct ran *ran)
+                       const struct row_run *ran)
 {
     struct chart chart = chart_make();
     const struct domq_verdict *v = &ran->verdict;
     double least = HUGE_VAL, most = 0;
-    for (size_t i = 0; i < ran->count; i++) {
+    for (size_t i = 0; i < ran->hits; i++) {
         double spare = 100 * spare_of(ran, i);
         least = spare > 0 && spare < least ? spare : least;
         most = isfinite(spare) && spare > most ? spare : most;
@@ -94,15 +56,15 @@ static bool fall_chart(const struct query *query, struct answer *a, struct probl
     chart.y.low = least < HUGE_VAL ? pow(10, floor(log10(least / 2))) : 1;
     chart.y.high = fmax(1.6 * most, 100 * chart.y.low);
     struct chart_curve *spares = chart_curve(&chart, CHART_POINTS, INK_BLUE, 0, "%s", "");
-    for (size_t i = 0; i < ran->count; i++)
+    for (size_t i = 0; i < ran->hits; i++)
         chart_point(&chart, spares, (double)ran->fall[i].domino, 100 * spare_of(ran, i));
     struct chart_curve *idle = NULL;
-    for (size_t i = 0; i < ran->count; i++)
+    for (size_t i = 0; i < ran->hits; i++)
         if (ran->fall[i].domino > 1 && !(ran->fall[i].barrier > 0)) {
             idle = idle ? idle : chart_curve(&chart, CHART_POINTS, INK_GREY, 0, "needs no energy");
             chart_point(&chart, idle, (double)ran->fall[i].domino, chart.y.high);
         }
-    if (v->weakest && v->weakest <= ran->count && v->spare >= 0 && isfinite(v->spare)) {
+    if (v->weakest && v->weakest <= ran->hits && v->spare >= 0 && isfinite(v->spare)) {
         struct chart_curve *weak =
             chart_curve(&chart, CHART_POINTS, INK_RED, 0, "the weakest, domino %zu", v->weakest);
         chart_point(&chart, weak, (double)v->weakest, fmax(100 * (double)v->spare, chart.y.low));
@@ -112,18 +74,18 @@ static bool fall_chart(const struct query *query, struct answer *a, struct probl
             chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "here it ends, domino %zu", v->domino);
         chart_point(&chart, end, (double)v->domino, chart.y.low);
     }
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_fall(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct ran ran;
+    struct row_run ran;
     bool people = answer_for_people(a);
-    if ((people && !chart_ready(a, problem)) || !row_ran(query, problem, false, &ran))
+    if ((people && !picture_ready(a, problem)) || !row_run(query, problem, false, &ran))
         return false;
     if (scene_weighed(query->scene) && !people)
         columns_in_joules(a);
-    for (size_t i = 0; i < ran.count && !people; i++) {
+    for (size_t i = 0; i < ran.hits && !people; i++) {
         const struct domq_fall *f = &ran.fall[i];
         bool known = isfinite(f->barrier);
         answer_cells(a, cell_count((domq_real)f->domino), cell_real(f->kinetic),
@@ -136,23 +98,23 @@ bool plot_fall(const struct query *query, struct answer *a, struct problem *prob
                           "the only domino is tipped over its edge, and needs no energy; 'effect row 5' "
                           "sets up five");
     bool shown = !people || (!idle && fall_chart(query, a, problem, &ran));
-    ran_free(&ran);
+    row_run_free(&ran);
     return shown;
 }
 
 /* ---- Speed of the front ---- */
 
 /* Returns the speed from the hit of a domino to that of the next; NaN where there is none. */
-static double speed_of(const struct ran *ran, size_t i)
+static double speed_of(const struct row_run *ran, size_t i)
 {
     size_t next = ran->fall[i].domino; /* as an index */
-    if (next >= ran->scene.row.count || i + 1 >= ran->count)
+    if (next >= ran->scene.row.count || i + 1 >= ran->hits)
         return (double)NAN;
     const struct domq_domino *d = &ran->scene.domino[next];
     return (double)((d->gap + d->thickness) / ran->fall[i].duration);
 }
 
-static double place_of(const struct ran *ran, size_t i)
+static double place_of(const struct row_run *ran, size_t i)
 {
     domq_real place = 0;
     for (size_t k = 1; k < ran->fall[i].domino; k++)
@@ -161,11 +123,11 @@ static double place_of(const struct ran *ran, size_t i)
 }
 
 static bool speed_chart(const struct query *query, struct answer *a, struct problem *problem,
-                        const struct ran *ran)
+                        const struct row_run *ran)
 {
     struct chart chart = chart_make();
     double last = (double)NAN;
-    const struct axis_unit unit = measure_axis(place_of(ran, ran->count - 1));
+    const struct axis_unit unit = measure_axis(place_of(ran, ran->hits - 1));
     snprintf(chart.title, sizeof chart.title, "Speed of the front along the row");
     snprintf(chart.x.label, sizeof chart.x.label, "distance from the first domino in %s", unit.name);
     snprintf(chart.y.label, sizeof chart.y.label, "speed in m/s");
@@ -179,28 +141,32 @@ static bool speed_chart(const struct query *query, struct answer *a, struct prob
     chart.x.low = chart.y.low = 0;
     struct chart_curve *front = chart_curve(&chart, CHART_STEPS, INK_BLUE, 0, "%s", "");
     struct chart_curve *hits =
-        ran->count <= DOTS ? chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
-    for (size_t i = 0; i < ran->count; i++) {
+        ran->hits <= DOTS ? chart_curve(&chart, CHART_POINTS, INK_TEXT, 0, "a domino is hit") : NULL;
+    for (size_t i = 0; i < ran->hits; i++) {
         double speed = speed_of(ran, i), at = place_of(ran, i) / unit.size;
         chart_point(&chart, front, at, isnan(speed) ? last : speed);
         if (hits)
             chart_point(&chart, hits, at, speed);
         last = speed;
     }
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_speed(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct ran ran;
+    struct row_run ran;
     bool people = answer_for_people(a);
-    if ((people && !chart_ready(a, problem)) || !row_ran(query, problem, true, &ran))
+    if ((people && !picture_ready(a, problem)) || !row_run(query, problem, true, &ran))
         return false;
-    for (size_t i = 0; i < ran.count && !people; i++)
+    if (ran.timeless) {
+        row_run_free(&ran);
+        return row_status(query, problem, DOM_NO_MARGIN);
+    }
+    for (size_t i = 0; i < ran.hits && !people; i++)
         answer_cells(a, cell_count((domq_real)ran.fall[i].domino), cell_real((domq_real)place_of(&ran, i)),
                      cell_real((domq_real)speed_of(&ran, i)));
     bool runs = false;
-    for (size_t i = 0; i < ran.count && !runs; i++)
+    for (size_t i = 0; i < ran.hits && !runs; i++)
         runs = !isnan(speed_of(&ran, i));
     if (people && !runs)
         problem_no_answer(problem, ran.scene.row.count == 1
@@ -208,7 +174,7 @@ bool plot_speed(const struct query *query, struct answer *a, struct problem *pro
                                        : "the row ends before the front has a speed; 'fall' shows where, and "
                                          "'mend' finds what saves it");
     bool shown = !people || (runs && speed_chart(query, a, problem, &ran));
-    ran_free(&ran);
+    row_run_free(&ran);
     return shown;
 }
 
@@ -279,7 +245,7 @@ static bool gaps_chart(const struct query *query, struct answer *a, struct probl
                     (double)w[i].high / unit.size);
         chart_point(&chart, planned, x, fmax((double)w[i].now / unit.size, chart.y.low));
     }
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_gaps(const struct query *query, struct answer *a, struct problem *problem)
@@ -287,7 +253,7 @@ bool plot_gaps(const struct query *query, struct answer *a, struct problem *prob
     struct scene_row scene;
     struct progress progress = {0, 0};
     bool people = answer_for_people(a), done = false;
-    if ((people && !chart_ready(a, problem)) || !scene_row_make(query->scene, &scene, problem))
+    if ((people && !picture_ready(a, problem)) || !scene_row_make(query->scene, &scene, problem))
         return false;
     size_t count = scene.row.count - 1;
     struct domq_window *w = calloc(count ? count : 1, sizeof *w);

@@ -260,7 +260,7 @@ static bool points_draw(const struct query *query, struct answer *a, struct prob
     } else {
         chart.failed = true;
     }
-    return chart_show(query, a, problem, &chart);
+    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
 }
 
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
@@ -281,7 +281,7 @@ bool plot_sweep(const struct query *query, struct answer *a, struct problem *pro
                              "'verdict' or 'print EXPRESSION'",
                              p.shape.command->name);
     bool shown =
-        chart_ready(a, problem) && points_find(query, a, problem, &p) && points_draw(query, a, problem, &p);
+        picture_ready(a, problem) && points_find(query, a, problem, &p) && points_draw(query, a, problem, &p);
     points_free(&p);
     return shown;
 }

@@ -4,7 +4,7 @@
 #define SHELL_PLOTS_H
 
 #include "interpreter/question.h"
-#include "picture/chart.h"
+#include "picture/show.h"
 
 /* A picture draws for people, and answers its data to programs; false: an error was reported. */
 typedef bool plot_run(const struct query *query, struct answer *a, struct problem *problem);

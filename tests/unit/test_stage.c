@@ -3,7 +3,7 @@
 #include "support.h"
 #include <float.h>
 
-#include "picture/scene.h"
+#include "picture/stage.h"
 
 static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.3, 1, 7.0 / 48, 4},    {0.4, 1.5, 7.0 / 48, 4},
@@ -11,20 +11,21 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
 /* Call the shell's functions with a train in the form of these tests. */
-static enum dom_status asked_scene(const struct asked *asked, domq_real theta, struct stage *scene)
+static enum dom_status asked_stage(const struct asked *asked, domq_real theta, struct stage *stage)
 {
     const struct domq_train train = asked_train(asked);
     const struct domq_compute compute = asked_compute(asked, false);
-    return stage_make(&train, &compute, theta, 0, scene);
+    return stage_train(stage, &train, &compute, theta, 0);
 }
 
-static enum dom_status asked_scene_forces(const struct asked *asked, domq_real theta, struct stage *scene)
+static enum dom_status asked_forces(const struct asked *asked, domq_real theta, struct stage *stage)
 {
     const struct domq_train train = asked_train(asked);
     const struct domq_compute compute = asked_compute(asked, false);
-    return scene_forces(&train, &compute, theta, scene);
+    return stage_forces(stage, &train, &compute, theta);
 }
 
+enum { DOMINOES = 200 }; /* at most on a stage */
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
 
 /* A picture, the train in it and the angles between which it moves. */
@@ -32,7 +33,7 @@ struct view {
     struct asked train;
     struct domq_angles angles;
     double theta;
-    struct stage scene;
+    struct stage stage;
 };
 
 /* Makes view number k: the trains above, then random ones, each at tilts from 0 to theta_c. */
@@ -40,6 +41,8 @@ static bool view_next(struct view *v, int k)
 {
     static uint64_t seed;
     int which = k / TILTS;
+    stage_free(&v->stage); /* of the view before; at first there is none */
+    v->stage.domino = NULL;
     if (k == 0)
         seed = 71;
     if (which >= SOME + RANDOM)
@@ -54,14 +57,14 @@ static bool view_next(struct view *v, int k)
         v->train = random_train(&seed);
     assert_status(ask_angles_find(&v->train, &v->angles, NULL), DOM_OK);
     v->theta = (double)v->angles.theta_c * (k % TILTS) / (TILTS - 1);
-    assert_status(asked_scene(&v->train, v->theta, &v->scene), DOM_OK);
+    assert_status(asked_stage(&v->train, v->theta, &v->stage), DOM_OK);
     return true;
 }
 
 static _Noreturn void fail_view(const struct view *v, int k, const char *what, double off, double bound)
 {
     fail_msg("%s at domino %d: off by %g, %g allowed, at s %.17g r %.17g d %.17g q %.17g theta %.17g", what,
-             v->scene.domino[k].number, off, bound, (double)v->train.s, (double)v->train.r,
+             v->stage.domino[k].number, off, bound, (double)v->train.s, (double)v->train.r,
              (double)v->train.d, (double)v->train.q, v->theta);
     abort();
 }
@@ -73,7 +76,7 @@ static _Noreturn void fail_view(const struct view *v, int k, const char *what, d
  */
 static double roundings(const struct view *v, int k)
 {
-    const struct drawn *own = &v->scene.domino[k];
+    const struct drawn *own = &v->stage.domino[k];
     return DBL_EPSILON * (k + 1) * (fabs(own->foot) + own->height * (1 + (double)v->train.d));
 }
 
@@ -86,7 +89,7 @@ enum { DOTS = 100 }; /* a domino this many times smaller than the head is a dot,
  */
 static double allowed(const struct view *v, int k)
 {
-    const struct drawn *own = &v->scene.domino[k];
+    const struct drawn *own = &v->stage.domino[k];
     return roundings(v, k) + (own->theta == (double)v->angles.theta_f ? 1e-5 : 0);
 }
 
@@ -114,8 +117,8 @@ static void contacts_are_on_back_faces(void **state)
     double most = 0;
     for (int k = 0; view_next(&v, k); k++) {
         int here = 0;
-        for (int i = 1; i + 1 < v.scene.count; i++) {
-            const struct drawn *own = &v.scene.domino[i], *next = own + 1;
+        for (int i = 1; i + 1 < (int)v.stage.count; i++) {
+            const struct drawn *own = &v.stage.domino[i], *next = own + 1;
             if (!own->touched || is_dot(next))
                 continue;
             struct point face = from_to(own->corner[3], own->corner[2]),
@@ -132,7 +135,7 @@ static void contacts_are_on_back_faces(void **state)
             here++;
         }
         /* If followers detach, the head may be alone by then. */
-        assert_true(here > 0 || v.angles.detaches || v.scene.count == 3);
+        assert_true(here > 0 || v.angles.detaches || v.stage.count == 3);
         contacts += here;
     }
     print_message("# %d contacts, at most %.2g of the bound off\n", contacts, most);
@@ -163,15 +166,15 @@ static void dominoes_do_not_overlap(void **state)
     static struct view v;
     int pairs = 0;
     for (int k = 0; view_next(&v, k); k++)
-        for (int i = 0; i < v.scene.count; i++) {
-            const struct drawn *own = &v.scene.domino[i];
+        for (int i = 0; i < (int)v.stage.count; i++) {
+            const struct drawn *own = &v.stage.domino[i];
             for (int j = 0; j < CORNERS; j++)
                 if (!(own->corner[j].y >= 0))
                     fail_view(&v, i, "below the ground", -own->corner[j].y, 0);
-            for (int j = i + 1; j < v.scene.count && j <= i + 3; j++, pairs++) {
-                if (is_dot(&v.scene.domino[j]))
+            for (int j = i + 1; j < (int)v.stage.count && j <= i + 3; j++, pairs++) {
+                if (is_dot(&v.stage.domino[j]))
                     break;
-                double gap = gap_between(own, &v.scene.domino[j]), bound = allowed(&v, i) + allowed(&v, j);
+                double gap = gap_between(own, &v.stage.domino[j]), bound = allowed(&v, i) + allowed(&v, j);
                 if (!(gap >= -bound))
                     fail_view(&v, i, "it is inside another one", -gap, bound);
             }
@@ -187,10 +190,10 @@ static void sizes_and_places_are_those_of_the_train(void **state)
     static struct view v;
     for (int k = 0; view_next(&v, k); k++) {
         double s = (double)v.train.s, d = (double)v.train.d, r = (double)v.train.r;
-        const struct drawn *domino = v.scene.domino;
-        assert_true(v.scene.count >= 3 && v.scene.count <= DOMINOES);
+        const struct drawn *domino = v.stage.domino;
+        assert_true(v.stage.count >= 3 && v.stage.count <= DOMINOES);
         assert_true(domino[1].foot == 0 && domino[1].height == 1);
-        for (int i = 0; i < v.scene.count; i++) {
+        for (int i = 0; i < (int)v.stage.count; i++) {
             assert_int_equal(domino[i].number, i - 1);
             assert_near("thickness", hypot(domino[i].corner[3].x - domino[i].foot, domino[i].corner[3].y),
                         d * domino[i].height, roundings(&v, i) / (d * domino[i].height));
@@ -199,7 +202,7 @@ static void sizes_and_places_are_those_of_the_train(void **state)
         }
         /* The next one is in front of the head by (s + d) r, a gap that is r times the head's own. */
         assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
-        for (int i = 1; i < v.scene.count; i++) {
+        for (int i = 1; i < (int)v.stage.count; i++) {
             assert_near("growth", domino[i - 1].height / domino[i].height, r, 2 * DBL_EPSILON);
             double place = domino[i - 1].foot - (s + d) * (i == 1 ? r : domino[i - 1].height);
             if (!(fabs(domino[i].foot - place) <= roundings(&v, i)))
@@ -233,13 +236,13 @@ static void tilts_are_those_of_the_chain(void **state)
         tilts.count = 0;
         v.train.tol = 1e-12;
         assert_status(ask_chain_walk(&v.train, v.theta, false, tilt_seen, &tilts), DOM_OK);
-        assert_true(v.scene.domino[0].theta == 0);
-        for (int i = 1; i < v.scene.count; i++) {
-            double theta = v.scene.domino[i].theta;
+        assert_true(v.stage.domino[0].theta == 0);
+        for (int i = 1; i < (int)v.stage.count; i++) {
+            double theta = v.stage.domino[i].theta;
             if ((size_t)i <= tilts.count) {
                 assert_near("tilt", theta, tilts.theta[i - 1], 1e-11);
                 compared++;
-            } else if (!(theta >= v.scene.domino[i - 1].theta &&
+            } else if (!(theta >= v.stage.domino[i - 1].theta &&
                          theta <= (double)v.angles.theta_f * (1 + 4 * DBL_EPSILON)))
                 fail_view(&v, i, "it stands more upright than its leader", theta, 0);
         }
@@ -256,7 +259,7 @@ static void the_head_hits_at_the_end(void **state)
     static struct view v;
     int hits = 0;
     for (int k = 0; view_next(&v, k); k++) {
-        const struct drawn *next = &v.scene.domino[0];
+        const struct drawn *next = &v.stage.domino[0];
         bool end = k % TILTS == TILTS - 1;
         if (next->touched != end)
             fail_view(&v, 0, end ? "the head does not hit" : "the head hits too early", 1, 0);
@@ -278,19 +281,20 @@ static void what_has_detached_lies(void **state)
     (void)state;
     struct asked train = asked_default();
     struct domq_angles angles;
-    static struct stage scene;
+    struct stage stage;
     train.s = 0.54;
     train.r = 1.84;
     train.q = 3;
     assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
     assert_true(angles.detaches && angles.theta_leave < 1);
-    assert_status(asked_scene(&train, 1, &scene), DOM_OK);
-    assert_false(scene.domino[1].touched);
-    assert_true(scene.count > 4);
-    for (int i = 2; i < scene.count; i++) {
-        assert_false(scene.domino[i].touched);
-        assert_near("theta_f", scene.domino[i].theta, (double)angles.theta_f, 4 * DBL_EPSILON);
+    assert_status(asked_stage(&train, 1, &stage), DOM_OK);
+    assert_false(stage.domino[1].touched);
+    assert_true(stage.count > 4);
+    for (size_t i = 2; i < stage.count; i++) {
+        assert_false(stage.domino[i].touched);
+        assert_near("theta_f", stage.domino[i].theta, (double)angles.theta_f, 4 * DBL_EPSILON);
     }
+    stage_free(&stage);
 }
 
 struct forces {
@@ -315,11 +319,11 @@ static void forces_press_where_dominoes_touch(void **state)
     static struct forces forces;
     int pressed = 0, alone = 0;
     for (int k = 0; view_next(&v, k); k++) {
-        enum dom_status status = asked_scene_forces(&v.train, v.theta, &v.scene);
+        enum dom_status status = asked_forces(&v.train, v.theta, &v.stage);
         forces.count = 0;
         assert_status(ask_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
-        for (int i = 1; i < v.scene.count; i++) {
-            const struct drawn *own = &v.scene.domino[i];
+        for (int i = 1; i < (int)v.stage.count; i++) {
+            const struct drawn *own = &v.stage.domino[i];
             if (status != DOM_OK || !own->touched || (size_t)i > forces.count || isnan(forces.force[i - 1])) {
                 assert_true(isnan(own->force) && isnan(own->of_own));
                 alone++;
@@ -334,14 +338,16 @@ static void forces_press_where_dominoes_touch(void **state)
     assert_true(pressed > 1000 && alone > 1000);
 }
 
-static void no_scene_beyond_the_cycle(void **state)
+static void no_stage_beyond_the_cycle(void **state)
 {
     (void)state;
     struct asked train = asked_default();
-    static struct stage scene;
-    assert_status(asked_scene(&train, 0.7, &scene), DOM_BAD_TILT);
+    struct stage stage;
+    assert_status(asked_stage(&train, 0.7, &stage), DOM_BAD_TILT);
+    stage_free(&stage);
     train.r = 3;
-    assert_status(asked_scene(&train, 0, &scene), DOM_OUT_OF_REACH);
+    assert_status(asked_stage(&train, 0, &stage), DOM_OUT_OF_REACH);
+    stage_free(&stage);
 }
 
 int main(void)
@@ -354,7 +360,7 @@ int main(void)
         cmocka_unit_test(the_head_hits_at_the_end),
         cmocka_unit_test(what_has_detached_lies),
         cmocka_unit_test(forces_press_where_dominoes_touch),
-        cmocka_unit_test(no_scene_beyond_the_cycle),
+        cmocka_unit_test(no_stage_beyond_the_cycle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,387 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* animate: the row as it falls, with a clock, or the cycles of the train, each r times larger than the one
+ * before. */
+#include "commands/drawing/draw_words.h"
+#include "commands/drawing/falling_row.h"
+#include "commands/rows/falling.h"
+#include "commands/tables.h"
+#include "commands/walk.h"
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "picture/movie.h"
+#include <stdlib.h>
+
+enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* heights of a frame, in dots */
+
+struct film {
+    const struct query *query;
+    struct problem *problem;
+    struct answer *answer; /* takes data; NULL: the film is drawn */
+    const struct film_what *what;
+    struct movie movie;
+    struct sheet sheet;
+    struct progress progress;
+    size_t frames, frame;
+    int delay; /* between frames, in hundredths of a second */
+};
+
+/* Begins to draw, on sheets for this stage, which has a caption of as many lines as the frames will have. */
+static bool film_begin(struct film *f, const struct stage *stage)
+{
+    f->sheet = sheet_of(stage, SHEET_LEAST, SHEET_MOST);
+    return movie_begin(&f->movie, f->query->given->word[0], (int)f->sheet.width, (int)f->sheet.height,
+                       f->delay, f->query->scene->compute.interrupt, f->problem);
+}
+
+static void film_frame(struct film *f, const struct stage *stage)
+{
+    FILE *script = f->movie.picture.script;
+    fprintf(script, "unset label\nunset arrow\n");
+    sheet_palette(&f->sheet, (int)(f->frame % 2), script);
+    stage_script(stage, &f->sheet, script);
+    progress_show(&f->progress, (double)++f->frame / (double)f->frames);
+}
+
+/* ---- The row ---- */
+
+enum { FRAMES_MOST = 3000 };
+#define FOLLOWED 30 /* times that the largest domino may be taller than the smallest, and both are seen */
+#define HELD     1  /* s, of the last frame */
+
+struct row_film {
+    struct film film;
+    struct falling_row row;
+    domq_real *time; /* of each frame, s */
+    bool follows;    /* the view follows the front */
+};
+
+/* Shows the front and what it has just felled. */
+static void follow_front(struct row_film *f, size_t head, double time)
+{
+    const struct drawn *own = &f->row.stage.domino[head - 1];
+    double size = own->height, begun = falling_row_hit(&f->row, head - 1), at = own->foot;
+    if (head < f->row.stage.count) {
+        const struct drawn *next = own + 1;
+        double until = falling_row_hit(&f->row, head),
+               part = until > begun ? (time - begun) / (until - begun) : 0;
+        part = fmin(fmax(part, 0), 1);
+        /* From one to the next as steadily as sizes grow. */
+        double grown = pow(next->height / size, part), far = next->height - size;
+        at += (fabs(far) > 1e-9 * size ? (grown - 1) * size / far : part) * (next->foot - at);
+        size *= grown;
+    }
+    sheet_follow(&f->film.sheet, at, 2.6 * size);
+}
+
+static bool row_frame(const struct domq_moment *m, void *context)
+{
+    struct row_film *f = context;
+    struct answer *a = f->film.answer;
+    char moment[SENTENCE], more[SENTENCE], speed[64] = "";
+    if (a) {
+        answer_cells(a, cell_real(m->time), cell_count((domq_real)m->head), cell_real(m->tilt[m->head - 1]));
+        return !answer_lost(a);
+    }
+    bool over = (double)m->time >= f->row.end;
+    falling_row_pose(&f->row, m);
+    falling_row_moment(&f->row, m, moment);
+    if (over)
+        falling_row_verdict(&f->row, more);
+    else
+        falling_row_summary(&f->row, more);
+    if (!over && f->film.what->speed != 1)
+        snprintf(speed, sizeof speed, " (%.30s times as fast as it is)",
+                 measured(f->film.what->speed, "", 3).text);
+    snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
+    if (f->follows)
+        follow_front(f, m->head, (double)m->time);
+    film_frame(&f->film, &f->row.stage);
+    return true;
+}
+
+/* Lists the times of the frames; false: an error was reported. */
+static bool row_times(struct row_film *f)
+{
+    const struct film *film = &f->film;
+    double begins = row_run_tipped(&f->row.run, 0) ? falling_row_hit(&f->row, 0) : 0,
+           step = film->delay / 100.0 * (double)film->what->speed;
+    if (!isfinite(f->row.end))
+        return problem_no_answer(film->problem,
+                                 "one domino comes so close to a stop that later times have no value");
+    double moving = ceil((f->row.end - begins) / step - 1e-9);
+    size_t held = (size_t)(HELD * 100 / film->delay);
+    if (moving + (double)held > FRAMES_MOST)
+        return problem_no_answer(
+            film->problem,
+            "that would be %.0f frames, and at most %d are drawn; a larger speed, 'speed "
+            "%s', or a smaller rate makes fewer",
+            moving, FRAMES_MOST,
+            measured(film->what->speed * (domq_real)(1.05 * (moving + (double)held) / FRAMES_MOST), "", 3)
+                .text);
+    f->film.frames = (size_t)moving + 1 + (film->answer ? 0 : held);
+    f->time = malloc(film->frames * sizeof *f->time);
+    for (size_t k = 0; k < film->frames && f->time; k++)
+        f->time[k] = k < (size_t)moving ? (domq_real)(begins + step * (double)k) : (domq_real)HUGE_VAL;
+    return f->time || problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
+}
+
+static bool row_watch(struct row_film *f)
+{
+    enum dom_status status = falling_row_watch(&f->row, f->time, f->film.frames, row_frame, f);
+    progress_show(&f->film.progress, 1);
+    return status == DOM_OK || row_status(f->film.query, f->film.problem, status);
+}
+
+/* Returns true if the view is to follow the front: the smallest domino could not be seen beside the largest.
+ */
+static bool row_grows(const struct stage *stage)
+{
+    double smallest = stage->top;
+    for (size_t k = 0; k < stage->count; k++)
+        smallest = fmin(smallest, stage->domino[k].height);
+    return stage->top > FOLLOWED * smallest;
+}
+
+static bool animate_row(struct film *film)
+{
+    static const struct marks marks = {.ends = "black", .weakest = "red"};
+    struct row_film f = {.film = *film};
+    f.film.delay = (int)quad(round)(100 / film->what->rate);
+    if (!falling_row_make(film->query, film->problem, marks, &f.row))
+        return false;
+    struct stage *stage = &f.row.stage;
+    bool done = row_times(&f);
+    if (done && film->answer) {
+        answer_columns(film->answer, film->answer->columns)[1] =
+            (struct column){"domino", "", "the last that was hit", 0};
+        done = row_watch(&f);
+    } else if (done) {
+        falling_row_reach(&f.row, true);
+        stage->row = NULL; /* no sizes are written */
+        snprintf(stage->caption, CAPTION, "%s", "1\n2");
+        f.follows = row_grows(stage);
+        done = film_begin(&f.film, stage) && movie_end(&f.film.movie, row_watch(&f), film->problem);
+    }
+    free(f.time);
+    falling_row_free(&f.row);
+    return done;
+}
+
+/* ---- The train ---- */
+
+enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
+#define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
+#define FILM_TOL   ((domq_real)1 / 1000000000)
+
+/* The cycles one after the other, lengths in heights of the first head, times in its tau. */
+struct train_film {
+    struct film film;
+    struct domq_train train;
+    struct domq_compute compute;
+    int cycles;
+    double r, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
+    double tau;                      /* of the first head in s */
+    bool stops;
+    struct stage whole; /* without dominoes: what all frames show */
+    char ruler[96];
+};
+
+/* The cycle that a time is in, when it began, where its head stands, and how large it is. */
+struct place {
+    int cycle; /* from 0 */
+    double begun, slower, scale, shift;
+};
+
+static struct place place_at(const struct train_film *f, double time)
+{
+    struct place p = {.slower = 1, .scale = 1};
+    while (p.cycle + 1 < f->cycles && time >= p.begun + f->duration * p.slower) {
+        p.begun += f->duration * p.slower;
+        p.shift += f->pitch * f->r * p.scale;
+        p.scale *= f->r;
+        p.slower *= sqrt(f->r);
+        p.cycle++;
+    }
+    return p;
+}
+
+/* Returns how many cycles make the last head no more than so many times as large as the first; at least 1. */
+static int cycles_within(double r, double grown_most, int most)
+{
+    int n = 1;
+    for (double grown = r * r; grown <= grown_most && n < most; grown *= r)
+        n++;
+    return n;
+}
+
+/* Counts the cycles; reports an error unless the picture can show so many: the first head can still be seen.
+ */
+static bool cycles_count(struct train_film *f)
+{
+    const struct film_what *what = f->film.what;
+    int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
+    f->cycles = cycles_within(f->r, 4, 5);
+    if (!what->counted)
+        return true;
+    if (what->cycles >= 1 && what->cycles <= most && what->cycles == quad(floor)(what->cycles)) {
+        f->cycles = (int)what->cycles;
+        return true;
+    }
+    f->film.problem->place = what->column;
+    return problem_no_answer(f->film.problem,
+                             "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
+                             "picture can show at this r",
+                             quad_shown(what->cycles).text, most);
+}
+
+static bool train_film_make(struct train_film *f)
+{
+    struct domq_event events[DOM_EVENTS_MAX];
+    int count = 0;
+    struct problem *problem = f->film.problem;
+    const struct scene *scene = f->film.query->scene;
+    f->train = scene->train;
+    f->compute = scene->compute;
+    /* More than that no eye sees. */
+    f->compute.precision = DOM_DOUBLE;
+    f->compute.tol = FILM_TOL;
+    f->r = (double)f->train.r;
+    f->pitch = (double)(f->train.s + f->train.d);
+    f->tau = (double)domq_scale_tau(&scene->scale, &f->train);
+    f->film.delay = FRAMES_DELAY;
+    if (!cycles_count(f))
+        return false;
+    enum dom_status status = domq_cycle_events(&f->train, &f->compute, events, &count);
+    if (status == DOM_NO_MARGIN)
+        return problem_error(
+            problem, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
+    if (status == DOM_NO_FUEL)
+        return train_comes_to(f->film.query, problem, 0);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return problem_status(problem, scene, status);
+    f->stops = status == DOM_STOPS;
+    f->cycles = f->stops ? 1 : f->cycles;
+    f->duration = (double)events[count - 1].time;
+    struct place last = place_at(f, (double)INFINITY);
+    double behind = f->pitch * f->r / (f->r - 1); /* all dominoes that leaned on the first head */
+    double whole = last.begun + f->duration * last.slower;
+    f->whole.top = pow(f->r, f->cycles);
+    f->whole.right = last.shift + last.scale * f->r * f->pitch + 0.1 * f->whole.top;
+    f->whole.left = behind < 1.8 ? -1.05 * behind : -1.8;
+    f->film.frames = (size_t)ceil(FRAMES_FIRST * whole / f->duration) + 1;
+    f->step = whole / (double)(f->film.frames - 1);
+    snprintf(f->ruler, sizeof f->ruler, "x in heights of the first head, %.4g mm; 0: the head",
+             (double)(1000 * scene->scale.h));
+    return true;
+}
+
+/* Puts the train of a cycle where its head stands, and behind the next domino those that wait. */
+static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
+{
+    const struct drawn next = stage->domino[0];
+    double height = next.height, foot = next.foot;
+    for (int k = p.cycle + 2; k <= f->cycles; k++) {
+        struct drawn *waits = &stage->domino[stage->count++];
+        height *= f->r;
+        foot += f->pitch * height;
+        *waits = next;
+        waits->touched = false;
+        waits->height = height;
+        waits->thickness = (double)f->train.d * height;
+        waits->radius = (double)f->train.rho * height;
+        waits->foot = foot;
+    }
+    for (size_t k = 0; k < stage->count; k++) {
+        struct drawn *d = &stage->domino[k];
+        d->number = d->number == 0 ? 0 : NUMBER_NONE;
+        d->height *= p.scale;
+        d->thickness *= p.scale;
+        d->radius *= p.scale;
+        d->foot = p.shift + p.scale * d->foot;
+        d->contact = (struct point){p.shift + p.scale * d->contact.x, p.scale * d->contact.y};
+        drawn_stand(d);
+    }
+}
+
+static enum dom_status train_frame(struct train_film *f, size_t frame)
+{
+    struct stage stage;
+    domq_real theta;
+    struct answer *a = f->film.answer;
+    double time = f->step * (double)frame;
+    struct place p = place_at(f, time);
+    enum dom_status status = domq_cycle_tilt(
+        &f->train, &f->compute, (domq_real)fmin((time - p.begun) / p.slower, f->duration), &theta);
+    if (status == DOM_OK && a)
+        answer_cells(a, cell_real((domq_real)f->step * f->tau * (domq_real)frame), cell_count(p.cycle + 1),
+                     cell_real(theta));
+    if (status != DOM_OK || a)
+        return status;
+    status = stage_train(&stage, &f->train, &f->compute, theta, (p.shift - f->whole.left) / p.scale + 0.1);
+    if (status == DOM_OK) {
+        int at =
+            snprintf(stage.caption, CAPTION, "t = %.1f ms, slowed down %.3g times: ", 1e3 * f->tau * time,
+                     FRAMES_DELAY / 100.0 / (f->step * f->tau));
+        if (!f->stops)
+            snprintf(stage.caption + at, CAPTION - (size_t)at, "cycle %d of %d", p.cycle + 1, f->cycles);
+        else
+            snprintf(stage.caption + at, CAPTION - (size_t)at,
+                     frame + 1 == f->film.frames ? "the train stops"
+                                                 : "the train does not get over its barrier");
+        stage.ruler = f->ruler;
+        stage_place(&stage, f, p);
+        film_frame(&f->film, &stage);
+    }
+    stage_free(&stage);
+    return status;
+}
+
+static bool train_watch(struct train_film *f)
+{
+    enum dom_status status = DOM_OK;
+    for (size_t frame = 0; frame < f->film.frames && status == DOM_OK; frame++)
+        status = train_frame(f, frame);
+    progress_show(&f->film.progress, 1);
+    return status == DOM_OK || problem_status(f->film.problem, f->film.query->scene, status);
+}
+
+static bool animate_train(const struct film *film)
+{
+    struct train_film f = {.film = *film};
+    if (!train_film_make(&f))
+        return false;
+    if (film->answer)
+        return train_watch(&f);
+    snprintf(f.whole.caption, CAPTION, "1");
+    return film_begin(&f.film, &f.whole) && movie_end(&f.film.movie, train_watch(&f), film->problem);
+}
+
+/* ---- The command ---- */
+
+const struct column animate_columns[] = {
+    {"time", "s", "of the frame, since the first head was hit", 0},
+    {"cycle", "", "from 1; each is r times larger", 0},
+    {"theta", "rad", "tilt of its head", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
+{
+    static const struct film_what usual = {.speed = 1, .rate = 25};
+    struct film film = {.query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a};
+    const struct film_what *what = film.what = query->given->own ? query->given->own : &usual;
+    bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->counted;
+    if (what->timed && !row)
+        return problem_error(problem,
+                             "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
+                             "'effect row 10'");
+    if (a->path && !film.answer)
+        return problem_error(
+            problem,
+            "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
+    if (!film.answer && !movie_named(query->given->word[0], problem))
+        return false;
+    a->of_row = row || what->train;
+    a->style.errors = 0; /* a picture needs no bounds */
+    return row ? animate_row(&film) : animate_train(&film);
+}

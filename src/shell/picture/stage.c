@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/stage.h"
+#include "language/quad.h"
+#include <float.h>
+#include <stdlib.h>
+
+enum { DOMINOES = 200, MORE = 32 }; /* of a train, and room for others */
+#define SMALLEST 0.01               /* of the head: smaller ones are dots */
+#define WIDEST   2.4                /* of a picture, in its own height: dominoes farther back are left out */
+#define TALLEST  2.5 /* of a picture, in heights of the head: a larger next domino is cut off */
+
+/* ---- One domino ---- */
+
+static struct point direction(double theta)
+{
+    return (struct point){(double)quad(sin)((domq_real)theta), (double)quad(cos)((domq_real)theta)};
+}
+
+void drawn_stand(struct drawn *k)
+{
+    struct point up = direction(k->theta);
+    /* The centre of the rounded foot moves on by radius theta. */
+    k->corner[0] =
+        (struct point){k->foot + k->radius * (k->theta + up.y - 1 - up.x), k->radius * (1 - up.y - up.x)};
+    k->corner[1] = along(k->corner[0], k->height, up.x, up.y);
+    k->corner[2] = along(k->corner[1], k->thickness, -up.y, up.x);
+    k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
+}
+
+int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
+{
+    struct point up = direction(k->theta);
+    /* Each edge turns the outline from one of these directions to the next: down, forwards, up, back. */
+    const struct point way[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
+    int n = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        if (!(k->radius > 0) || i == CORNERS - 1) {
+            outline[n++] = k->corner[i];
+            continue;
+        }
+        struct point centre =
+            along(k->corner[i], -k->radius, way[i].x + way[i + 1].x, way[i].y + way[i + 1].y);
+        for (int j = 0; j < ARC; j++) {
+            struct point turn = direction((double)QUAD_PI / 2 * j / (ARC - 1));
+            outline[n++] = along(centre, k->radius, turn.y * way[i].x + turn.x * way[i + 1].x,
+                                 turn.y * way[i].y + turn.x * way[i + 1].y);
+        }
+    }
+    return n;
+}
+
+struct drawn drawn_for_people(const struct drawn *domino)
+{
+    struct drawn k = *domino;
+    double least = 4 * DBL_EPSILON * (fabs(k.foot) + k.height);
+    for (int i = 0; i <= CORNERS; i++) {
+        struct point *p = i < CORNERS ? &k.corner[i] : &k.contact;
+        p->x = fabs(p->x) < least ? 0 : p->x;
+        p->y = fabs(p->y) < least ? 0 : p->y;
+    }
+    return k;
+}
+
+/* Returns where a follower touches the back of its leader: its upper edge is an arc around a centre. */
+static struct point touch(const struct drawn *own, const struct drawn *leader)
+{
+    struct point up = direction(own->theta), face = direction(leader->theta);
+    struct point centre = along(own->corner[1], -own->radius, up.y + up.x, up.y - up.x);
+    return along(centre, own->radius, face.y, -face.x);
+}
+
+int drawn_name(const struct drawn *k, char name[DRAWN_NAME])
+{
+    return k->number >= 0 ? snprintf(name, DRAWN_NAME, "%d", k->number)
+                          : snprintf(name, DRAWN_NAME, k->number == NUMBER_NEXT ? "next" : "");
+}
+
+bool drawn_locked(const struct drawn *k)
+{
+    return k->touched && !isfinite(k->of_own);
+}
+
+/* ---- The stage ---- */
+
+bool stage_make(struct stage *stage, size_t room)
+{
+    *stage = (struct stage){.domino = calloc(room, sizeof *stage->domino)};
+    return stage->domino != NULL;
+}
+
+void stage_free(struct stage *stage)
+{
+    free(stage->domino);
+}
+
+const struct drawn *stage_front(const struct stage *stage, size_t k)
+{
+    bool first = stage->domino[0].foot > stage->domino[stage->count - 1].foot;
+    return &stage->domino[first ? k : stage->count - 1 - k];
+}
+
+struct axis_unit stage_unit(const struct stage *stage, double across)
+{
+    return stage->unit ? (struct axis_unit){stage->unit, 1} : measure_axis(across);
+}
+
+double ruler_step(double least)
+{
+    double ten = pow(10, floor(log10(least)));
+    return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
+}
+
+/* ---- The train ---- */
+
+/* What a walk down the train fills. */
+struct filling {
+    struct stage *stage;
+    double s, r, d, rho;
+    bool leans; /* the next one on the last one */
+};
+
+static void train_add(struct filling *f, double height, double foot, double theta)
+{
+    struct stage *stage = f->stage;
+    int number = (int)stage->count - 1;
+    struct drawn *own = &stage->domino[stage->count++];
+    *own = (struct drawn){.number = number,
+                          .part = number < 0    ? STANDS
+                                  : number == 0 ? HEAD
+                                                : FALLS,
+                          .height = height,
+                          .thickness = f->d * height,
+                          .foot = foot,
+                          .theta = theta,
+                          .radius = f->rho * height,
+                          .contact = {(double)NAN, (double)NAN},
+                          .force = (double)NAN,
+                          .of_own = (double)NAN};
+    drawn_stand(own);
+}
+
+static void train_follow(struct filling *f, double theta)
+{
+    struct drawn *leader = &f->stage->domino[f->stage->count - 1];
+    train_add(f, leader->height / f->r, leader->foot - (f->s + f->d) * leader->height, theta);
+    leader->touched = f->leans;
+    if (f->leans)
+        leader->contact = touch(leader + 1, leader);
+}
+
+static bool train_full(const struct stage *stage)
+{
+    const struct drawn *last = &stage->domino[stage->count - 1];
+    return stage->count == DOMINOES || last->height < SMALLEST || last->foot < stage->left;
+}
+
+static bool train_link(const struct domq_link *link, void *context)
+{
+    struct filling *f = context;
+    if (link->i > 0)
+        train_follow(f, (double)link->theta);
+    else
+        train_add(f, 1, 0, (double)link->theta);
+    f->leans = isfinite(link->arm_a);
+    return !train_full(f->stage);
+}
+
+enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
+                            const struct domq_compute *compute, domq_real theta, double behind)
+{
+    struct domq_compute fine = *compute;
+    struct domq_angles angles;
+    struct filling f = {.stage = stage,
+                        .s = (double)train->s,
+                        .r = (double)train->r,
+                        .d = (double)train->d,
+                        .rho = (double)train->rho};
+    double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
+    if (!stage_make(stage, DOMINOES + MORE))
+        return DOM_NO_MEMORY;
+    fine.tol = domq_arithmetic(fine.precision)->tol_floor; /* what is light is not always small */
+    stage->unit = "h";
+    stage->ruler = "x";
+    stage->top = tall;
+    stage->right = pitch + 0.12 * seen;
+    stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
+    stage->left = stage->left > -1 ? -1 : stage->left; /* the head is in it, however far the next one is */
+    train_add(&f, f.r, pitch, 0);
+    enum dom_status status = domq_angles_find(train, compute, &angles);
+    if (status == DOM_OK)
+        status = domq_chain_walk(train, &fine, theta, train_link, &f);
+    if (status != DOM_OK)
+        return status;
+    while (!train_full(stage)) {
+        train_follow(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
+        f.leans = f.leans && !angles.detaches;
+    }
+    if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {
+        stage->domino[0].touched = true; /* the head hits it */
+        stage->domino[0].contact = touch(&stage->domino[1], &stage->domino[0]);
+    }
+    double end = stage->domino[stage->count - 1].foot - 0.05 * seen;
+    stage->left = end > stage->left ? end : stage->left;
+    return DOM_OK;
+}
+
+static bool force_seen(const struct domq_force *f, void *context)
+{
+    struct stage *stage = context;
+    if (f->i + 1 >= stage->count)
+        return false;
+    struct drawn *k = &stage->domino[f->i + 1];
+    if (k->touched) {
+        k->force = (double)f->force;
+        k->of_own = (double)f->of_own;
+    }
+    return true;
+}
+
+enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
+                             const struct domq_compute *compute, domq_real theta)
+{
+    return domq_cycle_forces(train, compute, theta, force_seen, stage);
+}

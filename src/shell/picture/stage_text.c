@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A stage in characters, to scale: a row of them is as high as two are wide. */
+#include "answer/output.h"
+#include "picture/stage.h"
+#include <math.h>
+#include <string.h>
+
+enum {
+    LEFT = 7,  /* columns of the heights at the left */
+    BELOW = 3, /* rows: the ground, the numbers of the dominoes, the ruler */
+    WIDTH_MOST = 200
+};
+
+struct grid {
+    struct canvas canvas;
+    double left, unit; /* where the canvas begins; the width of a column */
+    int ground;        /* its row */
+};
+
+struct marks text_marks(struct look look)
+{
+    return (struct marks){.theta = "theta",
+                          .weakest = !look.braille  ? "*"
+                                     : look.colours ? "red"
+                                                    : "filled",
+                          .ends = look.braille ? "filled" : "X",
+                          .contacts = look.braille ? "" : "; #: the next; @: contact"};
+}
+
+static int column_of(const struct grid *g, double x)
+{
+    return (int)floor((x - g->left) / g->unit);
+}
+
+/* ---- Dominoes ---- */
+
+static enum ink ink_of(const struct drawn *k)
+{
+    static const enum ink inks[PARTS] = {[HEAD] = INK_BLUE, [FALLS] = INK_ORANGE, [WEAKEST] = INK_RED};
+    return inks[k->part];
+}
+
+/* Fills a domino with a letter, at points on a grid finer than the characters, but not on its edges, which
+ * would make it a character wider. */
+static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
+{
+    const char mark[2] = {k->part == ENDS      ? 'X'
+                          : k->part == WEAKEST ? '*'
+                          : k->number < 0      ? '#'
+                                               : (char)('0' + k->number % 10)};
+    /* Only the next one of a train is ever taller than the picture, and it is upright. */
+    double seen = k->height > stage->top ? stage->top / k->height : 1;
+    int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
+    const struct point *p = k->corner;
+    for (int i = 0; i <= rows; i++)
+        for (int j = 0; j <= columns; j++) {
+            double up = seen * (0.02 + 0.96 * i / rows), back = (j + 0.5) / (columns + 1);
+            double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
+            double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
+            int column = column_of(g, x), row = g->ground - 1 - (int)floor(y / (2 * g->unit));
+            if (column >= LEFT && row < g->ground)
+                canvas_text(&g->canvas, column, row, mark, ink_of(k));
+        }
+}
+
+/* Draws the outline of a domino, or all of it where it is marked. */
+static void domino_outline(struct grid *g, const struct drawn *k)
+{
+    struct canvas *c = &g->canvas;
+    bool filled = drawn_marked(k);
+    double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[CORNERS], y[CORNERS];
+    int phase = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        x[i] = round((k->corner[i].x - g->left) / dot);
+        y[i] = bottom - round(k->corner[i].y / dot);
+    }
+    for (int i = 0; i < CORNERS; i++)
+        canvas_line(c, x[i], y[i], x[(i + 1) % CORNERS], y[(i + 1) % CORNERS], ink_of(k), 0, &phase);
+    int steps = filled ? 2 * (int)(k->thickness / dot) + 1 : 0;
+    for (int i = 1; i < steps; i++) {
+        double part = (double)i / steps;
+        canvas_line(c, x[0] + part * (x[3] - x[0]), y[0] + part * (y[3] - y[0]), x[1] + part * (x[2] - x[1]),
+                    y[1] + part * (y[2] - y[1]), ink_of(k), 0, &phase);
+    }
+}
+
+static void dominoes_draw(struct grid *g, const struct stage *stage)
+{
+    for (size_t k = stage->count; k-- > 0;)
+        if (g->canvas.look.braille)
+            domino_outline(g, stage_front(stage, k));
+        else
+            domino_fill(g, stage, &stage->domino[k]);
+    for (size_t k = 0; k < stage->count && !g->canvas.look.braille; k++) {
+        const struct drawn *d = &stage->domino[k];
+        if (d->touched && d->height > 4 * g->unit)
+            canvas_text(&g->canvas, column_of(g, d->contact.x),
+                        g->ground - 1 - (int)floor(d->contact.y / (2 * g->unit)), "@", INK_TEXT);
+    }
+}
+
+/* ---- The ruler and the numbers ---- */
+
+/* Writes a text around a column, unless another one is there already. */
+static void label_put(struct canvas *c, int column, int row, const char *text)
+{
+    int n = (int)strlen(text), from = column - n / 2;
+    from = from < LEFT ? LEFT : from + n > c->width ? c->width - n : from;
+    for (int i = from > LEFT ? from - 1 : LEFT; i <= from + n; i++)
+        if (!canvas_blank(c, i, row))
+            return;
+    canvas_text(c, from, row, text, INK_TEXT);
+}
+
+/* Writes the heights at the left, from this row on, the ground, and below it numbers and ruler. */
+static void ruler_draw(struct grid *g, const struct stage *stage, int top)
+{
+    struct canvas *c = &g->canvas;
+    char text[32];
+    struct axis_unit unit = stage_unit(stage, g->unit * (c->width - LEFT));
+    double high = ruler_step(6 * g->unit / unit.size) * unit.size,
+           wide = ruler_step(9 * g->unit / unit.size) * unit.size;
+    for (int n = 0; n * high < 2 * g->unit * g->ground; n++) {
+        int row = n == 0 ? g->ground : g->ground - 1 - (int)floor(n * high / (2 * g->unit));
+        snprintf(text, sizeof text, "%*.4g -", LEFT - 2, n * high / unit.size);
+        if (row >= top)
+            canvas_text(c, 0, row, text, INK_TEXT);
+    }
+    for (int column = LEFT; column < c->width; column++)
+        canvas_text(c, column, g->ground, "-", INK_TEXT);
+    snprintf(text, sizeof text, "%*s[%s]", LEFT - 3 - (int)strlen(unit.name), "", unit.name);
+    canvas_text(c, 0, g->ground + 2, text, INK_TEXT);
+    for (int n = (int)ceil((g->left + LEFT * g->unit) / wide); column_of(g, n * wide) < c->width; n++) {
+        canvas_text(c, column_of(g, n * wide), g->ground, "+", INK_TEXT);
+        snprintf(text, sizeof text, "%.6g", n * wide / unit.size);
+        label_put(c, column_of(g, n * wide), g->ground + 2, text);
+    }
+    canvas_text(c, 0, g->ground + 1, "domino", INK_TEXT);
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t k = 0; k < stage->count; k++) {
+            const struct drawn *d = &stage->domino[k];
+            char name[DRAWN_NAME];
+            if (drawn_marked(d) == (pass == 0) && drawn_name(d, name))
+                label_put(c, column_of(g, d->foot - d->thickness / 2), g->ground + 1, name);
+        }
+}
+
+/* Writes the caption, and returns how many lines it takes. */
+static int caption_write(const char *text, int width, FILE *out)
+{
+    int lines = 0;
+    for (size_t n; *text; lines++, text += n + (text[n] == ' ' || text[n] == '\n')) {
+        n = line_break(text, width);
+        fprintf(out, "%.*s\n", (int)n, text);
+    }
+    return lines;
+}
+
+bool stage_text(const struct stage *stage, struct look look, int width, int height, FILE *out)
+{
+    width = width < WIDTH_MOST ? width : WIDTH_MOST;
+    int rows = height - caption_write(stage->caption, width, out), top = 0;
+    struct grid g = {.ground = rows - BELOW};
+    if (!canvas_make(&g.canvas, look, width, rows))
+        return false;
+    double across = (stage->right - stage->left) / (width - LEFT), up = 1.02 * stage->top / (2 * g.ground);
+    g.unit = across > up ? across : up;
+    g.left = stage->left - (LEFT + 1) * g.unit;
+    dominoes_draw(&g, stage);
+    for (bool blank = true; blank && top < g.ground; top += blank) /* rows above that show nothing */
+        for (int column = 0; column < width && blank; column++)
+            blank = canvas_blank(&g.canvas, column, top);
+    ruler_draw(&g, stage, top);
+    canvas_write(&g.canvas, top, out);
+    canvas_free(&g.canvas);
+    return true;
+}
