@@ -66,9 +66,11 @@ static void others_check(const struct listed_row *row)
         fprintf(out, "1,0.1,0%s\n", others);
     }
     fclose(out);
-    struct listed_row again;
-    if (!row_read(text, size, false, false, &again) || again.count != row->count ||
-        memcmp(again.others, row->others, (size_t)(others + strlen(others) + 1 - row->others)) != 0) {
+    struct listed_row again = {.domino = NULL};
+    bool long_lines = size > CSV_LINE_MOST; /* escapes may have made a line longer than can be read */
+    if (!long_lines &&
+        (!row_read(text, size, false, false, &again) || again.count != row->count ||
+         memcmp(again.others, row->others, (size_t)(others + strlen(others) + 1 - row->others)) != 0)) {
         fprintf(stderr, "this is not read back: %s\n", text);
         abort();
     }
