@@ -107,7 +107,7 @@ soon() { timeout 30 "$@"; }
 @test "history: half a line and a long file" { prompt history_long; }
 @test "history: four sessions that end at once" { prompt history_many 4 5; }
 
-# ---- Links, groups, drafts ----
+# ---- Links, groups, temporary files ----
 
 @test "'>' through links whose target is not there makes the target" {
     enter
