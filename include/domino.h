@@ -812,16 +812,20 @@ typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, v
 
 /* The largest growth of a row. */
 struct dom_row_growth {
-    dom_real r_max;        /* NaN if not all dominoes fall even at r = 1 */
-    enum dom_row_end ends; /* how the row ends just above r_max; DOM_ROW_FALLS if `highest` limits r_max */
+    dom_real r_max; /* NaN if not all dominoes fall at any growth that was tried */
+    dom_real r_min; /* from here to r_max all fall: 1 unless the row does not fall at r = 1 */
+    /* How the row ends just above r_max, or at r = 1 if r_max is NaN; DOM_ROW_FALLS if `highest` limits
+     * r_max. */
+    enum dom_row_end ends;
 };
 
 /*
- * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance: the first r,
- * raised from 1 to `highest`, beyond which they do not. make writes the dominoes for each r that is tried;
- * for a train it calls dom_row_of_train, and `highest` is dom_train_reach. row->domino is not used. With
- * steps of 2 % in r, a narrower interval in which the row does not fall can be missed. Statuses as
- * dom_row_run, also for the dominoes that make writes; DOM_BAD_R: `highest` is not a finite number >= 1.
+ * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance: r is raised from 1
+ * to `highest`, up to the first growth at which they fall, and from there to the first one at which they do
+ * not. make writes the dominoes for each r that is tried; for a train it calls dom_row_of_train, and
+ * `highest` is dom_train_reach. row->domino is not used. With steps of 2 % in r, 10 % where an engine does
+ * not let the row fall, a narrower interval can be missed. Statuses as dom_row_run, also for the dominoes
+ * that make writes; DOM_BAD_R: `highest` is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);

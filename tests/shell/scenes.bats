@@ -334,6 +334,15 @@ END
     within rowmax "$train" "$row" 'd > -5e-10 && d < 5e-7'
 }
 
+@test "rowmax of a row that stops at r = 1, and of one that falls at no growth" {
+    scene='set q 2; set d 0.4; set s 0.5180007117763072; effect slope 0.01'
+    same 'as the pair' "$(json "$scene; pair" | values r_max | cut -c1-12)" "$(json "$scene; effect row 2; rowmax" | values r_max | cut -c1-12)"
+    said=$("$DOMINO" -e "$scene; effect row 2; rowmax")
+    grep -qxF "All fall from r = 1.12268 on; with a smaller growth the row ends earlier: 'set r 1; fall'." <<<"$said"
+    same none "at no growth from 1 to 2.5 do all dominoes fall; 'set r 1; fall' shows why" \
+        "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
+}
+
 @test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {
     scene='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
     one=$(json "$scene; set threads 1; placement 400")

@@ -70,6 +70,31 @@ static void two_are_the_pair(void **state)
     assert_true(limited > 2);
 }
 
+/* Checks rows that stop at r = 1 and fall at larger growths, on slopes and with thick dominoes: two dominoes
+ * are the pair, and all fall from r_min on. */
+static void falls_from_above_one(void **state)
+{
+    (void)state;
+    static const double scenes[][4] = {/* s, d, q, alpha */
+                                       {0.5180007117763072, 0.4, 2, 0.01},
+                                       {0.342, 0.24, 2, 0},
+                                       {0.355, 0.257, 2, 0.01},
+                                       {0.496, 0.381, 2, 0.02}};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        struct family f = family_of(scenes[i][0], scenes[i][1], scenes[i][2]);
+        struct domq_limit pair;
+        struct asked_row row = row_of(2, DOMQ_NAN);
+        row.alpha = f.train.alpha = (domq_real)scenes[i][3];
+        assert_status(ask_limit_pair(&f.train, &pair, NULL), DOM_OK);
+        struct domq_row_growth growth = growth_of(&f, &row);
+        assert_true(pair.ends != DOM_END_NONE);
+        assert_near("r_max", growth.r_max, pair.r_max, 1e-11);
+        assert_true(growth.r_min > 1 && ends_at(&f, &row, 1) != DOM_ROW_FALLS);
+        assert_int_equal(ends_at(&f, &row, (double)growth.r_min), DOM_ROW_FALLS);
+        assert_true(ends_at(&f, &row, (double)growth.r_min * (1 - 1e-9)) != DOM_ROW_FALLS);
+    }
+}
+
 /* Checks long rows: the effect of a strong push on domino k decreases like a power of r, so the limit is that
  * of the endless train. */
 static void long_rows_are_the_train(void **state)
@@ -139,8 +164,7 @@ static void at_the_ends(void **state)
     f = family_of(0.05, 7.0 / 48, 4);
     row = row_of(3, DOMQ_NAN);
     growth = growth_of(&f, &row);
-    assert_true(isnan((double)growth.r_max) && growth.ends == DOM_ROW_LEANS);
-    assert_int_equal(f.made, 1);
+    assert_true(isnan((double)growth.r_max) && isnan((double)growth.r_min) && growth.ends == DOM_ROW_LEANS);
     /* If equal dominoes are the largest growth allowed, that growth is the answer. */
     f = family_of(1, 7.0 / 48, 4);
     row = row_of(1, 6);
@@ -184,9 +208,9 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_are_the_pair), cmocka_unit_test(long_rows_are_the_train),
-        cmocka_unit_test(falls_up_to_it),   cmocka_unit_test(at_the_ends),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(two_are_the_pair), cmocka_unit_test(falls_from_above_one),
+        cmocka_unit_test(falls_up_to_it),   cmocka_unit_test(long_rows_are_the_train),
+        cmocka_unit_test(at_the_ends),      cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -133,9 +133,9 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth is raised by this factor. Bisection alone is not enough: above the first growth at which a row
- * does not fall there may be others at which it falls. */
-#define GROWTH_STEP ((dom_real)1.02)
+/* The growth is raised by this factor; and by the second one where an engine runs rows that do not fall. */
+#define GROWTH_STEP           ((dom_real)1.02)
+#define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
 static bool falls_grown(dom_real r, void *context)
 {
@@ -143,6 +143,38 @@ static bool falls_grown(dom_real r, void *context)
     if (t->status == DOM_OK)
         t->make(r, t->domino, t->row.count, t->context);
     return trial_falls(t);
+}
+
+/*
+ * Raises r in steps to the first growth at which the row falls, if `falls` is false, or does not fall;
+ * *before gets the growth before that one. Returns false if there is none up to `highest`. Bisection alone
+ * would not be enough: a row may fall again beyond a growth at which it does not.
+ */
+static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
+{
+    const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
+    while (*r < highest && t->status == DOM_OK) {
+        *before = *r;
+        *r = fmin(*r * step, highest);
+        if (falls_grown(*r, t) != falls)
+            return true;
+    }
+    return false;
+}
+
+/* Finds the growths at which the row falls. A row that stops at r = 1 may fall at larger ones: its gaps grow,
+ * too, so that the first domino tips over before it hits. */
+static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
+{
+    dom_real before = 1, r = 1;
+    bool falls = falls_grown(1, t);
+    *growth = (struct dom_row_growth){DOM_NAN, DOM_NAN, t->ends};
+    if (!falls && !growth_change(t, false, highest, &before, &r))
+        return;
+    growth->r_min = falls ? 1 : edge_find(falls_grown, t, r, before, 0, t->compute.tol);
+    bool ends = growth_change(t, true, highest, &before, &r);
+    growth->r_max = ends ? edge_find(falls_grown, t, before, r, 0, t->compute.tol) : highest;
+    growth->ends = ends ? t->ends : DOM_ROW_FALLS;
 }
 
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
@@ -158,18 +190,8 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
     t.row.domino = t.domino = malloc(row->count * sizeof *t.domino);
     if (!t.domino)
         return DOM_NO_MEMORY;
-    dom_real good = 1, bad = 1;
-    bool falls = falls_grown(1, &t);
-    struct dom_row_growth found = {.r_max = falls ? highest : DOM_NAN, .ends = DOM_ROW_FALLS};
-    while (falls && good < highest) {
-        bad = fmin(good * GROWTH_STEP, highest);
-        falls = falls_grown(bad, &t);
-        good = falls ? bad : good;
-    }
-    if (bad > good)
-        found.r_max = edge_find(falls_grown, &t, good, bad, 0, t.compute.tol);
-    if (!falls)
-        found.ends = t.ends;
+    struct dom_row_growth found;
+    growths_find(&t, highest, &found);
     free(t.domino);
     if (t.status == DOM_OK)
         *growth = found;

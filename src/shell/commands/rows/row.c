@@ -255,17 +255,25 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     free(scene.domino);
     if (query->scene->listed.domino)
         return problem_error(problem, "a row from a file has no growth r; first enter 'effect row N'");
-    enum dom_status status = domq_row_rmax(&scene.row, &scene.compute, 1 / query->scene->train.s, row_at,
-                                           (void *)query->scene, &growth);
+    const domq_real reach = domq_train_reach(&query->scene->train);
+    char reason[96];
+    enum dom_status status =
+        domq_row_rmax(&scene.row, &scene.compute, reach, row_at, (void *)query->scene, &growth);
     if (status == DOM_OK)
         status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status != DOM_OK)
         return row_status(query, problem, status);
-    return answer_row(
-        a,
-        ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
-            cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
-        isnan(growth.r_max) ? "not even equal dominoes (r = 1) all fall; 'set r 1; fall' shows why" : NULL);
+    snprintf(reason, sizeof reason,
+             "at no growth from 1 to %.6g do all dominoes fall; 'set r 1; fall' shows why", (double)reach);
+    bool more = answer_row(a,
+                           ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
+                               cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
+                           isnan(growth.r_max) ? reason : NULL);
+    if (growth.r_min > 1)
+        answer_say(a,
+                   "All fall from r = %.6g on; with a smaller growth the row ends earlier: 'set r 1; fall'.",
+                   (double)growth.r_min);
+    return more;
 }
 
 const struct command row_commands[] = {
