@@ -78,8 +78,7 @@ static void one_table(void **state)
         "\xef\xbb\xbfsep=;\r\n\"size, mm\";\"gap, mm\";count;word\r\n1500;-;2;a\r\n2;0,25;;b;;;\r\n",
         "\"sep=\t\"\nsize, mm\tgap, mm\tcount\tword\n1500\t\t2\ta\n2\t0,25\t\tb\n",
         "size, mm\tgap, mm\tcount\tword\n1500\t\t2\ta\n2\t0,25\t\tb\t# the last\n",
-        "# a comment\n\n ,,, \nSIZE [mm],Gap_mm,Count,Word # it names\n1500,,2,a\n# "
-        "\"\n\n,,,\n2,\"0,25\",,\"b\"\n",
+        "# a comment\n\n ,,, \nSIZE [mm],Gap_mm,Count,Word # names\n1500,,2,a\n# \"\n\n,,,\n2,\"0,25\",,b\n",
         "size,gap,count,word\nmm,(mm),,\n1500,,2,a\n2,0.25,,b\n",
         "length,gap,count,word\n1.5 m,,6/3,a\n2 mm,\"hypot(0.2 mm, 0.15 mm)\",,b\n",
         "total length (mm);gap mm;count;word\n1500;;2;a\n2;hypot(0,0.25);;b\n",
