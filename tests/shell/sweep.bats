@@ -57,6 +57,19 @@ each_sweep() { # SETTING FORMAT...
     for file in *; do [ "$(wc -l <"$file")" -gt 2 ] || same "$file" 'some rows' "$(cat "$file")"; done
 }
 
+@test "workers share what the first of them makes: functions, rows, the engine, leans, studies, design" {
+    while IFS= read -r line; do
+        same "$line" "$("$DOMINO" -n -e "set output csv; set threads 1; $line")" "$("$DOMINO" -n -e "set output csv; set threads 4; $line")"
+    done <<'END'
+sweep s 0.1 0.9 8 : rmax(s)*s
+let f(x) = rmax(x)*x; sweep s 0.1 0.9 8 : f(s)+pair(s)
+effect friction 0.2; effect row 4; sweep r 1 1.4 5 : verdict; tolerance
+effect row 4; effect feet 0.5; sweep s 0.2 0.5 4 : verdict; effect placement 2 mm; placement 8
+effect row 4; effect edges 0.01; sweep s 0.2 0.5 4 : rowmax
+set q hollow; sweep s 0.3 0.5 3 : design 1 m
+END
+}
+
 @test "parts of any number concatenate to the whole, in csv and json" {
     some=$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")
     mkdir "$BATS_TEST_TMPDIR/whole" && cd "$BATS_TEST_TMPDIR/whole"

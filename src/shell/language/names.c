@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/names.h"
 #include "io/escape.h"
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -26,13 +27,22 @@ static unsigned char *slot_of(struct names_index *index, const char *text)
             return &index->slot[k];
 }
 
-int names_indexed(struct names_index *index, const char *text)
+static void index_make(struct names_index *index)
 {
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     const char *name;
+    pthread_mutex_lock(&lock);
     for (int k = 0; !index->made && (name = index->list(NULL, k)) != NULL; k++)
         if (k < NAMES_INDEXED / 2 && *slot_of(index, name) == 0)
             *slot_of(index, name) = (unsigned char)(k + 1);
     index->made = true;
+    pthread_mutex_unlock(&lock);
+}
+
+int names_indexed(struct names_index *index, const char *text)
+{
+    if (!index->made)
+        index_make(index);
     return *slot_of(index, text) - 1;
 }
 

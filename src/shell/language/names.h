@@ -3,6 +3,7 @@
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -30,13 +31,13 @@ int names_exact(names_list *list, const void *context, const char *text);
 
 /*
  * An index of a list that does not change and needs no context, at most half as long as the index: begins
- * with the list alone, and is made at the first look-up.
+ * with the list alone, and is made at the first look-up, which may be that of any thread.
  */
 enum { NAMES_INDEXED = 256 };
 
 struct names_index {
     names_list *list;
-    bool made;
+    atomic_bool made;
     unsigned char slot[NAMES_INDEXED]; /* 1 + the number of a name; 0: none */
 };
 

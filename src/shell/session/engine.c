@@ -14,7 +14,7 @@ bool scene_has_engine(const struct scene *scene)
 
 const char *scene_engine_why(const struct scene *scene)
 {
-    static char why[EFFECT_COUNT][24];
+    static _Thread_local char why[EFFECT_COUNT][24];
     for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
         if (scene->effect[k].on) {
             snprintf(why[k], sizeof why[k], "%s is on", effect_at(k)->name);
