@@ -312,7 +312,8 @@ static void unlabelled(const struct stage *stage, const struct sheet *v, char te
                            measured(stage->row[k].height, "m", 3).text);
         at += snprintf(line + at, sizeof line - (size_t)at, ")");
     }
-    snprintf(text, CAPTION_COLUMNS + 1, at > 0 && at < CAPTION_COLUMNS ? "%s." : "", line);
+    bool fits = at > 0 && at < CAPTION_COLUMNS;
+    snprintf(text, CAPTION_COLUMNS + 1, "%s%s", fits ? line : "", fits ? "." : "");
     free(missing);
 }
 
