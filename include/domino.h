@@ -869,8 +869,8 @@ struct dom_window {
  * now <= high; if not, it is the nearest one beside the value, and dominoes farther than the one after the
  * end of the row have none. Tries gaps from 0 up to the height of the domino before the gap; places that are
  * such gaps, up to the next domino; heights from 1/100 to 4 times the height now, as far as the domino stands
- * on the slope; friction from 0 to 2, or to 4 times the friction now; and leans to either side,
- * until the domino falls over by itself. Steps as dom_row_mend, then
+ * on the slope, with its density and the angle of its lean; friction from 0 to 2, or to 4 times the friction
+ * now; and leans to either side, until the domino falls over by itself. Steps as dom_row_mend, then
  * bisection; all fall with low and high themselves. An interval narrower than a step, in which the row does
  * not fall, can be missed. For an engine's rows a window has a quarter of the steps and three digits, and a
  * value that the engine cannot decide ends it. progress, unless NULL, is called for each window. Statuses as

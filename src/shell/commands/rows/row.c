@@ -314,7 +314,9 @@ const struct command row_commands[] = {
          "between dominoes: with each value in it all dominoes fall, if the rest of the row is as it is. A "
          "place is what a tape measure shows, from the back of domino 1; the domino alone moves. With "
          "another gap, all dominoes after it move along. A domino that is not set up plumb leans about its "
-         "front edge: how far its top may be off, backwards or forwards. No leans are tried with edges, "
+         "front edge: how far its top may be off, backwards or forwards. Another height keeps the angle of "
+         "its "
+         "lean, and its density. No leans are tried with edges, "
          "or "
          "with an engine. The first to fail are marked. If the row does not fall, the windows show which "
          "single changes save it. The search steps as that of 'mend'.",

@@ -16,12 +16,12 @@ const struct column tolerance_columns[] = {
     {"gap_high", "m", "... to here, if all after it move along", 8},
     {"height", "m", "its height", 8},
     {"height_low", "m", "all fall with heights from here ...", 10},
-    {"height_high", "m", "... to here; its mass changes with it", 11},
+    {"height_high", "m", "... to here; 4 times its height if the search ended there", 11},
     {"lean", "m", "what its top is off plumb when it is set up", 8},
     {"lean_low", "m", "all fall if its top is off from here ...", 8},
     {"lean_high", "m", "... to here; negative is backwards", 9},
     {"friction_low", "", "all fall with a friction between dominoes from here ...", 8},
-    {"friction_high", "", "... to here; 2 or more is not tried", 8},
+    {"friction_high", "", "... to here; no more than 2, or 4 times the friction, is tried", 8},
     {"first", "", "what fails first at this domino, of all: place, height or both", 6},
     {NULL, NULL, NULL, 0},
 };
@@ -202,6 +202,17 @@ static struct off off(domq_real value, struct measured (*shown)(domq_real))
     return o;
 }
 
+/* Says how many windows of heights reach the tallest that is tried. */
+static void highest_say(struct answer *a, const struct windows *w, size_t count)
+{
+    size_t open = 0;
+    for (size_t k = 0; k < count; k++)
+        open += w->falls && w->height[k].above == DOM_ROW_FALLS && w->height[k].high >= 4 * w->height[k].now;
+    if (open > 0)
+        answer_say(a, "%zu window%s of heights end%s at 4 times the height: taller ones are not tried.", open,
+                   open == 1 ? "" : "s", open == 1 ? "s" : "");
+}
+
 /* Says where the model ends a window of heights and not the row: where it does not know the contact. */
 static void passes_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
 {
@@ -238,6 +249,7 @@ static void tolerance_say(struct answer *a, const struct windows *w, const struc
                    w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
                    now(h.now).text);
     }
+    highest_say(a, w, count);
     passes_say(a, w, scene);
     if (w->first_lean) {
         const struct domq_window l = readable(&w->lean[w->first_lean - 1]);
