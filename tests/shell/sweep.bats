@@ -326,7 +326,7 @@ parts() { # PARTS ROWS
 
 @test "^C ends a script in the middle of a sweep; on a terminal see prompt.bats" {
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
-    same 'no answer' '(nothing)' "$output"
+    same 'no answer' '-e:1: sweep: interrupted' "$output"
 }
 
 @test "several answers of each point: commands, keys, expressions, one column each" {

@@ -19,6 +19,7 @@ enum argument_kind {
     ARGUMENT_LENGTH,    /* a length >= 0 */
     ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,       /* any value */
+    ARGUMENT_NUMBER,    /* a plain number */
     ARGUMENT_PARAMETER, /* the name of a parameter; without a value after it, or of a variable */
     ARGUMENT_EFFECT,    /* the name of an effect */
     ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file that gives it */

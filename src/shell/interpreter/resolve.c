@@ -4,8 +4,9 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* The most values within values, through all functions: each takes a part of the stack. */
-enum { HEIGHT_MAX = 400 };
+/* The most values within values, and functions within functions: each takes a part of the stack, which is small where
+ * a test asks for that. */
+enum { HEIGHT_MAX = 400, ROUTINES_MAX = 48 };
 
 /* Sets the message of an error, and returns -1. */
 static int __attribute__((format(printf, 3, 4)))
@@ -196,7 +197,7 @@ static int resolved(struct resolver *r, struct tree *t)
     int height = t->kind == TREE_NAME                                 ? name_resolve(r, t)
                  : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
                                                                       : children(r, t);
-    if (height >= HEIGHT_MAX || r->depth > HEIGHT_MAX / 4)
+    if (height >= HEIGHT_MAX || r->depth > ROUTINES_MAX)
         return fail(r, t, "the expression is nested too deeply");
     return height < 0 ? -1 : height + 1;
 }

@@ -49,7 +49,7 @@ const char *film_names(const void *before, int k)
 static const struct argument moment_argument = {.name = "the moment", .kind = ARGUMENT_ANY},
                              domino_argument = {.name = "the domino", .kind = ARGUMENT_ANY},
                              tilt_argument = {.name = "T", .kind = ARGUMENT_PLACE},
-                             speed_argument = {.name = "speed", .kind = ARGUMENT_ANY},
+                             speed_argument = {.name = "the speed", .kind = ARGUMENT_NUMBER},
                              rate_argument = {.name = "rate", .kind = ARGUMENT_ANY},
                              cycles_argument = {.name = "N", .kind = ARGUMENT_ANY};
 
