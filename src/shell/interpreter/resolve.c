@@ -4,8 +4,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* The most values within values, and functions within functions: each takes a part of the stack, which is small where
- * a test asks for that. */
+/* The most values within values, and functions within functions: each takes a part of the stack, which is
+ * small where a test asks for that. */
 enum { HEIGHT_MAX = 400, ROUTINES_MAX = 48 };
 
 /* Sets the message of an error, and returns -1. */
