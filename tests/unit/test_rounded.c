@@ -145,10 +145,12 @@ static struct asked any_train(uint64_t *seed)
     const double span = 1 - rho * (2 - M_PI / 2);
     train.s =
         span * (random_unit(seed) < 0.5 ? 0.02 + 0.97 * random_unit(seed) : 1 - random_log(seed, 1e-3, 1));
-    const double reach = span / (double)train.s;
-    train.r = fmax(random_unit(seed) < 0.5 ? exp(log(reach) * random_unit(seed))
-                                           : reach - (reach - 1) * random_log(seed, 1e-6, 1),
-                   1);
+    const double reach = span / (double)train.s, L = (double)(train.s + train.d), at = random_unit(seed);
+    const double detaches = 1 / sqrt(L * L - (double)(train.d * train.d)); /* (41; A17) of sharp edges */
+    double r = at < 0.4   ? exp(log(reach) * random_unit(seed))
+               : at < 0.8 ? reach - (reach - 1) * random_log(seed, 1e-6, 1)
+                          : fmin(detaches * (1 + random_log(seed, 1e-9, 0.1)), reach);
+    train.r = fmax(r, 1);
     return train;
 }
 

@@ -64,21 +64,15 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
     return DOM_OK;
 }
 
-/* Solves the smooth pieces between the edges. */
-static enum dom_status flow_over(struct flow_context *c, real tol, const real *edge, int edges)
+/* Solves one smooth piece. */
+static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, real hi)
 {
-    for (int i = 1; i < edges; i++) {
-        real lo = edge[i - 1];
-        enum dom_status status =
-            lo <= REAL_MIN || lo == c->geometry->lean ? flow_finely(c, tol, &lo, edge[i]) : DOM_OK;
-        if (status != DOM_OK)
-            return status;
-        enum num_status solver =
-            num_linear_solve(flow_rate, c, lo, edge[i], tol / 8, &c->geometry->flow->solution);
-        if (solver != NUM_OK)
-            return model_status(c->status, solver);
-    }
-    return DOM_OK;
+    bool begins = lo <= REAL_MIN || lo == c->geometry->lean;
+    enum dom_status status = begins ? flow_finely(c, tol, &lo, hi) : DOM_OK;
+    if (status != DOM_OK)
+        return status;
+    enum num_status solver = num_linear_solve(flow_rate, c, lo, hi, tol / 8, &c->geometry->flow->solution);
+    return solver == NUM_OK ? DOM_OK : model_status(c->status, solver);
 }
 
 /* Returns the geometry with a finer tolerance: a sum that ends elsewhere is a jump for a series, and must
@@ -117,12 +111,19 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     struct geometry fine = flow_begin(geometry);
     real edge[CHAIN_EDGES];
     int edges;
-    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges);
-    if (status != DOM_OK)
-        return status;
+    size_t moving = CHAIN_ENDLESS;
+    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
+    if (status == DOM_OK)
+        status = flow_collision(&fine, flow);
+    /* A piece keeps its dominoes up to its end, whatever rounding makes of the tilt at which one detaches. */
+    const bool counted = moving != CHAIN_ENDLESS;
+    fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
-    status = flow_collision(&fine, flow);
-    return status == DOM_OK ? flow_over(&c, geometry->tol, edge, edges) : status;
+    for (int i = 1; i < edges && status == DOM_OK; i++) {
+        fine.n = counted ? moving-- : fine.n;
+        status = flow_piece(&c, geometry->tol, edge[i - 1], edge[i]);
+    }
+    return status;
 }
 
 /* Returns the tilt up to which the flow is solved. */
@@ -174,7 +175,7 @@ KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0
     struct geometry fine = flow_begin(geometry);
     struct flow_context c = {.geometry = &fine, .locked = REAL_NAN};
     geometry->flow->J0 = J0;
-    enum dom_status status = flow_over(&c, geometry->tol, (real[]){lo, *hi}, 2);
+    enum dom_status status = flow_piece(&c, geometry->tol, lo, *hi);
     if (status == DOM_NOT_CONVERGED)
         c.locked = flow_locked_near(&fine, flow_end(geometry->flow, lo), *hi);
     bool locks = status == DOM_LOCKS || (status == DOM_NOT_CONVERGED && !isnan(c.locked));

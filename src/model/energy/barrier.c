@@ -245,7 +245,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
     *b = (struct barrier){.theta_m = 0, .height = 0};
     enum dom_status status = geometry->dynamics->solve ? geometry->dynamics->solve(geometry) : DOM_OK;
     if (status == DOM_OK)
-        status = chain_edges(geometry, end, b->edge, &b->edges);
+        status = chain_edges(geometry, end, b->edge, &b->edges, NULL);
     return status == DOM_OK ? barrier_pieces(geometry, standing, -1, tol, b) : status;
 }
 
@@ -258,7 +258,7 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
         *b = tops;
         return DOM_OK;
     }
-    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), tops.edge, &tops.edges);
+    enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), tops.edge, &tops.edges, NULL);
     if (status == DOM_OK)
         status = barrier_pieces(geometry, standing, tops.half > 0 ? tops.half : -1, TOP_TOL(geometry), &tops);
     if (status == DOM_OK)

@@ -75,11 +75,12 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
 }
 
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
-                                   int *edges)
+                                   int *edges, size_t *moving)
 {
     bool leaves;
     struct tilt leave;
-    enum dom_status status = chain_leave(geometry, &leaves, &leave, NULL);
+    size_t domino = 0;
+    enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
     /* At r s = 1 the follower has detached for every theta > 0: H' jumps at 0, and its right limit counts. */
@@ -89,6 +90,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     if (theta_leave > edge[0] && theta_leave < end)
         edge[(*edges)++] = theta_leave;
     edge[(*edges)++] = end;
+    if (moving)
+        *moving = !leaves ? CHAIN_ENDLESS : theta_leave > edge[0] ? domino + 1 : domino;
     return DOM_OK;
 }
 

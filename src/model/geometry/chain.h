@@ -69,11 +69,12 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
 
 /*
  * Finds the tilts between which a train moves smoothly: edge[0] = 0, the tilt before `end` at which a domino
- * detaches, if there is one, and `end`. *edges gets their number.
+ * detaches, if there is one, and `end`. *edges gets their number. *moving, unless NULL, gets the number of
+ * dominoes that move from edge[0] to edge[1], one more than after it; CHAIN_ENDLESS if none detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
-                                   int *edges);
+                                   int *edges, size_t *moving);
 
 /* Returns the status of a search: the model's own, if its function failed, or else the solver's. */
 static inline enum dom_status model_status(enum dom_status own, enum num_status solver)

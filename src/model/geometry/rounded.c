@@ -166,8 +166,9 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void roller_contact(struct roller *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    k->link.leads =
-        geometry->n > 1 && (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
+    const size_t before = geometry->follower ? 0 : k->link.i; /* of the n dominoes of this geometry */
+    k->link.leads = before + 1 < geometry->n &&
+                    (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
     if (k->link.leads) {
         k->rolling = rolling_here(geometry, k->link.tilt, k->theta);
         k->link.contact = k->rolling.contact;
