@@ -182,6 +182,33 @@ static void trains_anywhere(void **state)
     assert_true(goes > 500 && stops > 100);
 }
 
+/* Checks that the best separation has no better one near it, and keeps the r_max found there. */
+static void best_separations(void **state)
+{
+    (void)state;
+    static const struct {
+        double d, q, mu, rho, alpha;
+    } table[] = {
+        {0.01, 4, 0.05, 0, 0.005},  {0.2, 4, 0.05, 0, 0},          {0.046, 1, 2e-8, 0, 0},
+        {7 / 48., 3, 0.1, 0.01, 0}, {0.0585, 4, 0.27, 4e-5, 0.02}, {0.052, 1, 0.52, 3e-6, 0},
+        {0.16, 3, 0, 9e-9, 0},      {0.1, 4, 0, 0.01, -0.02},
+    };
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        struct asked train = train_of(0.5, table[i].rho, table[i].mu);
+        struct domq_best best;
+        train.d = table[i].d;
+        train.q = table[i].q;
+        train.alpha = table[i].alpha;
+        assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
+        train.s = best.s;
+        assert_near("r_max of the best", rmax_of(&train), (double)best.r_max, 1e-11);
+        for (int k = -8; k <= 8; k++) {
+            train.s = fmin((double)best.s * (1 + 5e-4 * k), 1 - table[i].rho);
+            assert_true(!(rmax_of(&train) > (double)best.r_max * (1 + 1e-11)));
+        }
+    }
+}
+
 /* ---- Newton's law ---- */
 
 enum { MOST = 40 };
@@ -477,11 +504,17 @@ static void radii_that_do_not_fit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths),  cmocka_unit_test(edges_become_sharp),
-        cmocka_unit_test(contacts),         cmocka_unit_test(precisions_agree),
-        cmocka_unit_test(difficult_limits), cmocka_unit_test(trains_anywhere),
-        cmocka_unit_test(newtons_law),      cmocka_unit_test(energy_is_kept),
-        cmocka_unit_test(rows_are_trains),  cmocka_unit_test(radii_that_do_not_fit),
+        cmocka_unit_test(largest_growths),
+        cmocka_unit_test(edges_become_sharp),
+        cmocka_unit_test(contacts),
+        cmocka_unit_test(precisions_agree),
+        cmocka_unit_test(difficult_limits),
+        cmocka_unit_test(trains_anywhere),
+        cmocka_unit_test(best_separations),
+        cmocka_unit_test(newtons_law),
+        cmocka_unit_test(energy_is_kept),
+        cmocka_unit_test(rows_are_trains),
+        cmocka_unit_test(radii_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -92,6 +92,9 @@ struct dynamics {
     /* Finds the kinetic energy at the tilt `from` that is just enough to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
+    /* Optional: returns an estimate of the errors of required energies. They may be large beside a small
+     * barrier, whose energy is what is left of larger ones. */
+    real (*unsure)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, with its bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);

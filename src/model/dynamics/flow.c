@@ -75,12 +75,14 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
     return solver == NUM_OK ? DOM_OK : model_status(c->status, solver);
 }
 
+#define FLOW_FINER 64
+
 /* Returns the geometry with a finer tolerance: a sum that ends elsewhere is a jump for a series, and must
  * stay below what the series resolves. */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
     struct geometry fine = *geometry;
-    fine.tol = fmax(geometry->tol / 64, 64 * REAL_EPSILON);
+    fine.tol = fmax(geometry->tol / FLOW_FINER, 64 * REAL_EPSILON);
     geometry->flow->solution.panels = 0;
     geometry->flow->tol = geometry->tol;
     return fine;
@@ -279,6 +281,16 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     flow_at(geometry, 2 * atan(p), &ln_G, &u);
     *energy = geometry->flow->J0 * u;
     return DOM_OK;
+}
+
+/* The sums of a pass have tails, too. */
+KERNEL real flow_unsure(const struct geometry *geometry)
+{
+    const struct num_linear *solution = &geometry->flow->solution;
+    real ln_G, u;
+    flow_at(geometry, tilt_angle(geometry->c), &ln_G, &u);
+    return geometry->flow->J0 *
+           (solution->v_error + (solution->ln_G_error + TAIL_SHARE * geometry->tol / FLOW_FINER) * fabs(u));
 }
 
 /* Finds w = G (w(0) - u). */

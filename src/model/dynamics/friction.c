@@ -356,6 +356,7 @@ static const struct dynamics friction = {
     .inertia_ratio = friction_inertia_ratio,
     .slope = friction_slope,
     .required_energy = flow_required,
+    .unsure = flow_unsure,
     .speed = flow_speed,
     .before_rest = flow_before_rest,
     .acceleration = friction_acceleration,

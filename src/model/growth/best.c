@@ -263,7 +263,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* Widens the interval until r_max is lower on both sides. */
+    /* Moves the interval up, as wide as it is, and widens it until r_max is lower on both sides. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -273,7 +273,7 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
             s = low > high ? s * (1 - width) : s * (1 + width);
             b->s = s;
             b->r_max = fmax(low, high);
-            width /= 4;
+            width /= 2;
         }
     }
     *smooth = false;

@@ -112,16 +112,20 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 }
 
 /*
- * The most dominoes in all passes of an answer together, which take a second or two in double. If an answer
- * needs more, the status is DOM_TOO_LONG. With an equation of motion a domino takes about four times as long.
+ * The most dominoes in all passes of an answer together, which take a second in double. If an answer needs
+ * more, the status is DOM_TOO_LONG. With an equation of motion a domino takes about four times as long, with
+ * rounded edges ten times.
  */
-#define WORK_MOST      ((size_t)60000000)
-#define WORK_MOST_FLOW ((size_t)15000000)
+#define WORK_MOST         ((size_t)60000000)
+#define WORK_MOST_FLOW    ((size_t)15000000)
+#define WORK_MOST_ROUNDED ((size_t)7000000)
 
 KERNEL void limit_begin(struct margin_context *c)
 {
     c->geometry.effort = &c->effort;
-    c->geometry.effort_most = c->geometry.dynamics->bounded ? WORK_MOST : WORK_MOST_FLOW;
+    c->geometry.effort_most = c->geometry.rounded.on          ? WORK_MOST_ROUNDED
+                              : c->geometry.dynamics->bounded ? WORK_MOST
+                                                              : WORK_MOST_FLOW;
 }
 
 KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)

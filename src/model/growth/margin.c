@@ -38,6 +38,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
     if (status == DOM_OK && c->errors)
         status = barrier_error(geometry, b, &b_error);
+    m->unsure = status == DOM_OK && geometry->dynamics->unsure ? geometry->dynamics->unsure(geometry) : 0;
     m->barrier = b->height;
     m->error += b_error.height;
     return status;
@@ -186,7 +187,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     bool conservative = c->geometry.dynamics->conservative;
     c->how = conservative ? how : MARGIN_SURE;
     for (;; tol = fmax(tol * ROUGH, asked_tol)) {
-        if (margin_to(c, r, tol, &m) == DOM_OK && fabs(margin_share(&m)) > 4 * tol)
+        if (margin_to(c, r, tol, &m) == DOM_OK &&
+            fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.unsure)
             return m;
         if (c->status != DOM_OK || !conservative || tol <= asked_tol)
             break;

@@ -11,7 +11,8 @@
 /* The kinetic energy after a collision or a push, and the barrier. */
 struct margin {
     real kinetic, barrier;
-    bool most; /* true: `barrier` is only an upper bound */
+    bool most;   /* true: `barrier` is only an upper bound */
+    real unsure; /* error of the barrier that is more than its tolerance (struct dynamics) */
     real error;
 };
 

@@ -28,15 +28,16 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has died out: by its last terms, the rest is below the tolerance. Terms never
- * get below the noise of the values, or a few units each.
+ * Returns true if the series has died out: by its last terms, *left, the rest is below the tolerance. Terms
+ * never get below the noise of the values, or a few units each.
  */
-static bool series_died(const real *series, real tol, real noise)
+static bool series_died(const real *series, real tol, real noise, real *left)
 {
-    real size = 0, left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
+    real size = 0;
+    *left = fmax(fabs(series[N - 1]), fmax(fabs(series[N - 2]), fabs(series[N - 3])));
     for (int k = 0; k < N; k++)
         size = fmax(size, fabs(series[k]));
-    return left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
+    return *left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
 /* The values of p and c at the nodes, and the largest noise of each. */
@@ -63,10 +64,10 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
 
 /* Makes one panel that begins with ln_G and v. Returns false if the panel is too wide. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
-                       struct num_panel *panel, enum num_status *status)
+                       struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
     struct values at;
-    real series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
+    real of_p, of_c, series[N], half = (panel->hi - panel->lo) / 2, largest = 0, shrunk = 0;
     if (!values_find(f, context, node, panel, &at)) {
         *status = NUM_NOT_FINITE;
         return false;
@@ -75,7 +76,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
     /* ln G is an exponent: its absolute error counts. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
-    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise))
+    if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
         return false;
     series_integral(series, N, half, ln_G, panel->ln_G);
     for (int j = 0; j < N; j++) {
@@ -84,9 +85,11 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         shrunk = fmax(shrunk, by);
     }
     series_of(node, at.c, N, series);
-    if (!series_died(series, tol, at.c_noise * shrunk))
+    if (!series_died(series, tol, at.c_noise * shrunk, &of_c))
         return false;
     series_integral(series, N, half, v, panel->v);
+    s->ln_G_error += half * of_p;
+    s->v_error += half * of_c;
     return true;
 }
 
@@ -106,6 +109,8 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     nodes_make(node, N);
     if (s->panels > 0)
         num_linear_at(s, lo, &ln_G, &v);
+    else
+        s->ln_G_error = s->v_error = 0;
     while (lo < hi) {
         if (s->panels == LINEAR_PANELS)
             return NUM_NOT_CONVERGED;
@@ -113,7 +118,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
         panel->lo = lo;
         /* A narrow rest of the interval gets no panel of its own. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
-        if (panel_make(f, context, node, ln_G, v, tol, panel, &status)) {
+        if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
             width = 2 * (panel->hi - lo);
             lo = panel->hi;

@@ -107,6 +107,7 @@ struct num_linear {
     int panels;
     /* LINEAR_PANELS panels, allocated by the first solution, since a stack has no room; NULL before */
     struct num_panel *panel;
+    real ln_G_error, v_error; /* estimates, from the last terms of the series */
 };
 
 /*
