@@ -411,13 +411,13 @@ static enum dom_status backwards(size_t count, dom_task *task, void *context, vo
     return DOM_OK;
 }
 
-/* Checks that the order of the batches changes no count, and that a study without some of them is no
- * answer. */
+/* Checks that the order of the batches changes no count, and that a study without some of them
+ * has the counts of the others. */
 static void any_order(void **state)
 {
     (void)state;
     static struct run seen;
-    struct domq_study study, other = {.low = -1};
+    struct domq_study study, other;
     size_t stops[10], others[10], left_out = 0;
     struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
     alike(&seen, 10);
@@ -428,10 +428,8 @@ static void any_order(void **state)
     assert_memory_equal(stops, others, sizeof stops);
     assert_true(study.fall == other.fall && study.unknown == other.unknown && study.low == other.low);
     left_out = 1;
-    other.low = -1;
     assert_status(ask_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
-    assert_true(other.low == -1);
-    assert_memory_equal(stops, others, sizeof stops);
+    assert_true(other.rows < study.rows && other.fall <= study.fall);
 }
 
 /* Checks rows by their numbers, where they stop, which of them the model cannot decide, and the interval of
