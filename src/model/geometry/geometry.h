@@ -139,7 +139,7 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
     real d = geometry->d, along = fabs(geometry->g.along), down = geometry->g.down;
-    return (along == 0 ? 1 : 2) * ((d * down + along) * t.y + (down + d * along) * t.x);
+    return (along == 0 ? (real)1 : (real)2) * ((d * down + along) * t.y + (down + d * along) * t.x);
 }
 
 /* Returns dh/dtheta, also of a domino with rounded edges. */

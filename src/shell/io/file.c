@@ -99,7 +99,7 @@ void target_end(struct target *t)
  * file may not be made in that folder. */
 static FILE *text_open(const struct target *t)
 {
-    const char *slash = strrchr(t->path, '/');
+    const char *slash = t->path ? strrchr(t->path, '/') : NULL;
     char *folder = slash ? strndup(t->path, (size_t)(slash + 1 - t->path)) : strdup(".");
     FILE *text = folder ? io_temporary(folder) : NULL;
     free(folder);

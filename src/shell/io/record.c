@@ -27,7 +27,7 @@ static bool is_text(char *sequence, char c)
     if (c == '\033')
         *sequence = ESCAPE;
     else if (before == ESCAPE)
-        *sequence = c == '[' ? CONTROL : strchr("P_]^X", c) ? STRING : NONE;
+        *sequence = (char)(c == '[' ? CONTROL : strchr("P_]^X", c) ? STRING : NONE);
     else if ((before == CONTROL && c >= '@' && c <= '~') || (before == STRING && c == '\a'))
         *sequence = NONE;
     return before == NONE && c != '\033' && c != '\r';
@@ -75,9 +75,10 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
     bool log = kind == OUTPUT_LOG;
     struct output **before = output_find(top, kind);
     struct record *r = calloc(1, sizeof *r);
+    if (!r)
+        return strerror(ENOMEM);
     const char *wrong =
-        !r ? strerror(ENOMEM)
-           : target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
+        target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
     if (wrong) {
         free(r);
         return wrong;

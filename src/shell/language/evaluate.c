@@ -92,7 +92,10 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
              ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
              : (struct quantity){.angle = f->kind == TO_ANGLE};
     domq_real one = f->kind == OF_ANGLE && a[0].angle == 0 ? a[0].value * e->angle : a[0].value;
-    q->value = f->two ? f->two(a[0].value, a[1].value) : f->one(one);
+    if (f->two)
+        q->value = f->two(a[0].value, a[1].value);
+    else if (f->one)
+        q->value = f->one(one);
     return true;
 }
 
@@ -217,7 +220,7 @@ static bool choice(struct evaluation *e, const struct tree *t, struct quantity *
 
 static bool function(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    struct quantity argument[2];
+    struct quantity argument[2] = {{.value = 0}, {.value = 0}};
     const struct tree *child = t->child;
     for (int i = 0; i < t->count; i++, child = child->next)
         if (!expression_evaluate(e, child, &argument[i]))

@@ -44,10 +44,10 @@ static enum ink ink_of(const struct drawn *k)
  * would make it a character wider. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
-    const char mark[2] = {k->part == ENDS      ? 'X'
-                          : k->part == WEAKEST ? '*'
-                          : k->number < 0      ? '#'
-                                               : (char)('0' + k->number % 10)};
+    const char mark[2] = {(char)(k->part == ENDS      ? 'X'
+                                 : k->part == WEAKEST ? '*'
+                                 : k->number < 0      ? '#'
+                                                      : '0' + k->number % 10)};
     /* Only the next one of a train is ever taller than the picture, and it is upright. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
