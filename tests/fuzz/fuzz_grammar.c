@@ -188,7 +188,7 @@ static const char *swept_names(const void *context, int k)
 static void put_grid(struct maker *m)
 {
     for (unsigned axes = 1 + pick(m, 3); axes > 0; axes--) {
-        put_name(m, grid_names, NULL);
+        put_name(m, model_names, NULL);
         for (unsigned n = 1 + pick(m, 4), list = pick(m, 2); n > 0; n--) {
             put(m, " ");
             if (pick(m, 4))
@@ -260,7 +260,7 @@ static void put_argument(struct maker *m, const struct argument *a, const struct
         *named = parameter_find(put_name(m, effect_names, NULL));
         break;
     case ARGUMENT_GRID:
-        if (a->choices && a->choices != grid_names)
+        if (a->choices && a->choices != model_names)
             put_wishes(m, a);
         else
             put_grid(m);

@@ -219,9 +219,10 @@ static bool run_question(struct session *session, struct reader *r, const struct
     return done;
 }
 
-/* Runs the command at the reader. */
-static void run_command(struct session *session, struct reader *r)
+/* Runs the command at the reader, which moves on behind it. */
+static void run_command(struct session *session, struct reader *line)
 {
+    struct reader reader = *line, *r = &reader;
     const char *begin = r->at;
     fflush(output_base(session->output)->out); /* no answer waits for the next one */
     struct problem problem;
@@ -253,6 +254,7 @@ static void run_command(struct session *session, struct reader *r)
     if (problem.kind != PROBLEM_NONE)
         session_problem(session, &problem);
     session->command = NULL;
+    line->at = r->at;
 }
 
 /* Writes what waits for log and tee, so that a crash loses nothing of them. */
