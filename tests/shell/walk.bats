@@ -123,22 +123,34 @@ evenly() { # COUNT
 
 @test "why: the verdict, the term that decides, and that dominoes stay in contact" {
     run -0 "$DOMINO" -e 'why'
-    for words in 'The train goes on: it has 730 % of the energy that it needs.' 'K >= B (26; c8)' \
+    for words in 'The train goes on: it has 730 % of the energy that it needs to push the next domino over.' 'K >= B (26; c8)' \
         'may be up to 1.64423 times as large' 'The dominoes stay in contact, as the paper assumes'; do
         [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
     done
     run -0 "$DOMINO" -e 'set r 1.7; why'
-    [[ $output == *'The train stops: it has only 61.5 % of the energy that it needs.'*'K < B (26; c8)'* ]]
+    [[ $output == *'The train stops: it has 62 % of the energy that it needs to push the next domino over.'*'K < B (26; c8)'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; why'
     [[ $output == *'The train does not fall: falling sets no energy free.'*'(25; c7)'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
     [[ $output == *'it has nothing to climb, and any motion is enough'* ]]
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
-    [[ $output == *'growth ends by reach: beyond r = 1/s = 1.25'* ]]
+    [[ $output == *'Growth ends by reach: beyond r = 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
+    # The first two sentences need no symbol, and advise: closer or farther apart, less growth, thinner dominoes.
+    while IFS='|' read -r scene advice; do
+        run -0 "$DOMINO" -e "$scene; why"
+        same "$scene" "$advice" "${lines[1]}"
+        [[ $(head -n 2 <<<"$output") != *[=\(]* ]]
+    done <<'END'
+set r 1.7|Place the dominoes farther apart, or make them grow less: with gaps of 0.5337 heights each can be 1.81 times as large as the one before, and with these gaps 1.644 times.
+effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer to each other, or make them grow less: with gaps of 0.5386 heights each can be 1.603 times as large as the one before, and with these gaps 1.406 times.
+set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 heights each can be 1.81 times as large as the one before.
+set r 1.9|Make the dominoes grow less: with gaps of 0.5337 heights each can be 1.81 times as large as the one before, and with these gaps 1.644 times.
+set d 3|Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.
+END
     # A share so close to 1 that it would be rounded to 100 % has more digits.
     run -0 "$DOMINO" -e 'set r 1.00001*rmax; barrier'
-    [[ ${lines[0]} =~ ^'The train stops: it has only 99.9'[0-9]+' % of the energy that it needs.'$ ]] || same share '99.9... %' "${lines[0]}"
+    [[ ${lines[0]} =~ ^'The train stops: it has 99.9'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '99.9... %' "${lines[0]}"
     run -0 "$DOMINO" -e 'set r 0.99999*rmax; barrier'
-    [[ ${lines[0]} =~ ^'The train goes on: it has 100.0'[0-9]+' % of the energy that it needs.'$ ]] || same share '100.0... %' "${lines[0]}"
+    [[ ${lines[0]} =~ ^'The train goes on: it has 100.0'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '100.0... %' "${lines[0]}"
 }
