@@ -35,7 +35,7 @@ static void one_text(double value)
     }
 }
 
-static const struct output_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17},
+static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17},
                                  in_float = {.precision = DOM_FLOAT, .all_digits = 9};
 
 /* Checks that csv and json write the fewest digits of 15, 16 and 17, or 7, 8 and 9, that read back. */

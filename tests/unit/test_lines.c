@@ -2,8 +2,9 @@
 /* Shortcuts on the way of a line: each gives what the long way gives, which is the C library's. */
 #include "support.h"
 
+#include "answer/answer.h"
 #include "answer/format.h"
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "commands/tables.h"
 #include "interpreter/forms.h"
 #include "interpreter/question.h"
@@ -149,14 +150,14 @@ static void a_line_in_ascii_has_the_columns_of_its_letters(void **state)
     }
 }
 
-/* Returns what output_wrapped writes, which the caller frees. */
+/* Returns what write_wrapped writes, which the caller frees. */
 static char *wrapped(const char *text, int right)
 {
     char *written = NULL;
     size_t size;
     FILE *out = open_memstream(&written, &size);
     assert_non_null(out);
-    output_wrapped(out, text, 2, right);
+    write_wrapped(out, text, 2, right);
     fclose(out);
     return written;
 }

@@ -117,7 +117,7 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
 }
 
 /* Returns the value rounded to the session's precision. */
-static domq_real rounded(const struct output_style *style, domq_real value)
+static domq_real rounded(const struct answer_style *style, domq_real value)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)(float)value
            : style->precision == DOM_DOUBLE ? (domq_real)(double)value
@@ -125,31 +125,31 @@ static domq_real rounded(const struct output_style *style, domq_real value)
 }
 
 /* Reads a number as a program with the session's precision does, where that is not double. */
-static domq_real read_back(const struct output_style *style, const char *text)
+static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT ? (domq_real)strtof(text, NULL) : quad_read(text, NULL);
 }
 
 /* What is brief is known in double at best, and a count is more than a float holds. */
-static const struct output_style *style_of(const struct output_style *style, struct cell cell)
+static const struct answer_style *style_of(const struct answer_style *style, struct cell cell)
 {
-    static const struct output_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
+    static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
     bool count = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
     return cell.digits || count ? &in_double : style;
 }
 
-bool cell_finite(const struct output_style *style, struct cell cell)
+bool cell_finite(const struct answer_style *style, struct cell cell)
 {
     bool number = cell.kind == CELL_REAL || cell.kind == CELL_COUNT;
     return !number || isfinite(rounded(style_of(style, cell), cell.number));
 }
 
-bool cell_vanishes(const struct output_style *style, struct cell cell)
+bool cell_vanishes(const struct answer_style *style, struct cell cell)
 {
     return cell.kind == CELL_REAL && cell.number != 0 && rounded(style_of(style, cell), cell.number) == 0;
 }
 
-const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT])
+const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT])
 {
     if (cell.kind == CELL_FLAG)
         return cell.number != 0 ? "true" : "false";
@@ -168,7 +168,7 @@ const char *cell_plain(const struct output_style *style, struct cell cell, char 
     return said;
 }
 
-const char *cell_plain_bound(const struct output_style *style, struct cell cell, const char *none,
+const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT])
 {
     char number[CELL_TEXT];

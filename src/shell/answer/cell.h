@@ -10,7 +10,7 @@ enum angle { ANGLE_RAD, ANGLE_DEG };
 
 struct format;
 
-struct output_style {
+struct answer_style {
     unsigned output; /* which of the formats, as the session has it; session_style finds the format */
     const struct format *format;
     enum angle angle;
@@ -41,10 +41,10 @@ struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
 /* Returns true unless the number is none, or too large, in the arithmetic in which csv and json write it. */
-bool cell_finite(const struct output_style *style, struct cell cell);
+bool cell_finite(const struct answer_style *style, struct cell cell);
 
 /* Returns true for a number that is not 0, and is 0 in that arithmetic. */
-bool cell_vanishes(const struct output_style *style, struct cell cell);
+bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
 
@@ -52,10 +52,10 @@ enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
 /* Writes a cell for programs: the fewest digits that read back to the same number, without a bound. */
-const char *cell_plain(const struct output_style *style, struct cell cell, char text[CELL_TEXT]);
+const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Writes the bound of a number as cell_plain does; nothing where no bound is known. */
-const char *cell_plain_bound(const struct output_style *style, struct cell cell, const char *none,
+const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables for people: in the width of their terminal, with the letters that it has. */
 #include "answer/format.h"
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "io/escape.h"
 #include "io/terminal.h"
 #include <math.h>
@@ -93,9 +93,9 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
 static void field(FILE *out, const char *text, int width)
 {
     int blanks = (width < 0 ? -width : width) - terminal_columns(text);
-    output_blanks(out, width > 0 ? blanks : 0);
+    write_blanks(out, width > 0 ? blanks : 0);
     fputs(text, out);
-    output_blanks(out, width < 0 ? blanks : 0);
+    write_blanks(out, width < 0 ? blanks : 0);
 }
 
 /* Writes the key of a column, which has a colour of its own where the terminal has colours. */
@@ -168,7 +168,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
             continue;
         key_field(a, c->key, -key_width);
         fputs("  ", a->out);
-        output_wrapped(a->out, pretty(a, said, letters), key_width + 2, a->width);
+        write_wrapped(a->out, pretty(a, said, letters), key_width + 2, a->width);
         said = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->measure[i], unit);
         fprintf(a->out, "%s%s\n", *said ? " " : "", said);
     }
@@ -198,11 +198,11 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         int wide = column_width(a, c, digits);
         if (left && last && words >= 0) {
             fputs("  ", a->out);
-            output_wrapped(a->out, shown, words, a->width);
+            write_wrapped(a->out, shown, words, a->width);
         } else if (left && last) {
             if (line == VALUES) {
                 fprintf(a->out, "\n%*s", WORDS_INDENT, "");
-                output_wrapped(a->out, shown, WORDS_INDENT, a->width);
+                write_wrapped(a->out, shown, WORDS_INDENT, a->width);
             }
         } else {
             bool open = left && !a->columns[i + 2].key && words < 0; /* no blanks at the end of the line */
@@ -254,7 +254,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
         }
         if (below && *c->meaning)
             fprintf(a->out, "\n%*s", WORDS_INDENT / 2, "");
-        output_wrapped(a->out, pretty(a, c->meaning, line), below ? WORDS_INDENT / 2 : left, a->width);
+        write_wrapped(a->out, pretty(a, c->meaning, line), below ? WORDS_INDENT / 2 : left, a->width);
         putc('\n', a->out);
     }
 }
@@ -285,8 +285,8 @@ static void table_line(struct answer *a, const char *said)
     char text[TEXT_LINE], line[TEXT_LINE];
     escape_text(said, text, sizeof text);
     int indent = (int)strspn(text, " ");
-    output_blanks(a->out, indent);
-    output_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
+    write_blanks(a->out, indent);
+    write_wrapped(a->out, pretty(a, text + indent, line), indent, a->width);
     putc('\n', a->out);
 }
 

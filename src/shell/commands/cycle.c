@@ -149,7 +149,7 @@ static const char *stop_reason(const struct query *query, char *reason, size_t s
 {
     struct domq_value stop;
     char text[WIDE_TEXT];
-    struct output_style style = state_style(query->state);
+    struct answer_style style = state_style(query->state);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
     if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
         isfinite(stop.value))

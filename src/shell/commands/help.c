@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, all of it from the tables of commands and parameters. */
 #include "answer/format.h"
+#include "answer/wrap.h"
 #include "commands/help_page.h"
 #include "commands/help_rows.h"
 #include "commands/tables.h"
@@ -77,7 +78,7 @@ static void help_value(FILE *out, const struct domq_effect_argument *a, const ch
     snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
              a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
     int left = fprintf(out, "  %-8s ", a->name);
-    output_wrapped(out, text, left, help_width(out));
+    write_wrapped(out, text, left, help_width(out));
     putc('\n', out);
 }
 
@@ -169,7 +170,7 @@ static void help_columns(FILE *out, const struct column *columns)
     }
     for (const struct column *c = columns; c && c->key; c++) {
         int left = fprintf(out, "  %-*s %-*s ", key, c->key, unit, c->unit);
-        output_wrapped(out, c->meaning, left, help_width(out));
+        write_wrapped(out, c->meaning, left, help_width(out));
         putc('\n', out);
     }
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/help_page.h"
-#include "answer/output.h"
+#include "answer/answer.h"
+#include "answer/wrap.h"
 #include "io/terminal.h"
 #include <stdarg.h>
 
@@ -17,7 +18,7 @@ void help_say(FILE *out, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(said, sizeof said, format, arguments);
     va_end(arguments);
-    output_wrapped(out, said, 0, help_width(out));
+    write_wrapped(out, said, 0, help_width(out));
     putc('\n', out);
 }
 
@@ -29,13 +30,13 @@ void help_entry(FILE *out, const char *typed, int column, const char *does)
         fprintf(out, "%s\n%*s", typed, INDENT, "");
     else
         fprintf(out, "%-*s", column, typed);
-    output_wrapped(out, does, below ? INDENT : column, width);
+    write_wrapped(out, does, below ? INDENT : column, width);
     putc('\n', out);
 }
 
 void help_text(FILE *out, const char *text)
 {
     putc('\n', out);
-    output_wrapped(out, text, 0, help_width(out));
+    write_wrapped(out, text, 0, help_width(out));
     putc('\n', out);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help for programs: a row for each command, parameter and effect. */
 #include "commands/help_rows.h"
-#include "answer/output.h"
+#include "answer/answer.h"
 #include "session/effects.h"
 #include <string.h>
 

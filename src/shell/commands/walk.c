@@ -277,7 +277,7 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
     struct domq_value omegasq, stop = {.value = DOMQ_NAN};
-    const struct output_style *style = &query->state->settings.style;
+    const struct answer_style *style = &query->state->settings.style;
     enum dom_status status =
         domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)

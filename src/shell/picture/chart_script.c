@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts as scripts of gnuplot. */
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Charts in characters: title, axes, curves, legend. */
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
 #include <math.h>
@@ -348,7 +348,7 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     canvas_write(&canvas, 0, out);
     canvas_free(&canvas);
     if (*chart->note) {
-        output_wrapped(out, chart->note, 0, width);
+        write_wrapped(out, chart->note, 0, width);
         putc('\n', out);
     }
     return true;

@@ -6,7 +6,7 @@
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
 
-#include "answer/output.h"
+#include "answer/answer.h"
 #include "picture/chart.h"
 #include "picture/stage.h"
 #include "session/problem.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A stage as a script of gnuplot, to scale, for a picture in a file and for a frame of a film. */
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
 #include <stdlib.h>

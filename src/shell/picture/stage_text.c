@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A stage in characters, to scale: a row of them is as high as two are wide. */
-#include "answer/output.h"
+#include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
 #include <string.h>

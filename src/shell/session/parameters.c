@@ -418,9 +418,9 @@ static int tol_digits(domq_real tol)
     return digits;
 }
 
-struct output_style state_style(const struct state *state)
+struct answer_style state_style(const struct state *state)
 {
-    struct output_style style = state->settings.style;
+    struct answer_style style = state->settings.style;
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = format_at(style.output);
     style.precision = state->scene.compute.precision;

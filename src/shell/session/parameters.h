@@ -126,6 +126,6 @@ void parameter_range(const struct state *state, const struct parameter *paramete
 void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
 
 /* Returns the style of answers, in the format that 'set output' has chosen. */
-struct output_style state_style(const struct state *state);
+struct answer_style state_style(const struct state *state);
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
-#include "answer/output.h"
+#include "answer/answer.h"
 #include "session/scene.h"
 
 struct command;

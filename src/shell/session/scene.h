@@ -64,7 +64,7 @@ struct scene {
 
 /* How answers look, and how they are computed where that changes no answer. */
 struct settings {
-    struct output_style style; /* output, digits, angle */
+    struct answer_style style; /* output, digits, angle */
     unsigned timing, hints;
     domq_real threads; /* 0: as many as there are processors */
 };

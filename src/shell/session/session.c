@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/session.h"
 #include "answer/format.h"
+#include "answer/wrap.h"
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/names.h"
@@ -139,7 +140,7 @@ static void session_write(struct session *session, const struct problem *problem
     FILE *out = session->output->messages;
     bool colour = terminal_colour(stderr) && !session->source;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
-    output_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    write_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
     fputs(colour ? "\033[m\n" : "\n", out);
     session->fresh = false;
 }

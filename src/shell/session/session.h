@@ -6,7 +6,7 @@
 #ifndef SHELL_SESSION_H
 #define SHELL_SESSION_H
 
-#include "answer/output.h"
+#include "answer/answer.h"
 #include "io/output.h"
 #include "session/query.h"
 

@@ -275,7 +275,7 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     w->swept.to = to;
     bool assigned = point_assign(w);
     if (w->styled) {
-        struct output_style style = state_style(&w->point);
+        struct answer_style style = state_style(&w->point);
         style.digits = a.style.digits; /* columns have one width in all rows */
         style.format = a.style.format; /* which a picture has chosen for itself */
         a.style = style;

@@ -3,7 +3,7 @@
 #ifndef SHELL_SWEPT_H
 #define SHELL_SWEPT_H
 
-#include "answer/output.h"
+#include "answer/answer.h"
 #include "commands/sweeps/grid.h"
 #include "interpreter/command.h"
 
