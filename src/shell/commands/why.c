@@ -69,7 +69,7 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
                         const struct domq_barrier *b, const struct domq_limit *limit)
 {
     const struct domq_train *t = &query->scene->train;
-    const struct output_style *style = &query->state->settings.style;
+    const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
         answer_say(a,
                    "The dominoes that lean on each other are as high as upright ones, or the larger one in "
@@ -89,7 +89,7 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
 /* Says whether the dominoes stay in contact during the cycle, as the paper assumes. */
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
-    const struct output_style *style = &query->state->settings.style;
+    const struct answer_style *style = &query->state->settings.style;
     const struct measured weight = measured(quad(fabs)(c->force), "share", 3);
     const char *unit = style_angle_unit(style);
     double tilt = (double)style_angle(style, c->theta);
