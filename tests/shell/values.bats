@@ -351,6 +351,14 @@ END
 
 # ---- What is wrong with a value ----
 
+@test "a rotation may be given as a frequency, since radians are often left out; a growth that is nearly 1 is not shown as 1" {
+    same 'push' "$("$DOMINO" -n -o csv -e 'effect row 6; effect push 8 rad*sqrt(g/h); verdict')" \
+        "$("$DOMINO" -n -o csv -e 'effect row 6; effect push 8*sqrt(g/h); verdict')"
+    run "$DOMINO" -n -e 'count 1e9 m 1.0000001'
+    expects 'count' 'each 1.0000001 times as large' 'Falling with growth 1.0000001'
+    [[ $output == *'each 1.0000001 times as large'*'Falling with growth 1.0000001'* ]]
+}
+
 @test "kinds that do not fit: both are named" {
     all_wrong <<'END'
 7|count 112 deg|^count: H is a length, not an angle
@@ -360,6 +368,9 @@ END
 7|set s 0.3 rad|^set: s is a plain number, not an angle
 7|set r h|^set: r is a plain number, not a length
 7|set h 3 s|^set: h is a length, not a time
+0|set h 5|^set: a height of 5 without a unit would be 5 m, and it is 4\.8 cm now; write 'set h 5 m'
+0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
+23|effect row 6; place 5 +1 cm|^place: GAP is the gap itself, not a change of it; leave out the '[+]'$
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
 10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$
 7|set h 10 g|^set: h is a length, not a mass; enter one such as '48 mm'$

@@ -2,6 +2,7 @@
 /* count, the quiz: how many dominoes it takes to topple one of a given height. */
 #include "commands/tables.h"
 #include "language/quad.h"
+#include <string.h>
 
 const struct column count_columns[] = {
     {"height", "m", "the domino to topple is at least this tall", 0},
@@ -70,13 +71,24 @@ static bool count_kind(const struct query *query, struct answer *a, struct probl
     return true;
 }
 
+/* Writes a growth with this many digits, or with as many more as a growth that is nearly 1 needs to differ
+ * from 1. */
+static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
+{
+    while (strcmp(quad_text(r, digits, text), "1") == 0 && r != 1)
+        digits++;
+    return text;
+}
+
 /* Says which kinds of dominoes can fall, and how few of each would be enough. */
 static bool count_explain(const struct query *query, struct answer *a, struct problem *problem,
                           const struct domq_train *train, domq_real height)
 {
     bool named = false;
+    char number[WIDE_TEXT];
     const struct word *words = parameter_find("q")->words;
-    answer_say(a, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
+    answer_say(a,
+               "\nFalling with growth %s at s = %.6g, by kind of domino:", growth_text(train->r, 6, number),
                (double)train->s);
     for (const struct word *w = words; w->name; w++) {
         struct domq_train kind = *train;
@@ -115,7 +127,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
                quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
-               quad_text(train->r, (int)a->style.digits, growth),
+               growth_text(train->r, (int)a->style.digits, growth),
                !feasible              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",

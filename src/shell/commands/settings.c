@@ -26,12 +26,34 @@ static void effect_say(const struct query *query, struct answer *a, const struct
         means_note(query->means, "%s", text);
 }
 
+/* A height without a unit that is this many times as large as the session's, or as small, is taken for a
+ * slip. */
+#define SLIP_OF_UNIT 50
+
+/* Refuses a height without a unit that is far from the height of the session: 'set h 5' would be 5 m. */
+static bool height_likely(const struct query *query, struct problem *problem)
+{
+    const struct arguments *given = query->given;
+    const domq_real now = query->scene->scale.h, ratio = given->number[1] / now;
+    if (given->parameter != parameter_find("h") || given->count < 2 || !quantity_bare(given->quantity[1]) ||
+        (ratio < SLIP_OF_UNIT && ratio > 1 / (domq_real)SLIP_OF_UNIT))
+        return true;
+    return problem_error(
+        problem,
+        "a height of %s without a unit would be %s, and it is %s now; write 'set h %s m', or "
+        "the unit that you mean",
+        quad_shown(given->number[1]).text, measured(given->number[1], "m", 6).text,
+        measured(now, "m", 4).text, quad_shown(given->number[1]).text);
+}
+
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
     struct state *next = query->next;
     const struct parameter *p = given->parameter, *moved = p->moves ? parameter_find(p->moves) : NULL;
     domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
+    if (!height_likely(query, problem))
+        return false;
     if (!parameter_set(next, p, &given->number[1], given->count - 1, given->word[1], query->means, problem))
         return false;
     /* A file that is sourced may set the other one next. */

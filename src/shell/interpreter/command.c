@@ -162,6 +162,9 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     bool over_height = p && strcmp(p->value[a->which].unit, "h") == 0;
     if (over_height && quantity_alike(q, (struct quantity){.length = 1}))
         q = (struct quantity){.value = q.value / query->scene->scale.h};
+    /* A rotation may be given as a frequency, too, since radians are often left out: 8*sqrt(g/h). */
+    if (unit.angle == 1 && unit.time == -1 && quantity_alike(q, (struct quantity){.time = -1}))
+        q.angle = 1;
     const char *example = expression_example(unit);
     if (!quantity_bare(q) && a->kind != ARGUMENT_ANY && !quantity_alike(q, unit))
         return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,

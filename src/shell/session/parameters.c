@@ -338,13 +338,16 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
 
 void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
-    char value[WIDE_TEXT];
+    char value[WIDE_TEXT], unit[64];
     if (p->effect) {
         effect_save(&state->scene, p->which, folder, out);
         return;
     }
     parameter_text(p, parameter_get(state, p), WIDE_DIGITS, value, sizeof value);
-    fprintf(out, "set %s %s\n", p->name, value);
+    struct quantity quantity = expression_unit(p->value->unit);
+    bool has_unit = parameter_is_number(p) && !quantity_plain(quantity) && !quantity.angle;
+    fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
+            has_unit ? expression_unit_typed(quantity, unit, sizeof unit) : "");
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)
