@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/answer.h"
-#include "answer/format.h"
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/quad.h"

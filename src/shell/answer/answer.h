@@ -6,6 +6,7 @@
 #include "answer/measure.h"
 #include "io/output.h"
 #include "language/units.h"
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -56,6 +57,36 @@ struct answer {
     void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
     struct swept *swept;
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
+};
+
+/* What went wrong, and where, for programs that read answers. */
+struct failure {
+    const char *command; /* the one that ran; NULL where there was none */
+    const char *text, *source;
+    long line;
+    int column; /* from 1; 0: the whole line */
+};
+
+/* A way to write answers. */
+struct format {
+    bool for_people; /* sentences, headings and units stand around the rows; else programs read them */
+    bool escapes;    /* the format has its own way to write control characters, which a program reads back */
+    /* Writes the beginning, before the first row, whose cells and reason are given; NULL: nothing. */
+    void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
+    /* Writes a row; reason, unless NULL, says why a value is missing, "" that there is nothing to say. */
+    void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
+    /* Writes a short text as it is, in lines of its own; NULL where note is. */
+    void (*line)(struct answer *answer, const char *text);
+    /* Writes a sentence; NULL: the format has no place for one. */
+    void (*note)(struct answer *answer, const char *format, va_list arguments);
+    /* Writes that a command without an answer is done; NULL: nothing. */
+    void (*done)(FILE *out, const char *command);
+    /* Writes an error, beside that on standard error; NULL: nothing. */
+    void (*failed)(FILE *out, const struct failure *failure);
+    /* Returns true if a line of a file names columns; NULL: no line does. */
+    bool (*is_head)(const char *line);
+    /* Writes the end, after the last row. Returns the text for which the format has no place, or NULL. */
+    const char *(*end)(struct answer *answer);
 };
 
 /* Returns true if programs get the bounds of column i in a column after it. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A line of names, then a line a row, with commas between (RFC 4180). */
 #include "language/csv.h"
-#include "answer/format.h"
+#include "answer/answer.h"
 #include <ctype.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An object a row, on a line of its own; an object for each command, also for errors and where there is no
  * row. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "io/escape.h"
 
 static void cell_write(const struct answer *a, struct cell cell)

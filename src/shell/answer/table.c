@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables for people: in the width of their terminal, with the letters that it has. */
-#include "answer/format.h"
+#include "answer/answer.h"
 #include "answer/wrap.h"
 #include "io/escape.h"
 #include "io/terminal.h"
