@@ -202,7 +202,7 @@ $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversio
 # Hard cases and sweeps against a reference in MPFR: the other files of tests/hard are linked into each test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
 HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
-$(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,$(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
+$(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@

@@ -48,9 +48,8 @@ static void assert_digits(const struct csv *csv, const char *column, struct ref 
                  column, ref_double(ref, quantity), text, e, bound);
 }
 
-static void reference_of_points(void **state)
+TEST(reference_of_points)
 {
-    (void)state;
     static const struct {
         const char *column;
         enum ref_quantity quantity;
@@ -119,9 +118,8 @@ static long check_growth(int number, void *context)
     return 1;
 }
 
-static void reference_of_growth(void **state)
+TEST(reference_of_growth)
 {
-    (void)state;
     if (sweep_size() < 1)
         skip(); /* in a part of the tests the reference is taken on trust */
     static const char *const tables[] = {"tests/reference/rmax.csv", "tests/reference/pair.csv"};
@@ -254,16 +252,14 @@ static void check_cases(enum dom_precision precision)
     none_fails(workers_run(hard_cases_number, check_case, &precision));
 }
 
-static void hard_cases_in_double(void **state)
+TEST(hard_cases_in_double)
 {
-    (void)state;
     assert_true(hard_cases_number >= 60);
     check_cases(DOM_DOUBLE);
 }
 
-static void hard_cases_in_quad(void **state)
+TEST(hard_cases_in_quad)
 {
-    (void)state;
     if (domq_arithmetic(DOM_QUAD)->bits == 0)
         skip();
     check_cases(DOM_QUAD);
@@ -271,9 +267,8 @@ static void hard_cases_in_quad(void **state)
 
 /* Checks the naive code to 1e-13 of the scale: what bisection to the last bit and plain sums leave of a
  * double. */
-static void naive_code_is_right_on_friendly_trains(void **state)
+TEST(naive_code_is_right_on_friendly_trains)
 {
-    (void)state;
     for (int k = 0; k < friendly_cases_number; k++) {
         const struct hard_case *c = &friendly_cases[k];
         const struct ref_input input = input_of(c, DOM_DOUBLE);
@@ -293,9 +288,8 @@ static void naive_code_is_right_on_friendly_trains(void **state)
 }
 
 /* Checks that a kinetic energy of 1e-12 next to a fuel of 1 has a duration, even in float. */
-static void a_slow_cycle_in_float_has_a_duration(void **state)
+TEST(a_slow_cycle_in_float_has_a_duration)
 {
-    (void)state;
     const struct ref_input input = {(domq_real)0x1.7656b2p-15f,
                                     (domq_real)0x1.5e2492p+14f,
                                     (domq_real)0x1.e54866p-23f,
@@ -318,9 +312,8 @@ static void a_slow_cycle_in_float_has_a_duration(void **state)
 
 /* ---- Refusals ---- */
 
-static void refusals_have_their_reasons(void **state)
+TEST(refusals_have_their_reasons)
 {
-    (void)state;
     for (int k = 0; k < refusals_number; k++) {
         const struct refusal *c = &refusals[k];
         const struct hard_case as_case = {.s = c->s, .r = c->r, .d = c->d, .q = c->q, .tilt = c->tilt};
@@ -339,9 +332,8 @@ static void refusals_have_their_reasons(void **state)
     }
 }
 
-static void tolerances_have_a_floor(void **state)
+TEST(tolerances_have_a_floor)
 {
-    (void)state;
     for (enum dom_precision precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
         const struct domq_arithmetic *arithmetic = domq_arithmetic(precision);
         struct asked train = asked_default();
@@ -355,19 +347,4 @@ static void tolerances_have_a_floor(void **state)
         train.tol = DOMQ_NAN;
         assert_status(ask_train_check(&train), DOM_BAD_TOL);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reference_of_points),
-        cmocka_unit_test(reference_of_growth),
-        cmocka_unit_test(naive_code_is_right_on_friendly_trains),
-        cmocka_unit_test(hard_cases_in_double),
-        cmocka_unit_test(hard_cases_in_quad),
-        cmocka_unit_test(a_slow_cycle_in_float_has_a_duration),
-        cmocka_unit_test(refusals_have_their_reasons),
-        cmocka_unit_test(tolerances_have_a_floor),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,9 +85,8 @@ static struct asked any_train(uint64_t *seed)
     return train;
 }
 
-static void limits_of_random_trains_lie_in_what_is_proved(void **state)
+TEST(limits_of_random_trains_lie_in_what_is_proved)
 {
-    (void)state;
     uint64_t seed = 2026;
     struct counts c = {0};
     int trains = (int)ceil(200 * sweep_size());
@@ -104,9 +103,8 @@ static void limits_of_random_trains_lie_in_what_is_proved(void **state)
     assert_true(c.refuted > trains / 3 && c.partly * 50 <= trains);
 }
 
-static void limits_of_hard_cases_lie_in_what_is_proved(void **state)
+TEST(limits_of_hard_cases_lie_in_what_is_proved)
 {
-    (void)state;
     struct counts c = {0};
     int step = sweep_size() < 1 ? 4 : 1;
     for (int i = 0; i < hard_cases_number; i += step) {
@@ -126,9 +124,8 @@ static void limits_of_hard_cases_lie_in_what_is_proved(void **state)
 }
 
 /* A verdict that is proved is the computed one. */
-static void verdicts_agree(void **state)
+TEST(verdicts_agree)
 {
-    (void)state;
     uint64_t seed = 88;
     int goes = 0, stops = 0, open = 0, wrong = 0, trains = (int)ceil(150 * sweep_size());
     for (int i = 0; i < trains; i++) {
@@ -163,9 +160,8 @@ static void verdicts_agree(void **state)
 }
 
 /* An interrupt is a gap, and no error; wrong parameters are errors; numbers of dominoes are exact. */
-static void gaps_statuses_and_counts(void **state)
+TEST(gaps_statuses_and_counts)
 {
-    (void)state;
     const volatile sig_atomic_t raised = 1;
     struct dom_train train = dom_train_default(), wrong = train, rubs = train;
     struct dom_compute compute = dom_compute_default();
@@ -205,9 +201,8 @@ static void gaps_statuses_and_counts(void **state)
 }
 
 /* In another rounding mode nothing is proved, wrong parameters are still errors, and the mode stays. */
-static void another_rounding_mode_proves_nothing(void **state)
+TEST(another_rounding_mode_proves_nothing)
 {
-    (void)state;
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     for (size_t k = 0; k < sizeof modes / sizeof *modes; k++) {
         struct dom_train train = dom_train_default(), wrong = train;
@@ -233,16 +228,4 @@ static void another_rounding_mode_proves_nothing(void **state)
         assert_true(least == 0 && isinf(most));
         assert_status(bad, DOM_BAD_S);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(limits_of_random_trains_lie_in_what_is_proved),
-        cmocka_unit_test(limits_of_hard_cases_lie_in_what_is_proved),
-        cmocka_unit_test(verdicts_agree),
-        cmocka_unit_test(gaps_statuses_and_counts),
-        cmocka_unit_test(another_rounding_mode_proves_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

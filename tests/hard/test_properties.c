@@ -51,9 +51,8 @@ static void close_(const char *what, const struct ref_input *in, domq_real got, 
 /* ---- Along a cycle ---- */
 
 /* Checks J w + H - H(0) = K (21; c3). */
-static void energy_is_conserved(void **state)
+TEST(energy_is_conserved)
 {
-    (void)state;
     FOR_PRECISIONS(p)
     {
         uint64_t seed = 11;
@@ -81,9 +80,8 @@ static void energy_is_conserved(void **state)
 }
 
 /* Checks that one cycle ends as the next begins: (50; d8) corrected, (22; c4), (23; c5). */
-static void cycles_are_similar(void **state)
+TEST(cycles_are_similar)
 {
-    (void)state;
     uint64_t seed = 12;
     int cycles = 0;
     for (int k = 0; k < 400; k++) {
@@ -133,9 +131,8 @@ static bool in_order(const struct domq_link *link, const struct domq_link *error
 
 /* Checks that every domino leans further than its leader, turns more slowly and weighs less, up to
  * theta_f. */
-static void dominoes_are_in_order(void **state)
+TEST(dominoes_are_in_order)
 {
-    (void)state;
     uint64_t seed = 13;
     size_t links = 0;
     for (int k = 0; k < 400; k++) {
@@ -157,9 +154,8 @@ static void dominoes_are_in_order(void **state)
 /* ---- Fuel ---- */
 
 /* Checks that the second equality of (25; c7), a telescoping sum, is true for r = 1. */
-static void fuels_are_equal_for_equal_dominoes(void **state)
+TEST(fuels_are_equal_for_equal_dominoes)
 {
-    (void)state;
     FOR_PRECISIONS(p)
     {
         uint64_t seed = 14;
@@ -192,9 +188,8 @@ static domq_real growth_of(double s, double q, double d, enum ref_quantity quant
  * Checks that a train at its limit is a chain of marginal pairs, if domino 1 detaches before the head is at
  * its highest.
  */
-static void pairs_are_trains_where_only_two_touch(void **state)
+TEST(pairs_are_trains_where_only_two_touch)
 {
-    (void)state;
     int alike = 0;
     for (double q = 2; q <= 10; q += 0.5)
         for (double s = 0.45; s < 0.7; s += 0.005) {
@@ -222,9 +217,8 @@ static void pairs_are_trains_where_only_two_touch(void **state)
  * climb more, and its followers are lighter. The thinnest, whose margin may increase once more near 1/s, are
  * left out.
  */
-static void growth_is_continuous_and_falls_with_d_and_q(void **state)
+TEST(growth_is_continuous_and_falls_with_d_and_q)
 {
-    (void)state;
     const double h = 1e-8;
     int compared = 0;
     for (double s = 0.08; s < 1; s += 0.07)
@@ -275,9 +269,8 @@ static double distance_from_top(const struct ref_input *best)
            (difference(best, coarse, second) / (coarse * coarse));
 }
 
-static void best_separations(void **state)
+TEST(best_separations)
 {
-    (void)state;
     static const struct {
         double d, q;
         bool paper;
@@ -318,9 +311,8 @@ static void best_separations(void **state)
 
 /* ---- Counting ---- */
 
-static void counts(void **state)
+TEST(counts)
 {
-    (void)state;
     FOR_PRECISIONS(p)
     {
         uint64_t seed = 15;
@@ -351,19 +343,4 @@ static void counts(void **state)
                          (double)first, (double)r, (double)count.exact, wrong, (double)error.exact);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(energy_is_conserved),
-        cmocka_unit_test(cycles_are_similar),
-        cmocka_unit_test(dominoes_are_in_order),
-        cmocka_unit_test(fuels_are_equal_for_equal_dominoes),
-        cmocka_unit_test(pairs_are_trains_where_only_two_touch),
-        cmocka_unit_test(growth_is_continuous_and_falls_with_d_and_q),
-        cmocka_unit_test(best_separations),
-        cmocka_unit_test(counts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,9 +57,8 @@ static double first_stop(const struct asked *train, double r_max, int n)
     return NAN;
 }
 
-static void no_train_stops_below_r_max(void **state)
+TEST(no_train_stops_below_r_max)
 {
-    (void)state;
     uint64_t seed = 4711;
     int limits = 0, reached = 0, missed = 0;
     for (int i = 0; i < part_of(1000); i++) {
@@ -82,9 +81,8 @@ static void no_train_stops_below_r_max(void **state)
 }
 
 /* Checks the samples with friction, for which there is no bound: one miss in a hundred is allowed. */
-static void few_trains_with_friction_stop_below_r_max(void **state)
+TEST(few_trains_with_friction_stop_below_r_max)
 {
-    (void)state;
     uint64_t seed = 815;
     int limits = 0, missed = 0;
     for (int i = 0; i < part_of(100); i++) {
@@ -119,9 +117,8 @@ static double pair_share(double s, double d, double q, double r)
     return (kinetic - most) / (kinetic + most);
 }
 
-static void pairs_succeed_in_their_first_band(void **state)
+TEST(pairs_succeed_in_their_first_band)
 {
-    (void)state;
     uint64_t seed = 99;
     int bands = 0, missed = 0;
     for (int i = 0; i < part_of(4000); i++) {
@@ -148,9 +145,8 @@ static void pairs_succeed_in_their_first_band(void **state)
 }
 
 /* Checks that no separation of a dense sample allows more than the best one. */
-static void no_separation_allows_more(void **state)
+TEST(no_separation_allows_more)
 {
-    (void)state;
     uint64_t seed = 31;
     int missed = 0, found = 0, refused = 0;
     for (int i = 0; i < part_of(40); i++) {
@@ -179,15 +175,4 @@ static void no_separation_allows_more(void **state)
     }
     print_message("# %d best separations, %d missed, %d refused\n", found, missed, refused);
     assert_true(missed == 0 && found >= part_of(20) && refused <= 6);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_train_stops_below_r_max),
-        cmocka_unit_test(few_trains_with_friction_stop_below_r_max),
-        cmocka_unit_test(pairs_succeed_in_their_first_band),
-        cmocka_unit_test(no_separation_allows_more),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,15 +4,8 @@
 #ifndef TEST_SUPPORT_H
 #define TEST_SUPPORT_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
-
 #include "ask.h"
+#include "suite.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -136,9 +136,8 @@ static void check_tilts(const struct both *b)
     }
 }
 
-static void tilts(void **state)
+TEST(tilts)
 {
-    (void)state;
     for_all(check_tilts);
 }
 
@@ -151,9 +150,8 @@ static void check_cycle(const struct both *b)
     both_cycle_duration(b);
 }
 
-static void cycles(void **state)
+TEST(cycles)
 {
-    (void)state;
     for_all(check_cycle);
 }
 
@@ -165,9 +163,8 @@ static void check_growth(const struct both *b)
         both_limit_best(b);
 }
 
-static void growth(void **state)
+TEST(growth)
 {
-    (void)state;
     for_all(check_growth);
 }
 
@@ -323,9 +320,8 @@ static void check_forces(const struct both *b)
     assert_status(dom_train_check(&b->train, &b->compute), domq_train_check(&b->trainq, &b->computeq));
 }
 
-static void walks(void **state)
+TEST(walks)
 {
-    (void)state;
     for_all(check_chain);
     for_all(check_walk);
     for_all(check_events);
@@ -344,9 +340,8 @@ static void walks(void **state)
     } while (0)
 #define AT_TILT 0.1,
 
-static void null_is_the_default(void **state)
+TEST(null_is_the_default)
 {
-    (void)state;
     const struct dom_compute compute = dom_compute_default();
     const struct dom_train train = dom_train_default();
     assert_true(compute.tol == 1e-12 && compute.precision == DOM_DOUBLE && !compute.errors);
@@ -371,16 +366,4 @@ static void null_is_the_default(void **state)
     assert_status(dom_chain_walk(&b.train, NULL, 0.1, link_seen, &of_null), DOM_OK);
     assert_status(dom_chain_walk(&b.train, &compute, 0.1, link_seen, &seen), DOM_OK);
     assert_int_equal(of_null.count, seen.count);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tilts),
-        cmocka_unit_test(cycles),
-        cmocka_unit_test(growth),
-        cmocka_unit_test(walks),
-        cmocka_unit_test(null_is_the_default),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

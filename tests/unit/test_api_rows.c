@@ -97,9 +97,8 @@ static void row_same(const struct rows *r)
         fall_same(&seen.fall[k], &seenq.fall[k]);
 }
 
-static void rows(void **state)
+TEST(rows)
 {
-    (void)state;
     static const double some[][3] = {{1.1, NAN, 0}, {1.3, 5, 0}, {1.9, NAN, 0}, {1.05, 8, 0.2}, {1, 0.5, 0}};
     struct rows r;
     rounding = 1e-11;
@@ -145,9 +144,8 @@ static void part_done(size_t done, size_t of, void *context)
     *parts = done;
 }
 
-static void growths_mends_and_pushes(void **state)
+TEST(growths_mends_and_pushes)
 {
-    (void)state;
     struct rows r;
     rounding = 1e-10;
     for (enum dom_precision p = DOM_DOUBLE; p <= DOM_QUAD && dom_arithmetic(p)->bits; p++) {
@@ -212,9 +210,8 @@ static enum dom_status last_first(size_t count, dom_task *task, void *context, v
     return DOM_OK;
 }
 
-static void studies(void **state)
+TEST(studies)
 {
-    (void)state;
     struct rows r;
     size_t tasks = 0;
     const struct dom_placement p = {.sigma = 0.01, .heights = 0.01, .seed = 3, .rows = 40};
@@ -248,9 +245,8 @@ static void studies(void **state)
 
 /* ---- Counts, scales, arithmetic ---- */
 
-static void counts(void **state)
+TEST(counts)
 {
-    (void)state;
     for (enum dom_precision p = DOM_FLOAT; p <= DOM_QUAD; p++)
         for (int errors = 0; errors <= 1 && dom_arithmetic(p)->bits; errors++) {
             struct dom_compute compute = dom_compute_default();
@@ -266,9 +262,8 @@ static void counts(void **state)
         }
 }
 
-static void scales_and_precisions(void **state)
+TEST(scales_and_precisions)
 {
-    (void)state;
     struct dom_train t = dom_train_default();
     struct dom_scale d = dom_scale_default();
     struct domq_scale q = domq_scale_default();
@@ -317,9 +312,8 @@ static void effect_same(const struct dom_effect *e, const struct domq_effect *eq
 }
 
 /* Checks that each effect has its number and its name, and that the law without effects has a description. */
-static void effects(void **state)
+TEST(effects)
 {
-    (void)state;
     for (int k = 0; k < DOM_EFFECT_COUNT; k++)
         effect_same(dom_effect((enum dom_effect_name)k), domq_effect((enum dom_effect_name)k));
     effect_same(&dom_energy_balance, &domq_energy_balance);
@@ -334,9 +328,8 @@ static void effects(void **state)
 
 /* Checks the law of motion of a train, and the first effect that is on: without effects, and with each effect
  * alone. */
-static void laws(void **state)
+TEST(laws)
 {
-    (void)state;
     struct dom_train t = dom_train_default();
     struct domq_train tq = domq_train_default();
     assert_true(!dom_dynamics(&t) && !domq_dynamics(&tq));
@@ -356,9 +349,8 @@ static void laws(void **state)
 
 /* ---- The simple functions ---- */
 
-static void simple(void **state)
+TEST(simple)
 {
-    (void)state;
     struct dom_train t = dom_train_default();
     const struct dom_scale scale = dom_scale_default();
     struct dom_limit limit;
@@ -381,19 +373,4 @@ static void simple(void **state)
     assert_near("wide speed", (double)domq_speed(scale.h, t.s, t.d), dom_speed(scale.h, t.s, t.d), 1e-11);
     assert_true(isnan(dom_speed(0, 0.4, 0.15)) && isnan(dom_speed(NAN, 0.4, 0.15)));
     assert_true(isnan(dom_speed(0.048, 2, 0.15)) && isnan(dom_speed(0.048, 0.001, 1)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows),
-        cmocka_unit_test(studies),
-        cmocka_unit_test(counts),
-        cmocka_unit_test(scales_and_precisions),
-        cmocka_unit_test(effects),
-        cmocka_unit_test(laws),
-        cmocka_unit_test(growths_mends_and_pushes),
-        cmocka_unit_test(simple),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

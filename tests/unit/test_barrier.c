@@ -49,9 +49,8 @@ static double height_off(const struct geometry *geometry, double theta_c, const 
     return off / (noise + edge);
 }
 
-static void no_tilt_is_higher(void **state)
+TEST(no_tilt_is_higher)
 {
-    (void)state;
     uint64_t seed = 11;
     double highest = 0, lowest = 0;
     int hills = 0;
@@ -83,9 +82,8 @@ static void no_tilt_is_higher(void **state)
 
 /* Checks a barrier after a valley: H decreases first and increases later; the paper's search stops at 0
  * there. */
-static void barrier_after_a_valley(void **state)
+TEST(barrier_after_a_valley)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_barrier barrier;
     struct domq_energy energy;
@@ -105,9 +103,8 @@ static void barrier_after_a_valley(void **state)
 }
 
 /* Checks trains of small separation with the paper's fuel, where H increases up to the collision. */
-static void barrier_at_the_end(void **state)
+TEST(barrier_at_the_end)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_barrier barrier;
     struct domq_angles angles;
@@ -121,9 +118,8 @@ static void barrier_at_the_end(void **state)
 }
 
 /* Checks a thin domino at the reach, which climbs alone: hypot(1, d) - 1, which is 5e-17 for d = 1e-8. */
-static void barrier_of_one_domino(void **state)
+TEST(barrier_of_one_domino)
 {
-    (void)state;
     for (double d = 1e-8; d < 1; d *= 10) {
         struct asked train = asked_default();
         struct domq_barrier barrier;
@@ -136,15 +132,4 @@ static void barrier_of_one_domino(void **state)
         assert_near("barrier", barrier.barrier, d * d / (1 + hypot(1, d)), 1e-15);
         assert_near("theta_m", barrier.theta_m, atan(d), 1e-14);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_tilt_is_higher),
-        cmocka_unit_test(barrier_after_a_valley),
-        cmocka_unit_test(barrier_at_the_end),
-        cmocka_unit_test(barrier_of_one_domino),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,9 +32,8 @@ static void assert_same(const char *what, const struct geometry *geometry, doubl
 
 /* Checks that H2, H3, ... of the far tail are derivatives at theta_inf: the closed form is the whole train to
  * its tolerance. */
-static void the_far_tail_is_the_train(void **state)
+TEST(the_far_tail_is_the_train)
 {
-    (void)state;
     uint64_t seed = 31;
     int shorter = 0;
     for (int i = 0; i < 3 * TRAINS; i++) {
@@ -73,9 +72,8 @@ static void assert_rest(const char *what, const struct geometry *geometry, doubl
 
 /* Checks that what the series leave out is within the bounds that decide where a pass ends, and that the
  * bounds are small near theta_inf. */
-static void the_far_tail_is_within_its_bound(void **state)
+TEST(the_far_tail_is_within_its_bound)
 {
-    (void)state;
     int orders = 0;
     for (int q = 3; q <= 4; q++)
         for (double s = 0.02; s < 0.3; s *= 1.7)
@@ -119,9 +117,8 @@ static void the_far_tail_is_within_its_bound(void **state)
 }
 
 /* Checks that one chain with two uses, and two chains in one pass, give the same as separate passes. */
-static void shared_passes_are_the_same(void **state)
+TEST(shared_passes_are_the_same)
 {
-    (void)state;
     uint64_t seed = 32;
     int both = 0;
     for (int i = 0; i < TRAINS; i++) {
@@ -147,9 +144,8 @@ static void shared_passes_are_the_same(void **state)
 }
 
 /* Checks that H2 is the slope of H1, to the accuracy of a difference. */
-static void H2_is_the_slope_of_H1(void **state)
+TEST(H2_is_the_slope_of_H1)
 {
-    (void)state;
     uint64_t seed = 33;
     int compared = 0;
     for (int i = 0; i < TRAINS; i++) {
@@ -174,9 +170,8 @@ static void H2_is_the_slope_of_H1(void **state)
 
 /* Checks that H is concave up to theta_u if one top is enough, and that no barrier is higher than that of one
  * domino. */
-static void one_top_if_concave(void **state)
+TEST(one_top_if_concave)
 {
-    (void)state;
     uint64_t seed = 34;
     int single = 0;
     for (int i = 0; i < 10 * TRAINS; i++) {
@@ -205,9 +200,8 @@ static void one_top_if_concave(void **state)
 }
 
 /* Counts the passes of a limit: a handful, while a scan of samples took hundreds. */
-static void limits_take_few_passes(void **state)
+TEST(limits_take_few_passes)
 {
-    (void)state;
     struct dom_work work = {.passes = 0};
     size_t limits = 0, most = 0;
     for (int k = 2; k <= 90; k += 2, limits++) {
@@ -222,14 +216,4 @@ static void limits_take_few_passes(void **state)
     print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",
                   work.passes / limits, most);
     assert_true(work.passes <= 25 * limits && most <= 350);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_far_tail_is_the_train),  cmocka_unit_test(the_far_tail_is_within_its_bound),
-        cmocka_unit_test(shared_passes_are_the_same), cmocka_unit_test(H2_is_the_slope_of_H1),
-        cmocka_unit_test(one_top_if_concave),         cmocka_unit_test(limits_take_few_passes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -151,16 +151,25 @@ static void explore(const char *line, int depth)
     free(o);
 }
 
-static void offers_are_taken(void **state)
+/* Begins a session in which every answer has a value, 'ans' too. */
+static void begin(void)
 {
-    (void)state;
+    command_registry(all_commands);
+    session_init(&session, fopen("/dev/null", "w"));
+    assert_non_null(session.out);
+    command_run_text(&session, "effect row 4; effect push 6; effect placement 1 mm; rmax");
+    assert_int_equal(session.errors, 0);
+}
+
+TEST(offers_are_taken)
+{
+    begin();
     explore("", 2);
     assert_in_range(checked, 500, 100000);
 }
 
-static void begun_words_are_taken(void **state)
+TEST(begun_words_are_taken)
 {
-    (void)state;
     static const char *const lines[] = {"curve 0.1 0.9 ",
                                         "effect placement 1 mm ",
                                         "sweep s 0.1 0.9 9 ",
@@ -179,22 +188,4 @@ static void begun_words_are_taken(void **state)
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         explore(lines[i], 1);
     assert_in_range(checked, 15, 100);
-}
-
-static int begin(void **state)
-{
-    (void)state;
-    command_registry(all_commands);
-    session_init(&session, fopen("/dev/null", "w"));
-    assert_non_null(session.out);
-    /* Every answer has a value here, and 'ans' too. */
-    command_run_text(&session, "effect row 4; effect push 6; effect placement 1 mm; rmax");
-    return (int)session.errors;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(offers_are_taken),
-                                       cmocka_unit_test(begun_words_are_taken)};
-    return cmocka_run_group_tests(tests, begin, NULL);
 }

@@ -31,9 +31,8 @@ static double margin_at(struct asked t, double r)
  * in which r is raised. Below the answer 20,000 samples find no margin < 0, just above the answer there is
  * one, and farther up the train goes on again: a search that misses the dip would end there.
  */
-static void dips_of_the_margin(void **state)
+TEST(dips_of_the_margin)
 {
-    (void)state;
     static const struct {
         double s, d, q;
         enum dom_fuel fuel;
@@ -64,9 +63,8 @@ static void dips_of_the_margin(void **state)
 
 /* Compares the tilt of a stop in double with quad: within the bound, and the bound within a million times the
  * error. */
-static void bounds_of_a_stop(void **state)
+TEST(bounds_of_a_stop)
 {
-    (void)state;
     uint64_t seed = 26;
     int stops = 0, sharp = 0, balanced = 0;
     for (int i = 0; i < 2000; i++) {
@@ -94,9 +92,8 @@ static void bounds_of_a_stop(void **state)
 }
 
 /* Checks that with friction there are no bounds. */
-static void no_bounds_with_friction(void **state)
+TEST(no_bounds_with_friction)
 {
-    (void)state;
     struct asked t = asked_default();
     struct domq_launch launch, launch_error;
     struct domq_barrier barrier, barrier_error;
@@ -120,9 +117,8 @@ static void no_bounds_with_friction(void **state)
 /* ---- Refusals ---- */
 
 /* Checks that the methods to compare with have no bounds, and not every answer. */
-static void methods_refuse(void **state)
+TEST(methods_refuse)
 {
-    (void)state;
     static const enum dom_method methods[] = {DOM_METHOD_GSL, DOM_METHOD_PAPER};
     for (size_t i = 0; i < 2; i++) {
         struct asked t = asked_default();
@@ -145,9 +141,8 @@ static void methods_refuse(void **state)
 }
 
 /* Checks that the methods agree if equal dominoes do not go on, and if the growth ends at 1/s. */
-static void methods_at_the_ends(void **state)
+TEST(methods_at_the_ends)
 {
-    (void)state;
     struct asked t = asked_default();
     struct domq_limit limit;
     enum dom_status why = DOM_OK;
@@ -182,9 +177,8 @@ static void methods_at_the_ends(void **state)
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
 }
 
-static void no_such_precision(void **state)
+TEST(no_such_precision)
 {
-    (void)state;
     struct asked t = asked_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[3];
@@ -204,9 +198,8 @@ static void no_such_precision(void **state)
 }
 
 /* A number that an enumeration does not have gets a text, or NULL, and reads beyond no table. */
-static void numbers_without_a_text(void **state)
+TEST(numbers_without_a_text)
 {
-    (void)state;
     static const int number[] = {-1, 8, 12345678};
     for (size_t i = 0; i < sizeof number / sizeof *number; i++) {
         assert_string_equal(dom_end_text((enum dom_end)number[i]), "unknown");
@@ -221,9 +214,8 @@ static void numbers_without_a_text(void **state)
     assert_string_equal(domq_effect(DOM_EFFECT_floor)->name, "floor");
 }
 
-static void counts_of_equal_dominoes(void **state)
+TEST(counts_of_equal_dominoes)
 {
-    (void)state;
     struct domq_count count, error = {.dominoes = 1, .exact = 1, .last = 1};
     assert_status(ask_count_find(DOM_DOUBLE, 1, 1, 1, &count, &error), DOM_OK);
     assert_true(count.dominoes == 0 && count.last == 1 && error.dominoes == 0 && error.last == 0);
@@ -232,9 +224,8 @@ static void counts_of_equal_dominoes(void **state)
 }
 
 /* Checks that an interrupt gives INTERRUPTED, and that nothing is written. */
-static void interrupted(void **state)
+TEST(interrupted)
 {
-    (void)state;
     const volatile sig_atomic_t now = 1;
     struct asked t = asked_default();
     struct domq_scale scale = domq_scale_default();
@@ -306,9 +297,8 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
 
 /* Lets one allocation after the other fail, until an answer needs no more: each failure is reported, and all
  * memory is freed. */
-static void memory_runs_out(void **state)
+TEST(memory_runs_out)
 {
-    (void)state;
     struct asked t = asked_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[5];
@@ -345,16 +335,4 @@ static void memory_runs_out(void **state)
         assert_int_equal(alone.fall, study.fall);
         p.parallel = NULL;
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dips_of_the_margin),      cmocka_unit_test(bounds_of_a_stop),
-        cmocka_unit_test(no_bounds_with_friction), cmocka_unit_test(methods_refuse),
-        cmocka_unit_test(methods_at_the_ends),     cmocka_unit_test(no_such_precision),
-        cmocka_unit_test(numbers_without_a_text),  cmocka_unit_test(counts_of_equal_dominoes),
-        cmocka_unit_test(memory_runs_out),         cmocka_unit_test(interrupted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

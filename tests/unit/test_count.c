@@ -13,9 +13,8 @@ static domq_real rounded(domq_real x, enum dom_precision precision)
  * for each of 4 + k of them, takes one domino more; a height within that, or below, does not. No more than a
  * millionth of a domino is allowed for.
  */
-static void heights_near_a_power(void **state)
+TEST(heights_near_a_power)
 {
-    (void)state;
     uint64_t seed = 91;
     int above = 0, meet = 0;
     for (int i = 0; i < 30000; i++) {
@@ -50,9 +49,8 @@ static void heights_near_a_power(void **state)
 
 /* Checks that 30 dominoes reach 2^30 m from 1 m; 0.01 mm more takes 31, in double and, typed with more
  * digits, in quad. */
-static void a_bit_more_than_a_power(void **state)
+TEST(a_bit_more_than_a_power)
 {
-    (void)state;
     struct domq_count count;
     assert_status(ask_count_find(DOM_DOUBLE, 1, 1073741824.00001, 2, &count, NULL), DOM_OK);
     assert_true(count.dominoes == 31 && count.last == 2147483648.0);
@@ -60,13 +58,4 @@ static void a_bit_more_than_a_power(void **state)
     assert_true(count.dominoes == 30);
     assert_status(ask_count_find(DOM_QUAD, 1, 1073741824 * (1 + (domq_real)1e-30), 2, &count, NULL), DOM_OK);
     assert_true(domq_arithmetic(DOM_QUAD)->bits < 113 || count.dominoes == 31);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heights_near_a_power),
-        cmocka_unit_test(a_bit_more_than_a_power),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and what is wrong. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
+#include "suite.h"
 
 #include "language/csv_table.h"
 #include <math.h>
@@ -67,9 +61,8 @@ static void rows_check(const struct reading *cases, size_t count, const struct c
 #define CHECK(cases, of, comma) rows_check(cases, sizeof cases / sizeof *cases, of, comma)
 
 /* The same two rows, as people and spreadsheets write them. */
-static void one_table(void **state)
+TEST(one_table)
 {
-    (void)state;
     static const char *const texts[] = {
         "size (mm),gap (mm),count,word\n1500,,2,a\n2,0.25,,b\n",
         "size (mm), gap (mm), count, word\r\n1500, -, 2, a\r\n2, .25, -, b",
@@ -94,9 +87,8 @@ static void one_table(void **state)
     }
 }
 
-static void quotes(void **state)
+TEST(quotes)
 {
-    (void)state;
 #define HEAD "size (m),gap (m),note\n"
     static const struct reading cases[] = {
         {HEAD "1,,\"a \"\"b\"\", c\"", "1 - - ,\"a \"\"b\"\", c\"; "},
@@ -114,9 +106,8 @@ static void quotes(void **state)
     CHECK(cases, &kind, false);
 }
 
-static void decimal_marks(void **state)
+TEST(decimal_marks)
 {
-    (void)state;
 #define SEMICOLONS "size (m);gap (m);count\n"
 #define TABS       "size (m)\tgap (m)\tcount\n"
     static const struct reading sure[] = {
@@ -155,9 +146,8 @@ static void decimal_marks(void **state)
     CHECK(wrong, &kind, false);
 }
 
-static void units(void **state)
+TEST(units)
 {
-    (void)state;
     static const struct reading cases[] = {
         {"size,gap\n1,2", "2:1: size has no unit: '1' would be 1 m; write 'size (mm)' in the first line, or "
                           "'1 mm' in the cell"},
@@ -175,9 +165,8 @@ static void units(void **state)
     CHECK(cases, &kind, false);
 }
 
-static void names(void **state)
+TEST(names)
 {
-    (void)state;
     static const struct reading cases[] = {
         {"",
          "1:1: the file has no things; the first line names size, gap, and each line after it is one thing"},
@@ -208,9 +197,8 @@ static void names(void **state)
 }
 
 /* Heads and rows of as many cells as can be read, one less and one more; lines at the limit; NUL bytes. */
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     enum { SIZE = CSV_LINE_MOST + 100 };
     char *text = malloc(SIZE), shown[2048];
     assert_non_null(text);
@@ -253,13 +241,4 @@ static void limits(void **state)
     rows_show(nul, sizeof nul, &kind, false, shown, sizeof shown);
     assert_string_equal(shown, "1 2 - ; 3:3: the line has a NUL byte; a csv file is text in UTF-8");
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_table), cmocka_unit_test(quotes), cmocka_unit_test(decimal_marks),
-        cmocka_unit_test(units),     cmocka_unit_test(names),  cmocka_unit_test(limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

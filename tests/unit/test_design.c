@@ -69,9 +69,8 @@ static void row_holds(const struct domq_train *train, const struct domq_wish *w,
 
 /* Checks that a design has its safety by other functions, and that no separation has that safety with a step
  * less. */
-static void designs_hold(void **state)
+TEST(designs_hold)
 {
-    (void)state;
     uint64_t seed = 181;
     int fit = 0, limits[4] = {0};
     for (int i = 0; i < 24; i++) {
@@ -105,9 +104,8 @@ static void designs_hold(void **state)
 
 /* Checks designs with friction and rounded edges, where the sums of some trains do not settle to every
  * tolerance: there is a row, and it has its safety at a rough one. */
-static void friction_with_edges(void **state)
+TEST(friction_with_edges)
 {
-    (void)state;
     uint64_t seed = 7;
     const struct domq_compute rough = {.tol = 1e-7, .precision = DOM_DOUBLE};
     const struct domq_scale scale = {.h = 0.048, .g = 9.81};
@@ -157,9 +155,8 @@ static enum dom_status fake_run(const struct domq_row *row, const struct domq_co
 }
 
 /* Checks that a row must also fall in the engine of the wish, with as many dominoes more as that takes. */
-static void engine_decides(void **state)
+TEST(engine_decides)
 {
-    (void)state;
     struct domq_train train = domq_train_default();
     struct fake fake = {HUGE_VAL, true};
     const struct domq_engine engine = {fake_run, &fake};
@@ -186,9 +183,8 @@ static void engine_decides(void **state)
 }
 
 /* Checks that the number that an impossible wish needs makes it possible, and that a little less does not. */
-static void needs_are_enough(void **state)
+TEST(needs_are_enough)
 {
-    (void)state;
     struct domq_train train = domq_train_default();
     struct domq_design d;
     train.q = 3;
@@ -227,9 +223,8 @@ static void needs_are_enough(void **state)
 }
 
 /* Checks that every possible row is as long as the shortest one, or longer. */
-static void shortest_is_shortest(void **state)
+TEST(shortest_is_shortest)
 {
-    (void)state;
     struct domq_train train = domq_train_default();
     struct domq_design d;
     train.q = 3;
@@ -249,9 +244,8 @@ static void shortest_is_shortest(void **state)
 }
 
 /* Checks that both headers design the same row. */
-static void both_headers(void **state)
+TEST(both_headers)
 {
-    (void)state;
     struct dom_train train = dom_train_default();
     struct domq_train trainq = domq_train_default();
     const struct dom_wish w = {
@@ -277,9 +271,8 @@ static void both_headers(void **state)
     }
 }
 
-static void wrong_wishes(void **state)
+TEST(wrong_wishes)
 {
-    (void)state;
     static const double bad[] = {0, -1, NAN, INFINITY};
     struct domq_train train = domq_train_default();
     struct domq_design d;
@@ -314,15 +307,4 @@ static void wrong_wishes(void **state)
     compute.interrupt = &stop;
     train = domq_train_default();
     assert_status(domq_design_find(&train, &w, &compute, &d), DOM_INTERRUPTED);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(designs_hold),   cmocka_unit_test(friction_with_edges),
-        cmocka_unit_test(engine_decides), cmocka_unit_test(needs_are_enough),
-        cmocka_unit_test(both_headers),   cmocka_unit_test(shortest_is_shortest),
-        cmocka_unit_test(wrong_wishes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

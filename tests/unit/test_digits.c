@@ -56,9 +56,8 @@ static void one_shortest(double value)
         assert_string_equal(cell_plain(&in_float, cell_real((dom_real)single), text), printed);
 }
 
-static void random_numbers(void **state)
+TEST(random_numbers)
 {
-    (void)state;
     for (int k = 0; k < 100000; k++) {
         double value = random_double(k);
         one_text(value);
@@ -67,9 +66,8 @@ static void random_numbers(void **state)
 }
 
 /* Checks ties, ends of the range, powers of two and ten with their neighbours, and all nines. */
-static void hard_numbers(void **state)
+TEST(hard_numbers)
 {
-    (void)state;
     static const double hard[] = {0,        -0.0,   0.5,        1.5,     2.5,      0.125,     0.375,
                                   1e-5,     1e-4,   9.5,        99.5,    1e15,     1e14,      1.5e-11,
                                   1.49e-11, 0.1,    0.3,        1.0 / 3, 123456.5, 1234565.0, 1e300,
@@ -110,9 +108,8 @@ static void print_quad(char *text, size_t size, int digits, domq_real value)
 #endif
 
 /* Checks wider numbers in few digits, also those too close to a tie for a double. */
-static void quad_numbers(void **state)
+TEST(quad_numbers)
 {
-    (void)state;
     char text[WIDE_TEXT], printed[64];
     for (int k = 0; k < 100000; k++) {
         domq_real value = (domq_real)random_double(k);
@@ -130,9 +127,8 @@ static void quad_numbers(void **state)
 }
 
 /* Checks that what csv and json write reads back to the same number. */
-static void cells_return(void **state)
+TEST(cells_return)
 {
-    (void)state;
     char text[CELL_TEXT];
     for (int k = 0; k < 100000; k++) {
         double value = random_double(k);
@@ -140,15 +136,4 @@ static void cells_return(void **state)
     }
     assert_string_equal(cell_plain(&in_double, cell_count(112), text), "112");
     assert_string_equal(cell_plain(&in_double, cell_count((dom_real)1e15), text), "1000000000000000");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_numbers),
-        cmocka_unit_test(hard_numbers),
-        cmocka_unit_test(quad_numbers),
-        cmocka_unit_test(cells_return),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

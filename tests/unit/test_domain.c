@@ -9,9 +9,8 @@
 #define BAD_q   DOM_BAD_Q
 #define BAD_tol DOM_BAD_TOL
 
-static void parameters_have_ranges(void **state)
+TEST(parameters_have_ranges)
 {
-    (void)state;
     struct asked train = asked_default();
     assert_status(ask_train_check(&train), DOM_OK);
 #define REFUSE(name, default_, lowest, highest, unit, meaning)                                               \
@@ -26,9 +25,8 @@ static void parameters_have_ranges(void **state)
 #undef REFUSE
 }
 
-static void head_must_reach_the_next(void **state)
+TEST(head_must_reach_the_next)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_angles angles = {.theta_c = -1};
     train.s = 0.7;
@@ -45,9 +43,8 @@ static void head_must_reach_the_next(void **state)
     }
 }
 
-static void tilts_lie_in_the_cycle(void **state)
+TEST(tilts_lie_in_the_cycle)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_angles angles;
     struct domq_energy energy = {.J = -1};
@@ -63,9 +60,8 @@ static void tilts_lie_in_the_cycle(void **state)
 }
 
 /* Checks two limits: (1) more than two million dominoes matter, (2) energies below the range of doubles. */
-static void beyond_the_arithmetic(void **state)
+TEST(beyond_the_arithmetic)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_energy energy;
     train.s = 1e-6;
@@ -79,9 +75,8 @@ static void beyond_the_arithmetic(void **state)
     assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_UNDERFLOW);
 }
 
-static void interrupt_stops_the_work(void **state)
+TEST(interrupt_stops_the_work)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_limit limit;
     struct domq_best best;
@@ -94,9 +89,8 @@ static void interrupt_stops_the_work(void **state)
 }
 
 /* Checks d > h: no domino tips over far enough to topple a larger one, at any separation. */
-static void thick_dominoes_do_not_grow(void **state)
+TEST(thick_dominoes_do_not_grow)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_best best;
     struct domq_limit limit;
@@ -108,9 +102,8 @@ static void thick_dominoes_do_not_grow(void **state)
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
-static void every_status_has_a_text(void **state)
+TEST(every_status_has_a_text)
 {
-    (void)state;
     for (enum dom_status k = DOM_OK; k <= DOM_INTERRUPTED; k++) {
         assert_true(strlen(dom_status_text(k)) > 5);
         for (enum dom_status j = DOM_OK; j < k; j++)
@@ -118,9 +111,8 @@ static void every_status_has_a_text(void **state)
     }
 }
 
-static void counting(void **state)
+TEST(counting)
 {
-    (void)state;
     static const struct {
         double first, height, r, n;
     } known[] = {
@@ -156,9 +148,8 @@ static void counting(void **state)
     assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_HEIGHT);
 }
 
-static void metres_and_seconds(void **state)
+TEST(metres_and_seconds)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_scale scale = domq_scale_default();
     /* (1; a1) by hand: sqrt((0.048^2 + 0.007^2) / (3 9.81 0.048)) s. */
@@ -173,16 +164,4 @@ static void metres_and_seconds(void **state)
     /* In a growing train the distance of a cycle is the pitch of the next, larger domino. */
     train.r = 1.5;
     assert_near("speed", ask_scale_speed(&scale, &train, 2), 1.5 * 0.020 / (2 * tau), 1e-14);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parameters_have_ranges),   cmocka_unit_test(head_must_reach_the_next),
-        cmocka_unit_test(tilts_lie_in_the_cycle),   cmocka_unit_test(beyond_the_arithmetic),
-        cmocka_unit_test(interrupt_stops_the_work), cmocka_unit_test(thick_dominoes_do_not_grow),
-        cmocka_unit_test(every_status_has_a_text),  cmocka_unit_test(counting),
-        cmocka_unit_test(metres_and_seconds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

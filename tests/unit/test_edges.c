@@ -26,9 +26,8 @@ static struct asked friction_train(double s, double r, double d, double q, doubl
  * Checks the barrier of a thin domino, d^2 high at theta ~ d, after which u changes by 1: double against
  * quad, whose digits show it in any case.
  */
-static void thin_dominoes_with_friction(void **state)
+TEST(thin_dominoes_with_friction)
 {
-    (void)state;
     for (double d = 1e-8; d < 1e-4; d *= 10) {
         struct asked t = friction_train(0.01, 1, d, 4, 0.2);
         struct domq_limit here, finer;
@@ -58,9 +57,8 @@ static void thin_dominoes_with_friction(void **state)
 
 /* Checks every tolerance for a follower with hardly any motion that still rubs, and for a small remaining
  * C. */
-static void small_tolerances(void **state)
+TEST(small_tolerances)
 {
-    (void)state;
     struct asked t =
         friction_train(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
     struct domq_barrier finest, barrier;
@@ -88,9 +86,8 @@ static void alike(struct run *seen, size_t count)
  * Checks r s = 1, where the followers detach with the hit and carry no energy away: the motion is as just
  * before the hit, up to changes within sqrt(1 - r s) = 1e-7 of the motion, over a barrier of 1e-2.
  */
-static void reached_with_the_last_tip(void **state)
+TEST(reached_with_the_last_tip)
 {
-    (void)state;
     static struct run at, before;
     alike(&at, 6);
     alike(&before, 6);
@@ -108,9 +105,8 @@ static void reached_with_the_last_tip(void **state)
 }
 
 /* Checks touching dominoes, which hit at once; without friction nothing locks. */
-static void touching(void **state)
+TEST(touching)
 {
-    (void)state;
     static struct run at, near;
     for (int mu = 0; mu < 2; mu++) {
         alike(&at, 8);
@@ -130,9 +126,8 @@ static void touching(void **state)
  * Checks that a row of a train tends to the train even if followers detach on the way; with friction the
  * smallest margin is then an energy at the launch.
  */
-static void dominoes_detach_on_the_way(void **state)
+TEST(dominoes_detach_on_the_way)
 {
-    (void)state;
     struct asked t = friction_train(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
     struct domq_scale scale = domq_scale_default();
     struct domq_barrier barrier;
@@ -158,9 +153,8 @@ static void dominoes_detach_on_the_way(void **state)
  * Checks a domino that detaches while one after it has already detached: against Newton's equations, at gaps
  * near the one where the search for the barrier once met both.
  */
-static void one_detaches_after_another(void **state)
+TEST(one_detaches_after_another)
 {
-    (void)state;
     static struct run seen;
     enum { N = 8 };
     static const double height[N] = {0.195551, 0.215106, 0.281467, 0.327719,
@@ -197,9 +191,8 @@ static void one_detaches_after_another(void **state)
 }
 
 /* Checks the verdicts of the simplest rows. */
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     static struct run seen;
     alike(&seen, 6);
     seen.domino[3] = (struct domq_domino){.height = 0.2, .thickness = 0.05, .gap = 0.013, .mass = 1};
@@ -230,9 +223,8 @@ static void ends(void **state)
 }
 
 /* Checks that a domino that is hit at its own hinge cannot stay on the floor. */
-static void floor_at_the_reach(void **state)
+TEST(floor_at_the_reach)
 {
-    (void)state;
     struct asked t = friction_train(0.5, 2, 0.1, 3, 0);
     struct domq_floor floor;
     assert_status(ask_cycle_floor(&t, &floor), DOM_OK);
@@ -251,9 +243,8 @@ static enum dom_status few_studies(size_t count, dom_task *task, void *context, 
 }
 
 /* Checks that an interrupted search keeps what is known of the answer, closer with each study. */
-static void budget_interrupted(void **state)
+TEST(budget_interrupted)
 {
-    (void)state;
     struct domq_domino domino[6];
     struct asked train = asked_default();
     const struct domq_scale scale = domq_scale_default();
@@ -283,9 +274,8 @@ static void budget_interrupted(void **state)
 }
 
 /* Checks budgets of too few rows, and of rows that cannot be placed well enough. */
-static void budgets(void **state)
+TEST(budgets)
 {
-    (void)state;
     static struct run seen;
     struct domq_budget budget;
     struct domq_placement p = {.seed = 3, .rows = 200};
@@ -315,9 +305,8 @@ static void budgets(void **state)
 
 /* Checks that gaps are normally distributed with the given sigma: the share of rows with one gap exactly so
  * wide is known. */
-static void errors_are_normal(void **state)
+TEST(errors_are_normal)
 {
-    (void)state;
     static struct run seen;
     struct domq_study study;
     struct domq_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
@@ -335,9 +324,8 @@ static void errors_are_normal(void **state)
 /* ---- Loose tolerances, and answers that nearly vanish: where a short cut once gave a wrong one ---- */
 
 /* Checks that the tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
-static void nearly_no_fuel(void **state)
+TEST(nearly_no_fuel)
 {
-    (void)state;
     struct asked train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
     struct domq_barrier barrier;
     struct domq_limit limit;
@@ -348,9 +336,8 @@ static void nearly_no_fuel(void **state)
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
-static void rubbing_limits_keep_their_tolerance(void **state)
+TEST(rubbing_limits_keep_their_tolerance)
 {
-    (void)state;
     struct asked train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
     struct domq_limit limit;
     train.mu = 0.19177475568455454;
@@ -364,9 +351,8 @@ static void rubbing_limits_keep_their_tolerance(void **state)
 
 /* Checks the durations of thin dominoes, whose slowness is a peak at 0 on a wide range: two rules once agreed
  * on it by chance. */
-static void durations_of_thin_dominoes(void **state)
+TEST(durations_of_thin_dominoes)
 {
-    (void)state;
     struct asked train =
         train_of(0.02072704061889355, 11.027200294736572, 1.1351813090041499e-10, 4, 0.00781374);
     domq_real duration = DOMQ_NAN, error = DOMQ_NAN;
@@ -379,9 +365,8 @@ static void durations_of_thin_dominoes(void **state)
 }
 
 /* Checks that the time of a short distance is its length over omega(0), however far away the top is. */
-static void times_of_short_ways(void **state)
+TEST(times_of_short_ways)
 {
-    (void)state;
     for (double theta = 1e-3; theta > 1e-18; theta /= 10) {
         struct asked train =
             train_of(0.060450113348942083, 1.309076436736778, 0.071010571508516099, 3, 1e-12);
@@ -394,9 +379,8 @@ static void times_of_short_ways(void **state)
     }
 }
 
-static void the_reason_is_the_first(void **state)
+TEST(the_reason_is_the_first)
 {
-    (void)state;
     struct asked train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
     struct domq_best best;
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
@@ -413,9 +397,8 @@ static enum dom_status backwards(size_t count, dom_task *task, void *context, vo
 
 /* Checks that the order of the batches changes no count, and that a study without some of them
  * has the counts of the others. */
-static void any_order(void **state)
+TEST(any_order)
 {
-    (void)state;
     static struct run seen;
     struct domq_study study, other;
     size_t stops[10], others[10], left_out = 0;
@@ -434,9 +417,8 @@ static void any_order(void **state)
 
 /* Checks rows by their numbers, where they stop, which of them the model cannot decide, and the interval of
  * all. */
-static void studies_add_up(void **state)
+TEST(studies_add_up)
 {
-    (void)state;
     static struct run seen;
     struct domq_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
@@ -481,9 +463,8 @@ static void studies_add_up(void **state)
 
 /* Checks that heights are normally distributed like gaps, and that a higher domino is heavier in
  * proportion. */
-static void heights_are_normal(void **state)
+TEST(heights_are_normal)
 {
-    (void)state;
     enum { ROWS = 20000 };
     static struct run seen;
     struct domq_study study;
@@ -518,30 +499,4 @@ static void heights_are_normal(void **state)
     print_message("# %zu and %zu of %d fall\n", study.fall, falls, ROWS);
     assert_true(study.fall > ROWS / 10 && study.fall < ROWS * 9 / 10);
     assert_true(fabs((double)study.fall - (double)falls) < 4 * sqrt(0.5 * ROWS));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_dominoes_with_friction),
-        cmocka_unit_test(small_tolerances),
-        cmocka_unit_test(reached_with_the_last_tip),
-        cmocka_unit_test(touching),
-        cmocka_unit_test(dominoes_detach_on_the_way),
-        cmocka_unit_test(one_detaches_after_another),
-        cmocka_unit_test(ends),
-        cmocka_unit_test(floor_at_the_reach),
-        cmocka_unit_test(budgets),
-        cmocka_unit_test(budget_interrupted),
-        cmocka_unit_test(errors_are_normal),
-        cmocka_unit_test(any_order),
-        cmocka_unit_test(studies_add_up),
-        cmocka_unit_test(heights_are_normal),
-        cmocka_unit_test(nearly_no_fuel),
-        cmocka_unit_test(rubbing_limits_keep_their_tolerance),
-        cmocka_unit_test(durations_of_thin_dominoes),
-        cmocka_unit_test(times_of_short_ways),
-        cmocka_unit_test(the_reason_is_the_first),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,6 +35,11 @@ static bool boxes_fall(struct boxes *b)
     return b->fall.all;
 }
 
+TEST(chipmunk_is_installed)
+{
+    assert_non_null(engine_version()); /* 'make deps test' installs it */
+}
+
 /* ---- Against the library ---- */
 
 struct times {
@@ -79,9 +84,8 @@ static void same_hits(double s, double r, double mu, double slope)
     assert_true(b.fall.drift < 1e-3 && b.fall.depth < 0.01 && b.fall.gain < 1e-3);
 }
 
-static void engine_and_library_agree(void **state)
+TEST(engine_and_library_agree)
 {
-    (void)state;
     same_hits(0.3, 1.2, 0, 0);
     same_hits(0.4, 1, 0, 0);
     same_hits(0.4, 1.4, 0.2, 0);
@@ -110,9 +114,8 @@ static void between(const struct known *k)
     }
 }
 
-static void growths_are_known(void **state)
+TEST(growths_are_known)
 {
-    (void)state;
     const double hinge = (double)INFINITY, degree = M_PI / 180;
     const struct known known[] = {
         {0.3, 0, hinge, 0, 0, 0, 1.8135, 8, 0.003},
@@ -135,9 +138,8 @@ static void growths_are_known(void **state)
 
 /* ---- How it runs ---- */
 
-static void a_run_gives_the_same_bytes(void **state)
+TEST(a_run_gives_the_same_bytes)
 {
-    (void)state;
     struct boxes first, again;
     boxes_make(&first, 0.3, 1.5, 8, 4);
     first.row.feet = 0.3;
@@ -152,9 +154,8 @@ static void a_run_gives_the_same_bytes(void **state)
     assert_memory_equal(first.hit, again.hit, first.fall.hits * sizeof *first.hit);
 }
 
-static void a_floor_without_friction_lets_feet_slide(void **state)
+TEST(a_floor_without_friction_lets_feet_slide)
 {
-    (void)state;
     struct boxes b;
     boxes_make(&b, 0.4, 1, 1, 0.6); /* a push above sqrt(2) would lift it at once */
     b.row.feet = 0;
@@ -167,9 +168,8 @@ static void a_floor_without_friction_lets_feet_slide(void **state)
     assert_true(fabs(b.hit[0].slid) < 0.05);
 }
 
-static void settled_steps_no_longer_matter(void **state)
+TEST(settled_steps_no_longer_matter)
 {
-    (void)state;
     struct boxes b;
     struct engine_settled settled;
     boxes_make(&b, 0.3, 1.3, 6, (double)NAN);
@@ -182,9 +182,8 @@ static void settled_steps_no_longer_matter(void **state)
     assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
 }
 
-static void rows_end(void **state)
+TEST(rows_end)
 {
-    (void)state;
     struct boxes b;
     boxes_make(&b, 0.4, 1, 4, 0.1); /* too weak a push */
     assert_false(boxes_fall(&b));
@@ -223,9 +222,8 @@ static void grown(double r, struct dom_domino *domino, size_t count, void *conte
         domino[k] = (struct dom_domino){.height = pow(r, (double)k), .thickness = 0.1, .gap = 0.1, .mass = 1};
 }
 
-static void the_library_asks_an_engine(void **state)
+TEST(the_library_asks_an_engine)
 {
-    (void)state;
     double most = 1.2345;
     const struct dom_engine engine = {.run = up_to, .own = &most};
     struct dom_domino domino[3];
@@ -244,22 +242,4 @@ static void the_library_asks_an_engine(void **state)
     assert_true(study.fall > 20 && study.fall < 180); /* the ratio of two heights is above or below */
     const double now = 0;
     assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
-}
-
-int main(void)
-{
-    if (!engine_version()) {
-        fprintf(stderr, "Chipmunk 7 is not installed: 'make deps test' installs it\n");
-        return 1;
-    }
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(engine_and_library_agree),
-        cmocka_unit_test(growths_are_known),
-        cmocka_unit_test(a_run_gives_the_same_bytes),
-        cmocka_unit_test(a_floor_without_friction_lets_feet_slide),
-        cmocka_unit_test(settled_steps_no_longer_matter),
-        cmocka_unit_test(rows_end),
-        cmocka_unit_test(the_library_asks_an_engine),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

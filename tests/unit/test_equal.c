@@ -69,9 +69,8 @@ static void same(const char *name, domq_real a, domq_real b)
     assert_near(name, a, (double)b, 1e-10);
 }
 
-static void heads_repeat(void **state)
+TEST(heads_repeat)
 {
-    (void)state;
     static struct falls equal, other;
     for (size_t i = 0; i < sizeof KIND / sizeof *KIND; i++) {
         const struct kind *k = &KIND[i];
@@ -99,10 +98,4 @@ static void heads_repeat(void **state)
         if (equal.work.passes > other.work.passes * 3 / 4)
             fail_msg("%s: no head repeats: %zu passes of %zu", k->name, equal.work.passes, other.work.passes);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(heads_repeat)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

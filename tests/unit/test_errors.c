@@ -138,9 +138,8 @@ static void compare_chains(domq_real theta)
                 sizeof got.link[i].error);
 }
 
-static void bounds_hold(void **state)
+TEST(bounds_hold)
 {
-    (void)state;
     for (int k = 0; k < SCENES; k++) {
         struct domq_angles angles;
         scene(k);
@@ -165,9 +164,8 @@ static void bounds_hold(void **state)
     }
 }
 
-static void bounds_are_close(void **state)
+TEST(bounds_are_close)
 {
-    (void)state;
     int failures = 0;
     for (int i = 0; i < RESULTS; i++)
         for (int k = 0; k < MEMBERS; k++) {
@@ -180,13 +178,4 @@ static void bounds_are_close(void **state)
     for (int i = 0; i < RESULTS; i++)
         assert_true(tally[i][0].bounds > 0);
     assert_int_equal(failures, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bounds_hold),
-        cmocka_unit_test(bounds_are_close),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,9 +48,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
  * Checks the first of two dominoes; rows in which it comes to rest before it hits the second are left out. A
  * smooth maximum is right to a millionth.
  */
-static void two_tops(void **state)
+TEST(two_tops)
 {
-    (void)state;
     uint64_t seed = 101;
     int checked = 0, several = 0;
     for (int i = 0; i < 12000; i++) {
@@ -89,10 +88,4 @@ static void two_tops(void **state)
     }
     print_message("# %d heads, %d with several tops\n", checked, several);
     assert_true(checked > 5000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(two_tops)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,9 +43,8 @@ static _Noreturn void fail_train(const char *what, const struct asked *t, double
  * 1e-2 ... 1e-3 in size, changes sign with a slope of the order of the kinetic energy: 1e-11 leaves a factor
  * of ten.
  */
-static void digits(void **state)
+TEST(digits)
 {
-    (void)state;
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/friction.csv");
     for (; csv_next(csv); rows++) {
@@ -73,9 +72,8 @@ static void digits(void **state)
 }
 
 /* Compares with van Leeuwen 2010, equal dominoes, to the printed digits. */
-static void front_speeds(void **state)
+TEST(front_speeds)
 {
-    (void)state;
     static const double speed[][2] = {{0, 1.28427}, {0.1, 1.11545}, {0.2, 0.98392}, {0.5, 0.71678}};
     for (size_t i = 0; i < 4; i++) {
         struct asked train = friction_train(13.0 / 48, 1, speed[i][0]);
@@ -123,9 +121,8 @@ static const double some_trains[][4] = {
  * smaller. In quad, at tol = 1e-24, the noise of the last quotient is 1e-16 of X, and its step is about 1e-8.
  * Only the first three trains are checked for r_max, at tol = 1e-20, since it takes long.
  */
-static void no_friction_is_the_limit(void **state)
+TEST(no_friction_is_the_limit)
 {
-    (void)state;
     if (domq_arithmetic(DOM_QUAD)->bits < 100)
         skip();
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
@@ -159,9 +156,8 @@ static void no_friction_is_the_limit(void **state)
 }
 
 /* Checks that mu = 0 and mu = -0.0 are equal and enter no code of friction, and that friction is counted. */
-static void no_friction_is_never_entered(void **state)
+TEST(no_friction_is_never_entered)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
         struct asked plain = friction_train(some_trains[i][0], some_trains[i][1], 0), train;
         struct dom_work work = {0};
@@ -258,9 +254,8 @@ static double integral(const struct asked *train, double lo, double hi, int part
  * Its error, by ten points on two parts and by forces that are accelerations times small masses, is below
  * 1e-9.
  */
-static void ledger_closes(void **state)
+TEST(ledger_closes)
 {
-    (void)state;
     uint64_t seed = 51;
     int checked = 0, falls = 0;
     for (int i = 0; i < 150; i++) {
@@ -296,9 +291,8 @@ static void ledger_closes(void **state)
 
 /* Checks that the acceleration is half the derivative of omegasq, by a central difference with an error of
  * h^2 times its third derivative. */
-static void acceleration_is_the_slope_of_omega(void **state)
+TEST(acceleration_is_the_slope_of_omega)
 {
-    (void)state;
     uint64_t seed = 52;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
@@ -334,9 +328,8 @@ static void acceleration_is_the_slope_of_omega(void **state)
  * Compares float at 1e-5 and double at 1e-12 with quad. A margin that is a small difference, or flat in r,
  * costs digits: two in kinetic, four in r_max.
  */
-static void precisions_agree(void **state)
+TEST(precisions_agree)
 {
-    (void)state;
     uint64_t seed = 53;
     int met = 0;
     for (int i = 0; i < 8; i++) {
@@ -368,9 +361,8 @@ static void precisions_agree(void **state)
 
 /* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums; the scan for r_max gets
  * there. */
-static void float_near_the_reach(void **state)
+TEST(float_near_the_reach)
 {
-    (void)state;
     struct asked train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
     struct domq_limit limit;
     struct domq_launch launch;
@@ -387,9 +379,8 @@ static void float_near_the_reach(void **state)
 
 /* Checks that errors are within ten times the tolerance, which covers what launch and margin make of an error
  * in the flow. */
-static void tolerance_is_kept(void **state)
+TEST(tolerance_is_kept)
 {
-    (void)state;
     static const double tols[] = {1e-3, 1e-5, 1e-7, 1e-9};
     uint64_t seed = 54;
     int checked = 0;
@@ -413,9 +404,8 @@ static void tolerance_is_kept(void **state)
 
 /* Checks that tol = 1e-15, which is allowed, has an answer with friction too: series never get below their
  * rounding errors. */
-static void smallest_tolerance(void **state)
+TEST(smallest_tolerance)
 {
-    (void)state;
     struct asked train = friction_train(0.4, 1.3, 0.1);
     struct domq_launch launch, finest;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
@@ -425,9 +415,8 @@ static void smallest_tolerance(void **state)
 }
 
 /* Checks that J(0) is complete: it needs more dominoes than the sums with S_i, which decrease faster. */
-static void inertia_is_whole(void **state)
+TEST(inertia_is_whole)
 {
-    (void)state;
     uint64_t seed = 55;
     for (int i = 0; i < 200; i++) {
         struct asked train = random_friction_train(&seed, 5e-3, 3);
@@ -451,9 +440,8 @@ static void inertia_is_whole(void **state)
 
 /* ---- Verdicts ---- */
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     struct asked train = friction_train(0.4, 1.3, 0.1);
     struct domq_launch launch;
     struct domq_barrier barrier;
@@ -502,9 +490,8 @@ static void refusals(void **state)
 }
 
 /* Checks trains of small separation in which friction takes all fuel, also by ask_limit_rmax. */
-static void friction_takes_the_fuel(void **state)
+TEST(friction_takes_the_fuel)
 {
-    (void)state;
     struct asked train = friction_train(0.01, 1, 1);
     struct domq_launch launch;
     struct domq_barrier barrier;
@@ -521,9 +508,8 @@ static void friction_takes_the_fuel(void **state)
 /*
  * Checks random trains: never NaN with OK; only statuses with a meaning; the same verdict from each function.
  */
-static void anywhere(void **state)
+TEST(anywhere)
 {
-    (void)state;
     uint64_t seed = 56;
     int met[64] = {0};
     for (int i = 0; i < 2000; i++) {
@@ -552,9 +538,8 @@ static void anywhere(void **state)
 
 /* Checks that r_max decreases with mu, is never the reach, and separates trains that go on from trains that
  * stop by 1e-6 of r. */
-static void growth_falls_with_friction(void **state)
+TEST(growth_falls_with_friction)
 {
-    (void)state;
     uint64_t seed = 57;
     int met = 0, none = 0;
     for (int i = 0; i < 60; i++) {
@@ -585,9 +570,8 @@ static void growth_falls_with_friction(void **state)
 }
 
 /* Checks that within 1e-9 of r_max, where the margin is tiny, there is a verdict as without friction. */
-static void verdicts_at_the_limit(void **state)
+TEST(verdicts_at_the_limit)
 {
-    (void)state;
     for (int i = 0; i < 4; i++) {
         struct asked train = friction_train(0.2 + 0.1 * i, 1, 0.1 * i);
         struct domq_limit limit;
@@ -678,9 +662,8 @@ static double floor_hit(const struct asked *train, double theta_c)
 }
 
 /* Compares with Newton's law at a few hundred tilts: the error is the square of the distance of two tilts. */
-static void floor_holds(void **state)
+TEST(floor_holds)
 {
-    (void)state;
     uint64_t seed = 58;
     int checked = 0, lifted = 0, by_head = 0;
     for (int i = 0; i < 60; i++) {
@@ -714,28 +697,4 @@ static void floor_holds(void **state)
     }
     print_message("# %d trains, %d lifted, %d by the struck domino\n", checked, lifted, by_head);
     assert_true(checked > 15 && by_head > 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(digits),
-        cmocka_unit_test(front_speeds),
-        cmocka_unit_test(no_friction_is_the_limit),
-        cmocka_unit_test(no_friction_is_never_entered),
-        cmocka_unit_test(ledger_closes),
-        cmocka_unit_test(acceleration_is_the_slope_of_omega),
-        cmocka_unit_test(precisions_agree),
-        cmocka_unit_test(float_near_the_reach),
-        cmocka_unit_test(tolerance_is_kept),
-        cmocka_unit_test(smallest_tolerance),
-        cmocka_unit_test(inertia_is_whole),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(friction_takes_the_fuel),
-        cmocka_unit_test(anywhere),
-        cmocka_unit_test(growth_falls_with_friction),
-        cmocka_unit_test(verdicts_at_the_limit),
-        cmocka_unit_test(floor_holds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,18 +55,16 @@ static void check_interval(size_t rows, size_t fall, size_t unknown)
                 s.high >= (double)many / (double)rows);
 }
 
-static void two_million_rows(void **state)
+TEST(two_million_rows)
 {
-    (void)state;
     struct domq_study s = {.rows = 2000000, .fall = 1453952};
     assert_status(domq_study_interval(&s), DOM_OK);
     assert_true(fabs(s.low - 0.72635798) < 5e-9 && fabs(s.high - 0.72759336) < 5e-9);
     check_interval(2000000, 1453952, 0);
 }
 
-static void any_size(void **state)
+TEST(any_size)
 {
-    (void)state;
     uint64_t seed = 81;
     for (int i = 0; i < 800; i++) {
         size_t rows = 1 + (size_t)random_log(&seed, 1, 2e7);
@@ -79,9 +77,8 @@ static void any_size(void **state)
 }
 
 /* Checks that all or none give the ends 0.025^(1/n), and 1 minus that. */
-static void all_or_none(void **state)
+TEST(all_or_none)
 {
-    (void)state;
     for (size_t rows = 1; rows < 1000000000; rows *= 10) {
         struct domq_study all = {.rows = rows, .fall = rows}, none = {.rows = rows};
         assert_status(domq_study_interval(&all), DOM_OK);
@@ -90,14 +87,4 @@ static void all_or_none(void **state)
         assert_near("none", none.high, -expm1(log(0.025) / (double)rows), 1e-9);
         assert_true(all.high == 1 && none.low == 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_million_rows),
-        cmocka_unit_test(any_size),
-        cmocka_unit_test(all_or_none),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,9 +41,8 @@ static void near_newton(const char *what, const struct run *run, size_t k, domq_
                  run->row.count, (double)got, expected, (double)run->row.mu, (double)run->domino[k].lean);
 }
 
-static void newton_agrees(void **state)
+TEST(newton_agrees)
 {
-    (void)state;
     static struct run run;
     static struct newton n;
     uint64_t seed = 18;
@@ -104,9 +103,8 @@ static void newton_agrees(void **state)
 /* ---- Limits ---- */
 
 /* Checks that tiny leans change the answers by tiny amounts, in proportion, and to either side. */
-static void continuous(void **state)
+TEST(continuous)
 {
-    (void)state;
     static struct run run;
     for (int mu = 0; mu < 2; mu++) {
         double omega[5], few[] = {0, 1e-6, -1e-6, 2e-6, -2e-6};
@@ -126,9 +124,8 @@ static void continuous(void **state)
 }
 
 /* Checks by hand the first domino, tipped: its edge on the next one, which leans. */
-static void touches(void **state)
+TEST(touches)
 {
-    (void)state;
     static struct run run;
     for (int side = -1; side <= 1; side++) {
         make_row(&run, 2, 0.5, 1, 0);
@@ -149,9 +146,8 @@ static void touches(void **state)
 }
 
 /* Checks that a domino falls more easily the more it leans forwards, by the energy that it needs. */
-static void easier_forwards(void **state)
+TEST(easier_forwards)
 {
-    (void)state;
     static struct run run;
     domq_real before = INFINITY;
     for (double lean = -0.9; lean < 0.95; lean += 0.1) {
@@ -164,9 +160,8 @@ static void easier_forwards(void **state)
 }
 
 /* Checks dominoes that lean backwards and then have only a tiny way to go beyond upright. */
-static void tiny_gaps(void **state)
+TEST(tiny_gaps)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 5;
     for (int i = 0; i < 200; i++) {
@@ -182,9 +177,8 @@ static void tiny_gaps(void **state)
 
 /* ---- Ends and refusals ---- */
 
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 3, 0.02, 1, 0); /* 0.96 mm: 48 mm lean by that much at 0.02 */
     run.domino[1].lean = -0.03;
@@ -207,9 +201,8 @@ static void ends(void **state)
     assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     static struct run run;
     const double theta_u = atan(7.0 / 48);
     const double wrong[] = {theta_u * (1 + 1e-9), -theta_u * (1 + 1e-9), 2, -2, NAN, INFINITY, -INFINITY};
@@ -234,14 +227,4 @@ static void refusals(void **state)
     run.domino[2].lean = 0.01;
     run.row.rho = 0.01;
     assert_status(run_whole(&run), DOM_NO_LEAN);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(newton_agrees),   cmocka_unit_test(continuous), cmocka_unit_test(touches),
-        cmocka_unit_test(easier_forwards), cmocka_unit_test(tiny_gaps),  cmocka_unit_test(ends),
-        cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

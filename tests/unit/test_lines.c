@@ -33,10 +33,9 @@ extern domq_real strtof128(const char *restrict text, char **restrict end);
 #define PLAIN_READ strtold
 #endif
 
-static void numbers_read_as_by_the_c_library(void **state)
+TEST(numbers_read_as_by_the_c_library)
 {
     static const char letters[] = "0123456789012345678901234567890123456789..eE+-x_m ";
-    (void)state;
     int equal = 0;
     for (int k = 0; k < 200000; k++) {
         char text[24], *stop, *plain;
@@ -52,10 +51,9 @@ static void numbers_read_as_by_the_c_library(void **state)
     assert_true(equal > 100000);
 }
 
-static void whole_numbers_are_written_as_by_the_c_library(void **state)
+TEST(whole_numbers_are_written_as_by_the_c_library)
 {
     char text[WIDE_TEXT], plain[WIDE_TEXT];
-    (void)state;
     for (int k = 0; k < 200000; k++) {
         int digits = 1 + (int)bits(20);
         double value = (double)bits(1u << 24) * (double)bits(1u << 24) / (double)(1u << bits(30));
@@ -67,10 +65,9 @@ static void whole_numbers_are_written_as_by_the_c_library(void **state)
 }
 
 /* Random bits of a double, and decimals of few digits, which end in halves of the last digit. */
-static void doubles_are_written_in_the_fewest_digits_of_the_c_library(void **state)
+TEST(doubles_are_written_in_the_fewest_digits_of_the_c_library)
 {
     char text[FEWEST_TEXT], plain[FEWEST_TEXT];
-    (void)state;
     int length[18] = {0};
     for (int k = 0; k < 300000; k++) {
         double value = ldexp((double)bits(1u << 24) / (1 << 24) + (double)bits(1u << 24) / (1ull << 48),
@@ -105,12 +102,11 @@ static void doubles_are_written_in_the_fewest_digits_of_the_c_library(void **sta
     assert_string_equal(fewest_text(0.5 + 1e16, text), "1e+16");
 }
 
-static void an_index_finds_what_the_list_has(void **state)
+TEST(an_index_finds_what_the_list_has)
 {
     char name[64];
     const char *all;
     int found = 0;
-    (void)state;
     command_registry(all_commands);
     for (int k = 0; (all = topic_names(NULL, k)) != NULL; k++)
         for (size_t cut = 0; cut <= strlen(all); cut++) { /* names, and their beginnings */
@@ -128,11 +124,10 @@ static void an_index_finds_what_the_list_has(void **state)
 }
 
 /* Makes the text with a Greek letter before it, too: that one has columns of its own. */
-static void a_line_in_ascii_has_the_columns_of_its_letters(void **state)
+TEST(a_line_in_ascii_has_the_columns_of_its_letters)
 {
     static const char typed[] = "rmax 0.4; print theta # and so on, until this line is longer than a short "
                                 "one: rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax 0.4; rmax";
-    (void)state;
     for (size_t n = 0; n < sizeof typed; n++) {
         char greek[sizeof typed + 2];
         struct text text, wide;
@@ -162,9 +157,8 @@ static char *wrapped(const char *text, int right)
     return written;
 }
 
-static void a_text_without_a_right_end_is_one_line(void **state)
+TEST(a_text_without_a_right_end_is_one_line)
 {
-    (void)state;
     for (int k = 0; k < 20000; k++) {
         char text[16], wide[16 * ESCAPE_PIECE], cut[12];
         size_t n = bits(sizeof text);
@@ -202,9 +196,8 @@ static char *answered(const char *text, bool formatted)
     return written;
 }
 
-static void a_short_text_needs_no_format(void **state)
+TEST(a_short_text_needs_no_format)
 {
-    (void)state;
     for (int k = 0; k < 20000; k++) {
         char text[16];
         size_t n = bits(sizeof text);
@@ -231,9 +224,8 @@ static const char *end_of(const char *c, const char *ends)
     return c;
 }
 
-static void a_command_ends_where_its_letters_say(void **state)
+TEST(a_command_ends_where_its_letters_say)
 {
-    (void)state;
     int inside = 0;
     for (int k = 0; k < 200000; k++) {
         char text[16];
@@ -269,13 +261,12 @@ static const struct command *command_of(struct session *session, const char *lin
 }
 
 /* No form begins with a name, a blank and a digit, so that the name alone says what the line is. */
-static void a_command_before_a_number_is_that_command(void **state)
+TEST(a_command_before_a_number_is_that_command)
 {
     static const char *const more[] = {"ans", "ans2", "_", "__", "x", "pi", "sin", "m", "prin", "to", "let"};
     static struct session session;
     FILE *null = fopen("/dev/null", "w");
     int commands = 0;
-    (void)state;
     assert_non_null(null);
     command_registry(all_commands);
     session_init(&session, null);
@@ -299,10 +290,9 @@ static void a_command_before_a_number_is_that_command(void **state)
     fclose(null);
 }
 
-static void a_tolerance_promises_its_digits_whatever_was_asked_before(void **state)
+TEST(a_tolerance_promises_its_digits_whatever_was_asked_before)
 {
     struct state defaults;
-    (void)state;
     state_init(&defaults);
     for (int k = 0; k < 2000; k++) {
         double tol = k % 2 ? pow(10, -(double)bits(34)) : (double)(1 + bits(1000)) / 1e6;
@@ -312,21 +302,4 @@ static void a_tolerance_promises_its_digits_whatever_was_asked_before(void **sta
         assert_int_equal(state_style(&defaults).tol_digits, digits);
     }
     state_close(&defaults);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_read_as_by_the_c_library),
-        cmocka_unit_test(whole_numbers_are_written_as_by_the_c_library),
-        cmocka_unit_test(doubles_are_written_in_the_fewest_digits_of_the_c_library),
-        cmocka_unit_test(an_index_finds_what_the_list_has),
-        cmocka_unit_test(a_line_in_ascii_has_the_columns_of_its_letters),
-        cmocka_unit_test(a_text_without_a_right_end_is_one_line),
-        cmocka_unit_test(a_short_text_needs_no_format),
-        cmocka_unit_test(a_command_ends_where_its_letters_say),
-        cmocka_unit_test(a_command_before_a_number_is_that_command),
-        cmocka_unit_test(a_tolerance_promises_its_digits_whatever_was_asked_before),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,9 +32,8 @@ static bool falls_pushed(const struct run *run, double push)
 
 /* Checks a gap wider than the domino before it is tall: a gap as wide as that height saves the row, and so do
  * narrower ones, down to where the row stops again. */
-static void a_gap_too_wide(void **state)
+TEST(a_gap_too_wide)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 5, 0.3, 1, 0);
     run.row.push = 8;
@@ -51,9 +50,8 @@ static void a_gap_too_wide(void **state)
 }
 
 /* Checks that a row that falls has no changes, and that one domino has no gap. */
-static void nothing_to_mend(void **state)
+TEST(nothing_to_mend)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 6, 0.3, 1, 0);
     assert_int_equal(row_end(&run), DOM_ROW_FALLS);
@@ -84,9 +82,8 @@ static void random_row(struct run *run, uint64_t *seed)
  * Checks that all fall with each named gap, also a third of the way to the gap where they no longer do; and
  * that they do not two units of the seventh digit nearer to the old gap.
  */
-static void mended_rows_fall(void **state)
+TEST(mended_rows_fall)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 82;
     int mended = 0, lost = 0, ended = 0;
@@ -124,9 +121,8 @@ static void mended_rows_fall(void **state)
 
 /* Tries every gap of the row in 500 steps up and down: none saves the row with a smaller change than the
  * first named one. */
-static void no_smaller_change(void **state)
+TEST(no_smaller_change)
 {
-    (void)state;
     enum { FINE = 500 };
     static struct run run;
     uint64_t seed = 83;
@@ -159,9 +155,8 @@ static void progress_seen(size_t done, size_t of, void *context)
 
 /* Checks a long row, in which only the gap after the last domino that is hit, and 30 before that one, are
  * tried. */
-static void a_long_row(void **state)
+TEST(a_long_row)
 {
-    (void)state;
     static struct run run;
     size_t count, done = 0;
     make_row(&run, 60, 0.3, 1, 0);
@@ -179,9 +174,8 @@ static void a_long_row(void **state)
 /* ---- A push ---- */
 
 /* Checks that one domino falls with the push that turns it over its edge. */
-static void over_its_edge(void **state)
+TEST(over_its_edge)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 1, 0.3, 1, 0);
     double edge = push_over(run.domino);
@@ -203,9 +197,8 @@ static void over_its_edge(void **state)
 
 /* Checks that all fall with the weakest push, and not with 0.2 % less; also in a row that leans on the second
  * domino before it is over its edge. */
-static void the_weakest_push(void **state)
+TEST(the_weakest_push)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 84;
     int found = 0, none = 0;
@@ -233,9 +226,8 @@ static void the_weakest_push(void **state)
 }
 
 /* Checks that nothing is written if the status is not DOM_OK. */
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const volatile sig_atomic_t now = 1;
     static struct run run;
     size_t count = 7;
@@ -256,15 +248,4 @@ static void refusals(void **state)
         assert_status(ask_row_push(&row, 10, &push), named[wrong]);
     }
     assert_true(count == 7 && push == -1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_gap_too_wide),   cmocka_unit_test(nothing_to_mend),
-        cmocka_unit_test(mended_rows_fall), cmocka_unit_test(no_smaller_change),
-        cmocka_unit_test(a_long_row),       cmocka_unit_test(over_its_edge),
-        cmocka_unit_test(the_weakest_push), cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

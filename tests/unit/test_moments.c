@@ -74,9 +74,8 @@ static void rows(struct run *run, int i)
         run->domino[k].lean = (domq_real)(k % 3 == 0 ? -0.02 : 0.03);
 }
 
-static void agrees_with_hits(void **state)
+TEST(agrees_with_hits)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     for (int i = 0; i < ROWS; i++) {
@@ -105,9 +104,8 @@ static void agrees_with_hits(void **state)
     }
 }
 
-static void keeps_the_laws_between(void **state)
+TEST(keeps_the_laws_between)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     size_t detached = 0;
@@ -147,9 +145,8 @@ static void keeps_the_laws_between(void **state)
     assert_true(detached > 0);
 }
 
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     const domq_real times[] = {1, 1e6, (domq_real)INFINITY};
@@ -173,9 +170,8 @@ static void ends(void **state)
 }
 
 /* Checks a stop by Newton's second law near it: the remaining distance is half the deceleration times t^2. */
-static void comes_to_rest(void **state)
+TEST(comes_to_rest)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     make_row(&run, 6, 0.4, 2.1, 0);
@@ -191,9 +187,8 @@ static void comes_to_rest(void **state)
     assert_near("omega", seen.omega[1][head], 2 * (rest - seen.tilt[1][head]) / 1e-3, 0.02);
 }
 
-static void tips_before_the_first_hit(void **state)
+TEST(tips_before_the_first_hit)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     const domq_real times[] = {-1, -0.05, -0.02, -0.0199, 0};
@@ -218,9 +213,8 @@ static void tips_before_the_first_hit(void **state)
     assert_near("leans", sin(seen.tilt[4][0]), 1e-3 / (double)run.domino[0].height, 1e-12);
 }
 
-static void refuses(void **state)
+TEST(refuses)
 {
-    (void)state;
     static struct run run;
     static struct seen seen;
     make_row(&run, 5, 0.4, 1.2, 0);
@@ -234,9 +228,8 @@ static void refuses(void **state)
 }
 
 /* Checks float, to its digits, and quad. */
-static void in_all_precisions(void **state)
+TEST(in_all_precisions)
 {
-    (void)state;
     static struct run run;
     static struct seen wide, narrow;
     const domq_real times[] = {0.05, 0.2, (domq_real)INFINITY};
@@ -251,18 +244,4 @@ static void in_all_precisions(void **state)
             for (size_t j = 0; j < 10; j++)
                 assert_true(fabs(wide.tilt[k][j] - narrow.tilt[k][j]) < (p == 0 ? 1e-3 : 1e-9));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(agrees_with_hits),
-        cmocka_unit_test(keeps_the_laws_between),
-        cmocka_unit_test(ends),
-        cmocka_unit_test(comes_to_rest),
-        cmocka_unit_test(refuses),
-        cmocka_unit_test(tips_before_the_first_hit),
-        cmocka_unit_test(in_all_precisions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,9 +16,8 @@ static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *e
     return status == DOM_OK || status == DOM_STOPS;
 }
 
-static void events_are_in_order(void **state)
+TEST(events_are_in_order)
 {
-    (void)state;
     uint64_t seed = 41;
     int stops = 0, falls = 0, tops = 0, hits = 0;
     for (int i = 0; i < 400; i++) {
@@ -61,9 +60,8 @@ static void events_are_in_order(void **state)
 }
 
 /* Checks before - lost - climbed = kinetic, at every event and between events. */
-static void ledger_closes(void **state)
+TEST(ledger_closes)
 {
-    (void)state;
     uint64_t seed = 42;
     int checked = 0;
     for (int i = 0; i < 200; i++) {
@@ -91,9 +89,8 @@ static void ledger_closes(void **state)
 }
 
 /* Checks that the balance with the paper's fuel is not closed: the fuel adds energy. */
-static void ledger_of_the_paper_is_open(void **state)
+TEST(ledger_of_the_paper_is_open)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_state s;
     train.fuel = DOM_FUEL_PAPER;
@@ -101,9 +98,8 @@ static void ledger_of_the_paper_is_open(void **state)
     assert_true(s.kinetic > 1.05 * (double)(s.before - s.lost - s.climbed));
 }
 
-static void acceleration_is_the_slope_of_omega(void **state)
+TEST(acceleration_is_the_slope_of_omega)
 {
-    (void)state;
     uint64_t seed = 43;
     int checked = 0;
     for (int i = 0; i < 300; i++) {
@@ -155,9 +151,8 @@ static bool force_seen(const struct domq_force *force, void *context)
  * Checks that the head obeys its own equation of motion with the force of its follower, and that all forces
  * and impulses are positive: in the frictionless cycle dominoes stay in contact.
  */
-static void forces_hold_the_train_together(void **state)
+TEST(forces_hold_the_train_together)
 {
-    (void)state;
     uint64_t seed = 44;
     int checked = 0;
     for (int i = 0; i < 300; i++) {
@@ -188,9 +183,8 @@ static void forces_hold_the_train_together(void **state)
 }
 
 /* Checks that time and tilt are inverse functions, and that the time of the last tilt is the duration. */
-static void tilt_inverts_time(void **state)
+TEST(tilt_inverts_time)
 {
-    (void)state;
     uint64_t seed = 45;
     int checked = 0;
     for (int i = 0; i < 60; i++) {
@@ -220,9 +214,8 @@ static void tilt_inverts_time(void **state)
  * Checks that d time / d theta is 1 / omega, by a central difference, with friction and without. Just before
  * a stop, where omega grows like a square root, the remaining time is twice the distance over omega.
  */
-static void time_is_the_sum_of_slowness(void **state)
+TEST(time_is_the_sum_of_slowness)
 {
-    (void)state;
     uint64_t seed = 47;
     int passed = 0, stopped = 0, friction_work = 0;
     for (int i = 0; i < 800; i++) {
@@ -261,9 +254,8 @@ static void time_is_the_sum_of_slowness(void **state)
 }
 
 /* Compares trains that stop just below the top: double against quad. */
-static void stops_to_the_digit(void **state)
+TEST(stops_to_the_digit)
 {
-    (void)state;
     const double r[] = {1.7, 1.65, 1.64425};
     for (int i = 0; i < 3; i++) {
         struct asked train = asked_default();
@@ -292,9 +284,8 @@ static void stops_to_the_digit(void **state)
 }
 
 /* Checks the bounds of a state against quad. */
-static void bounds_hold(void **state)
+TEST(bounds_hold)
 {
-    (void)state;
     uint64_t seed = 46;
     int checked = 0;
     for (int i = 0; i < 60; i++) {
@@ -324,20 +315,4 @@ static void bounds_hold(void **state)
         }
     }
     assert_true(checked > 60);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(events_are_in_order),
-        cmocka_unit_test(ledger_closes),
-        cmocka_unit_test(ledger_of_the_paper_is_open),
-        cmocka_unit_test(acceleration_is_the_slope_of_omega),
-        cmocka_unit_test(forces_hold_the_train_together),
-        cmocka_unit_test(tilt_inverts_time),
-        cmocka_unit_test(time_is_the_sum_of_slowness),
-        cmocka_unit_test(stops_to_the_digit),
-        cmocka_unit_test(bounds_hold),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,9 +48,8 @@ static bool falls(struct row *row, const struct asked *train, double r, size_t n
  * the row so long, that the row's own limit is that of the train to 1e-10; the integrator keeps 1e-13 in a
  * step.
  */
-static void largest_growths(void **state)
+TEST(largest_growths)
 {
-    (void)state;
     static const double some[][3] = {/* s, q, mu */
                                      {0.3, 3, 0},   {0.4, 3, 0},   {0.4, 4, 0},   {0.5, 3, 0},
                                      {0.5, 4, 0},   {0.3, 3, 0.2}, {0.4, 3, 0.2}, {0.4, 4, 0.2},
@@ -70,9 +69,8 @@ static void largest_growths(void **state)
 }
 
 /* Checks the duration of the last cycle but one, when the row has forgotten its push. */
-static void durations(void **state)
+TEST(durations)
 {
-    (void)state;
     static const double some[][4] = {/* s, r, q, mu */
                                      {0.6, 1, 3, 0},     {0.3, 1.4, 3, 0},  {0.4, 1.5, 4, 0},
                                      {0.5, 1.9, 3, 0},   {0.5, 1, 3, 0.2},  {0.6, 1, 4, 0.4},
@@ -91,13 +89,4 @@ static void durations(void **state)
                       (double)domq_scale_tau(&scale, &(struct domq_train){.d = stature});
         assert_near("duration", took, duration, 1e-11);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths),
-        cmocka_unit_test(durations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

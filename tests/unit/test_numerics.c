@@ -38,9 +38,8 @@ static double root_of_sine(double x, void *c)
     return sin(x);
 }
 
-static void roots(void **state)
+TEST(roots)
 {
-    (void)state;
     static const struct {
         num_function *f;
         double lo, hi, x, bound;
@@ -69,9 +68,8 @@ static double nan_inside(double x, void *c)
     return x > 0.3 && x < 0.7 ? DOMQ_NAN : x - 0.5;
 }
 
-static void failures_are_reported(void **state)
+TEST(failures_are_reported)
 {
-    (void)state;
     double x = -7;
     assert_int_equal(num_root(cubic, NULL, 2, 3, 0, &x), NUM_NOT_BRACKETED);
     assert_int_equal(num_root(nan_inside, NULL, 0, 1, 0, &x), NUM_NOT_FINITE);
@@ -93,9 +91,8 @@ static double kink(double x, void *c)
     return x < 0.7 ? x : 1.4 - x;
 }
 
-static void maxima(void **state)
+TEST(maxima)
 {
-    (void)state;
     double x = DOMQ_NAN;
     assert_int_equal(num_maximum(parabola, NULL, 0.39, 0.43, 0.48, 1e-12, &x), NUM_OK);
     assert_near("smooth top", x, 0.44, 1e-7);
@@ -110,9 +107,8 @@ static double near_stop(double x, void *c)
 }
 
 /* Checks the peak of a train that nearly stops: the integral over [0, 1] is asinh(1 / sqrt(margin)). */
-static void integrals(void **state)
+TEST(integrals)
 {
-    (void)state;
     for (double margin = 1; margin > 1e-25; margin /= 100) {
         double integral = DOMQ_NAN;
         assert_int_equal(num_integral(near_stop, &margin, 0, 1, 1e-13, &integral, NULL), NUM_OK);
@@ -170,9 +166,8 @@ static double bent(double x, void *c)
     return sqrt(x) - 0.1;
 }
 
-static void roots_against_gsl(void **state)
+TEST(roots_against_gsl)
 {
-    (void)state;
     const struct {
         num_function *f;
         double lo, hi, x;
@@ -193,9 +188,8 @@ static void roots_against_gsl(void **state)
     assert_true(ours <= theirs);
 }
 
-static void integrals_against_gsl(void **state)
+TEST(integrals_against_gsl)
 {
-    (void)state;
     size_t ours = 0, theirs = 0;
     gsl_integration_workspace *space = gsl_integration_workspace_alloc(1000);
     for (double margin = 1e-4; margin > 1e-20; margin /= 100) {
@@ -241,9 +235,8 @@ static double peaked_integral(const struct peak *p, double x)
  * grows; with an unknown width the integral is still right. Away from x = 0 a width below 1e-3 is rounded
  * itself.
  */
-static void peaks(void **state)
+TEST(peaks)
 {
-    (void)state;
     size_t most = 0, theirs = 0;
     gsl_integration_workspace *space = gsl_integration_workspace_alloc(1000);
     for (double width = 1; width > 1e-10; width /= 10) {
@@ -321,9 +314,8 @@ static const struct linear linears[] = {
     {1, 0, 0}, {1e-2, 1, 0}, {1e-6, 1, 0}, {1e-10, 1, 0}, {1e-1, 2, 0}, {1e-2, 2, 0}, {1e-3, 2, 0},
 };
 
-static void linear_everywhere(void **state)
+TEST(linear_everywhere)
 {
-    (void)state;
     static struct num_linear solution;
     for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
         struct linear l = linears[i];
@@ -343,9 +335,8 @@ static void linear_everywhere(void **state)
     }
 }
 
-static void linear_against_gsl(void **state)
+TEST(linear_against_gsl)
 {
-    (void)state;
     static struct num_linear solution;
     size_t ours = 0, theirs = 0;
     for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
@@ -384,9 +375,8 @@ static bool linear_jump(double x, void *context, struct num_rate *rate)
     return true;
 }
 
-static void linear_failures(void **state)
+TEST(linear_failures)
 {
-    (void)state;
     static struct num_linear solution;
     solution.panels = 0;
     assert_int_equal(num_linear_solve(linear_nan, NULL, 0, 1, 1e-12, &solution), NUM_NOT_FINITE);
@@ -399,21 +389,4 @@ static void linear_failures(void **state)
         assert_near("across a jump", v, 2.0 / 3 + 2.0 / 3, 1e-9);
     } else
         assert_int_equal(status, NUM_NOT_CONVERGED);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),
-        cmocka_unit_test(failures_are_reported),
-        cmocka_unit_test(maxima),
-        cmocka_unit_test(integrals),
-        cmocka_unit_test(roots_against_gsl),
-        cmocka_unit_test(integrals_against_gsl),
-        cmocka_unit_test(peaks),
-        cmocka_unit_test(linear_everywhere),
-        cmocka_unit_test(linear_against_gsl),
-        cmocka_unit_test(linear_failures),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

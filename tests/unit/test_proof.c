@@ -218,9 +218,8 @@ static int all_wrong(struct proof *proof)
     return wrong + verdicts_wrong(proof);
 }
 
-static void every_bound_holds(void **state)
+TEST(every_bound_holds)
 {
-    (void)state;
     struct proof proof;
     struct shape shape = shape_make(0.4, 0.1, 3);
     assert_true(proof_begin(&proof, &shape));
@@ -233,9 +232,8 @@ static void every_bound_holds(void **state)
     proof_end(&proof);
 }
 
-static void limits_of_the_reference_lie_in_what_is_proved(void **state)
+TEST(limits_of_the_reference_lie_in_what_is_proved)
 {
-    (void)state;
     struct proof proof;
     struct shape shape = shape_make(0.4, 0.1, 3);
     assert_true(proof_begin(&proof, &shape));
@@ -245,9 +243,8 @@ static void limits_of_the_reference_lie_in_what_is_proved(void **state)
 }
 
 /* Whenever an interrupt comes, no more than a few passes follow, and what is proved is true. */
-static void an_interrupt_ends_every_stage(void **state)
+TEST(an_interrupt_ends_every_stage)
 {
-    (void)state;
     static const struct {
         double s, d, q, r_max;
         bool pair;
@@ -278,9 +275,8 @@ static void an_interrupt_ends_every_stage(void **state)
     }
 }
 
-static void each_wrong_bound_is_noticed(void **state)
+TEST(each_wrong_bound_is_noticed)
 {
-    (void)state;
     static const char *const name[] = {"none",
 #define BOUND_NAME(name) #name,
                                        BOUNDS(BOUND_NAME)};
@@ -298,15 +294,4 @@ static void each_wrong_bound_is_noticed(void **state)
     broken = ALL_RIGHT;
     proof_end(&proof);
     assert_int_equal(missed, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_bound_holds),
-        cmocka_unit_test(limits_of_the_reference_lie_in_what_is_proved),
-        cmocka_unit_test(an_interrupt_ends_every_stage),
-        cmocka_unit_test(each_wrong_bound_is_noticed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

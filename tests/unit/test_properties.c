@@ -8,9 +8,8 @@ enum { TRAINS = 400 };
 
 /* Checks J(0) = 1 + r^-(q+1) J(theta_c) (50; d8), and that the train at 0 is the train at theta_c, shifted by
  * one. */
-static void inertia_shifts_by_one(void **state)
+TEST(inertia_shifts_by_one)
 {
-    (void)state;
     uint64_t seed = 1;
     for (int i = 0; i < TRAINS; i++) {
         struct asked train = random_train(&seed);
@@ -29,9 +28,8 @@ static void inertia_shifts_by_one(void **state)
  * has an error of h^2 |H'''| / 6, plus rounding errors of 1e-16 / h. H''' is large where a follower is about
  * to detach.
  */
-static void slope_is_derivative_of_energy(void **state)
+TEST(slope_is_derivative_of_energy)
 {
-    (void)state;
     uint64_t seed = 2;
     int checked = 0;
     for (int i = 0; i < TRAINS; i++) {
@@ -61,9 +59,8 @@ static void slope_is_derivative_of_energy(void **state)
  * Checks that the differences, summed term by term, agree with the difference of two sums of h, to the
  * rounding errors of these sums: 1e-14 of the sum of weights.
  */
-static void energy_agrees_with_its_definition(void **state)
+TEST(energy_agrees_with_its_definition)
 {
-    (void)state;
     uint64_t seed = 3;
     for (int i = 0; i < TRAINS; i++) {
         struct asked train = random_train(&seed);
@@ -100,9 +97,8 @@ static void energy_agrees_with_its_definition(void **state)
 }
 
 /* Checks that the fuels agree at r = 1, and where r s = 1. */
-static void fuels_agree_where_they_must(void **state)
+TEST(fuels_agree_where_they_must)
 {
-    (void)state;
     uint64_t seed = 4;
     for (int i = 0; i < TRAINS; i++) {
         struct asked train = random_train(&seed);
@@ -123,9 +119,8 @@ static void fuels_agree_where_they_must(void **state)
 
 /* Checks that energy is conserved along the cycle, J w + dH = K (21; c3), and that the cycle ends with the
  * speed with which the next one begins. */
-static void cycle_closes(void **state)
+TEST(cycle_closes)
 {
-    (void)state;
     uint64_t seed = 5;
     int closed = 0;
     for (int i = 0; i < TRAINS; i++) {
@@ -158,9 +153,8 @@ static void cycle_closes(void **state)
 
 /* Checks a train at the reach: the follower has detached at once, but after the collision, so omega(0) is
  * that of the launch. */
-static void cycle_begins_at_the_reach(void **state)
+TEST(cycle_begins_at_the_reach)
 {
-    (void)state;
     static const double train_at[][4] = {{0.5, 2, 0.1, 3},
                                          {0.5148788313082803, 1.9422045327811441, 0.003, 4},
                                          {0.25, 4, 0.01, 0.5},
@@ -180,9 +174,8 @@ static void cycle_begins_at_the_reach(void **state)
 }
 
 /* Checks that cycles converge: from any other speed the collision law leads to the stationary one. */
-static void train_forgets_its_push(void **state)
+TEST(train_forgets_its_push)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_launch launch;
     struct domq_angles angles;
@@ -199,9 +192,8 @@ static void train_forgets_its_push(void **state)
 }
 
 /* Checks that the margin is 0 at r_max, positive just below and negative just above. */
-static void margin_vanishes_at_the_limit(void **state)
+TEST(margin_vanishes_at_the_limit)
 {
-    (void)state;
     uint64_t seed = 6;
     int met = 0;
     for (int i = 0; i < 60; i++) {
@@ -221,9 +213,8 @@ static void margin_vanishes_at_the_limit(void **state)
 }
 
 /* Checks that the remaining energy has the tolerance tol, however small a part of the whole it is. */
-static void small_margins_keep_their_digits(void **state)
+TEST(small_margins_keep_their_digits)
 {
-    (void)state;
     for (int i = 0; i < 12; i++) {
         struct asked train = asked_default();
         struct domq_limit limit;
@@ -241,9 +232,8 @@ static void small_margins_keep_their_digits(void **state)
 }
 
 /* Checks that, if only two dominoes matter, the pair with the train's push has the margin of the train. */
-static void pair_is_train_of_two(void **state)
+TEST(pair_is_train_of_two)
 {
-    (void)state;
     for (double q = 3; q <= 4; q++) {
         struct asked train = asked_default();
         struct domq_limit whole, pair;
@@ -256,9 +246,8 @@ static void pair_is_train_of_two(void **state)
 }
 
 /* Checks (5; b0): a domino that has not tipped over its edge before it hits does not push the next one. */
-static void pairs_tip_over_before_they_hit(void **state)
+TEST(pairs_tip_over_before_they_hit)
 {
-    (void)state;
     uint64_t seed = 8;
     int ends[3] = {0};
     for (int i = 0; i < 2 * TRAINS; i++) {
@@ -274,9 +263,8 @@ static void pairs_tip_over_before_they_hit(void **state)
 
 /* Checks narrow bands: below (5; b0) no pair succeeds, and a little above it none does any more; a scan of r
  * must not step over the band. */
-static void pairs_succeed_in_narrow_bands(void **state)
+TEST(pairs_succeed_in_narrow_bands)
 {
-    (void)state;
     static const double band[][4] = {
         /* s, d, q, and the end of the band */
         {0.41043361309668785, 0.32266631706171017, 1.6758005526800597, 1.6906981},
@@ -296,9 +284,8 @@ static void pairs_succeed_in_narrow_bands(void **state)
 
 /* Checks that solid trains grow less than hollow ones, and that a separation closer to the best one is
  * better. */
-static void growth_is_monotone(void **state)
+TEST(growth_is_monotone)
 {
-    (void)state;
     double before = 1;
     for (double s = 0.02; s < 0.44; s += 0.01) {
         struct asked train = asked_default();
@@ -313,9 +300,8 @@ static void growth_is_monotone(void **state)
 }
 
 /* Checks that there is no domino effect for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
-static void no_fuel_below_a_separation(void **state)
+TEST(no_fuel_below_a_separation)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_limit limit;
     enum dom_status why = DOM_OK;
@@ -334,9 +320,8 @@ static void no_fuel_below_a_separation(void **state)
 }
 
 /* Checks that a larger tol needs fewer dominoes, and that the error stays below tol. */
-static void tolerance_decides_the_work(void **state)
+TEST(tolerance_decides_the_work)
 {
-    (void)state;
     uint64_t seed = 7;
     static const double tols[] = {1e-2, 1e-4, 1e-6, 1e-9};
     size_t total[4] = {0};
@@ -362,9 +347,8 @@ static void tolerance_decides_the_work(void **state)
 }
 
 /* Checks that the energy is used up where the train stops. */
-static void train_stops_where_its_energy_ends(void **state)
+TEST(train_stops_where_its_energy_ends)
 {
-    (void)state;
     struct asked train = asked_default();
     domq_real stop = DOMQ_NAN, w = DOMQ_NAN;
     struct domq_energy energy;
@@ -384,9 +368,8 @@ static void train_stops_where_its_energy_ends(void **state)
 }
 
 /* Checks margin -> 0: the duration grows like ln(1 / margin), by equal steps for equal ratios. */
-static void duration_diverges_logarithmically(void **state)
+TEST(duration_diverges_logarithmically)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_limit limit;
     domq_real duration[4];
@@ -403,9 +386,8 @@ static void duration_diverges_logarithmically(void **state)
 }
 
 /* Checks that bounds take no work unless they are requested, and change no digit of the answer. */
-static void bounds_are_extra(void **state)
+TEST(bounds_are_extra)
 {
-    (void)state;
     uint64_t seed = 77;
     int barriers = 0, limits = 0;
     for (int i = 0; i < 60; i++) {
@@ -446,9 +428,8 @@ static void bounds_are_extra(void **state)
 }
 
 /* Checks that the precisions agree to the digits of the poorer one. */
-static void precisions_agree(void **state)
+TEST(precisions_agree)
 {
-    (void)state;
     uint64_t seed = 78;
     int compared = 0;
     for (int i = 0; i < 30; i++) {
@@ -472,30 +453,4 @@ static void precisions_agree(void **state)
     }
     print_message("# %d limits in all precisions\n", compared);
     assert_true(compared > 15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(inertia_shifts_by_one),
-        cmocka_unit_test(slope_is_derivative_of_energy),
-        cmocka_unit_test(energy_agrees_with_its_definition),
-        cmocka_unit_test(fuels_agree_where_they_must),
-        cmocka_unit_test(cycle_closes),
-        cmocka_unit_test(cycle_begins_at_the_reach),
-        cmocka_unit_test(train_forgets_its_push),
-        cmocka_unit_test(margin_vanishes_at_the_limit),
-        cmocka_unit_test(small_margins_keep_their_digits),
-        cmocka_unit_test(pair_is_train_of_two),
-        cmocka_unit_test(pairs_tip_over_before_they_hit),
-        cmocka_unit_test(pairs_succeed_in_narrow_bands),
-        cmocka_unit_test(growth_is_monotone),
-        cmocka_unit_test(no_fuel_below_a_separation),
-        cmocka_unit_test(tolerance_decides_the_work),
-        cmocka_unit_test(train_stops_where_its_energy_ends),
-        cmocka_unit_test(duration_diverges_logarithmically),
-        cmocka_unit_test(bounds_are_extra),
-        cmocka_unit_test(precisions_agree),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

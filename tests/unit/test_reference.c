@@ -104,23 +104,20 @@ static void check_points(const struct bounds *bounds)
     assert_int_equal(rows, 16);
 }
 
-static void points_to_the_last_digits(void **state)
+TEST(points_to_the_last_digits)
 {
-    (void)state;
     check_points(&tight);
 }
 
-static void points_to_the_default_tolerance(void **state)
+TEST(points_to_the_default_tolerance)
 {
-    (void)state;
     check_points(&usual);
 }
 
 /* Checks r_max: to 1e-13 away from 1/s (there the margin is steep), and also at the reach, where it is
  * 1/s. */
-static void largest_growth(void **state)
+TEST(largest_growth)
 {
-    (void)state;
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/rmax.csv");
     for (; csv_next(csv); rows++) {
@@ -139,9 +136,8 @@ static void largest_growth(void **state)
     assert_int_equal(rows, 42);
 }
 
-static void largest_growth_of_a_pair(void **state)
+TEST(largest_growth_of_a_pair)
 {
-    (void)state;
     int rows = 0;
     struct csv *csv = csv_open("tests/reference/pair.csv");
     for (; csv_next(csv); rows++) {
@@ -156,9 +152,8 @@ static void largest_growth_of_a_pair(void **state)
 }
 
 /* Checks the best separations, known to 6 digits, and their growths, known to 7. */
-static void best_separation(void **state)
+TEST(best_separation)
 {
-    (void)state;
     static const struct {
         double q;
         enum dom_fuel fuel;
@@ -190,9 +185,8 @@ static void best_separation(void **state)
  * Checks followers that detach at small angles: sin theta_f would cancel as 1 minus a number, and so would
  * the energy of the detaching follower as a difference of cosines. Digits from 256-bit arithmetic.
  */
-static void detaching_at_small_angles(void **state)
+TEST(detaching_at_small_angles)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_angles angles;
     struct domq_fuels fuels;
@@ -225,9 +219,8 @@ static void detaching_at_small_angles(void **state)
 }
 
 /* Checks where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
-static void barrier_curve_meets_reach(void **state)
+TEST(barrier_curve_meets_reach)
 {
-    (void)state;
     static const double meets[][2] = {{3, 0.53929}, {4, 0.61901}};
     for (size_t i = 0; i < 2; i++) {
         struct asked train = asked_default();
@@ -240,18 +233,4 @@ static void barrier_curve_meets_reach(void **state)
         assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_REACH);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_to_the_last_digits),
-        cmocka_unit_test(points_to_the_default_tolerance),
-        cmocka_unit_test(largest_growth),
-        cmocka_unit_test(largest_growth_of_a_pair),
-        cmocka_unit_test(detaching_at_small_angles),
-        cmocka_unit_test(best_separation),
-        cmocka_unit_test(barrier_curve_meets_reach),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -143,9 +143,8 @@ static void refused(const struct dom_train *train, const struct dom_compute *com
 #define BAD_q   DOM_BAD_Q
 #define BAD_tol DOM_BAD_TOL
 
-static void parameters(void **state)
+TEST(parameters)
 {
-    (void)state;
     struct dom_train train;
     struct dom_compute compute = dom_compute_default();
 #define BAD(owner, name, lowest, highest, expected)                                                          \
@@ -177,9 +176,8 @@ static void parameters(void **state)
         }
 }
 
-static void choices(void **state)
+TEST(choices)
 {
-    (void)state;
     struct dom_train train = dom_train_default();
     struct dom_compute compute = dom_compute_default();
     train.fuel = (enum dom_fuel)(DOM_FUEL_PAPER + 1);
@@ -194,9 +192,8 @@ static void choices(void **state)
 
 /* ---- Tilts and times ---- */
 
-static void tilts_and_times(void **state)
+TEST(tilts_and_times)
 {
-    (void)state;
     const struct dom_train t = dom_train_default();
     struct dom_angles angles;
     struct dom_value whole, value;
@@ -279,9 +276,8 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
     assert_true(budget.sigma == -1);
 }
 
-static void rows(void **state)
+TEST(rows)
 {
-    (void)state;
     struct some_row r;
     struct dom_compute compute = dom_compute_default();
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
@@ -330,9 +326,8 @@ static void rows(void **state)
 }
 
 /* Checks the limits of the searches for a growth and for a push. */
-static void searches(void **state)
+TEST(searches)
 {
-    (void)state;
     struct some_row r;
     struct dom_row_growth growth = {.r_max = -1};
     double push = -1;
@@ -346,9 +341,8 @@ static void searches(void **state)
     assert_true(growth.r_max == -1 && push == -1);
 }
 
-static void placements(void **state)
+TEST(placements)
 {
-    (void)state;
     struct some_row r;
     struct dom_study study;
     struct dom_budget budget;
@@ -374,9 +368,8 @@ static void placements(void **state)
     assert_named(dom_study_interval(&study), DOM_BAD_ROWS);
 }
 
-static void counts(void **state)
+TEST(counts)
 {
-    (void)state;
     const double bad[] = {0, -1, (double)NAN, (double)INFINITY};
     struct dom_compute compute = dom_compute_default();
     struct dom_count count = {.dominoes = -1};
@@ -392,20 +385,9 @@ static void counts(void **state)
 }
 
 /* Checks that every status has occurred; runs last. */
-static void all_were_returned(void **state)
+TEST(all_were_returned)
 {
-    (void)state;
     for (int k = DOM_BAD_S; k <= DOM_BAD_PROBABILITY; k++)
         if (!returned[k])
             fail_msg("nothing returns: %s", dom_status_text((enum dom_status)k));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parameters), cmocka_unit_test(choices),           cmocka_unit_test(tilts_and_times),
-        cmocka_unit_test(rows),       cmocka_unit_test(searches),          cmocka_unit_test(placements),
-        cmocka_unit_test(counts),     cmocka_unit_test(all_were_returned),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,9 +22,8 @@ static double rmax_of(const struct asked *train)
     return (double)limit.r_max;
 }
 
-static void largest_growths(void **state)
+TEST(largest_growths)
 {
-    (void)state;
     static const double table[][3] = {/* s, rho, r_max */
                                       {0.2, 0.005, 1.599355}, {0.2, 0.01, 1.649661}, {0.2, 0.02, 1.772503},
                                       {0.3, 0.005, 1.871112}, {0.3, 0.01, 1.935795}, {0.3, 0.02, 2.092912}};
@@ -34,9 +33,8 @@ static void largest_growths(void **state)
     }
 }
 
-static void edges_become_sharp(void **state)
+TEST(edges_become_sharp)
 {
-    (void)state;
     for (int k = 0; k < 6; k++) {
         struct asked sharp = train_of(0.15 + 0.13 * (k % 3), 0, k < 3 ? 0 : 0.2), slight = sharp;
         slight.rho = 1e-12;
@@ -49,9 +47,8 @@ static void edges_become_sharp(void **state)
     }
 }
 
-static void precisions_agree(void **state)
+TEST(precisions_agree)
 {
-    (void)state;
     for (int k = 0; k < 2; k++) {
         struct asked train = train_of(0.3, 0.01, k ? 0.1 : 0);
         train.r = 1.25;
@@ -70,9 +67,8 @@ static void precisions_agree(void **state)
 
 /* Checks that theta_1 solves the equation of the contact to rounding, for radii up to d/2, in each precision.
  */
-static void contacts(void **state)
+TEST(contacts)
 {
-    (void)state;
     uint64_t seed = 11;
     double worst[2] = {0, 0};
     for (int n = 0; n < 3000; n++) {
@@ -106,9 +102,8 @@ static void contacts(void **state)
  */
 
 /* Checks named trains against quad, whose digits are enough in any case. */
-static void difficult_limits(void **state)
+TEST(difficult_limits)
 {
-    (void)state;
     static const struct {
         double s, d, q, mu, rho;
     } table[] = {
@@ -155,9 +150,8 @@ static struct asked any_train(uint64_t *seed)
 }
 
 /* Checks that every such train has an answer or a verdict in each precision, and compares some with quad. */
-static void trains_anywhere(void **state)
+TEST(trains_anywhere)
 {
-    (void)state;
     uint64_t seed = 29;
     int goes = 0, stops = 0;
     for (int n = 0; n < 1500; n++) {
@@ -183,9 +177,8 @@ static void trains_anywhere(void **state)
 }
 
 /* Checks that the best separation has no better one near it, and keeps the r_max found there. */
-static void best_separations(void **state)
+TEST(best_separations)
 {
-    (void)state;
     static const struct {
         double d, q, mu, rho, alpha;
     } table[] = {
@@ -313,9 +306,8 @@ static double torque_left(const struct block *b, int n, const struct vector *acc
 }
 
 /* Compares acceleration and collision of the endless train with those of a long chain of blocks. */
-static void newtons_law(void **state)
+TEST(newtons_law)
 {
-    (void)state;
     static const double scene[][5] = {/* s, r, rho, mu, theta */
                                       {0.3, 1.3, 0.01, 0, 0.15},
                                       {0.4, 1.1, 0.03, 0, 0.3},
@@ -386,9 +378,8 @@ static void newtons_law(void **state)
 
 /* Checks that the speed changes as the acceleration says, so that energy is kept, and the balance of energy.
  */
-static void energy_is_kept(void **state)
+TEST(energy_is_kept)
 {
-    (void)state;
     for (int k = 0; k < 4; k++) {
         struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.2);
         struct domq_state low, at, high;
@@ -415,9 +406,8 @@ static bool last_seen(const struct domq_fall *fall, void *context)
 }
 
 /* Checks that a row of a train moves as the endless train, with radii of the row or of the dominoes. */
-static void rows_are_trains(void **state)
+TEST(rows_are_trains)
 {
-    (void)state;
     enum { COUNT = 24 };
     for (int k = 0; k < 4; k++) {
         struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.15);
@@ -455,9 +445,8 @@ static void rows_are_trains(void **state)
 
 /* ---- Values that do not fit ---- */
 
-static void radii_that_do_not_fit(void **state)
+TEST(radii_that_do_not_fit)
 {
-    (void)state;
     struct asked train = train_of(0.4, 0.5, 0);
     struct domq_limit limit;
     train.rho = train.d / 2 + 1e-9;
@@ -499,22 +488,4 @@ static void radii_that_do_not_fit(void **state)
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_OK);
     two[1].radius = -1;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_RADIUS);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths),
-        cmocka_unit_test(edges_become_sharp),
-        cmocka_unit_test(contacts),
-        cmocka_unit_test(precisions_agree),
-        cmocka_unit_test(difficult_limits),
-        cmocka_unit_test(trains_anywhere),
-        cmocka_unit_test(best_separations),
-        cmocka_unit_test(newtons_law),
-        cmocka_unit_test(energy_is_kept),
-        cmocka_unit_test(rows_are_trains),
-        cmocka_unit_test(radii_that_do_not_fit),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

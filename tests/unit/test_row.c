@@ -70,9 +70,8 @@ static void compare(const struct run *run, const struct newton *n, size_t hits)
     }
 }
 
-static void newton_agrees(void **state)
+TEST(newton_agrees)
 {
-    (void)state;
     static struct run run;
     static struct newton n;
     uint64_t seed = 61;
@@ -135,9 +134,8 @@ static void newton_agrees(void **state)
  * Checks a contact that opens before a head comes to rest: Newton's equations have -0.019 weights between 1
  * and 2 before head 2 rests.
  */
-static void contact_opens_before_a_stop(void **state)
+TEST(contact_opens_before_a_stop)
 {
-    (void)state;
     static struct run run;
     static struct newton n;
     make_row(&run, 3, 0.05, 1, 0.1);
@@ -156,9 +154,8 @@ static void contact_opens_before_a_stop(void **state)
 
 /* Checks a fast head that runs ahead of its followers, since masses differ much: a contact opens although
  * nothing stops. */
-static void contact_opens_without_a_stop(void **state)
+TEST(contact_opens_without_a_stop)
 {
-    (void)state;
     static struct run run;
     static struct newton n;
     uint64_t seed = 67;
@@ -193,9 +190,8 @@ static void contact_opens_without_a_stop(void **state)
  * makes it smaller). After 50 dominoes the error is that power of the rate, or 1e-11, which the tolerance of
  * margins explains.
  */
-static void uniform_rows_become_the_train(void **state)
+TEST(uniform_rows_become_the_train)
 {
-    (void)state;
     static const double some[][4] = {/* s, r, q, mu */
                                      {0.4, 1.5, 4, 0},
                                      {0.3, 1, 3, 0},
@@ -267,9 +263,8 @@ static double potential(const struct run *run, size_t k, size_t moving, double t
 
 /* Checks that the energy of a head, minus friction and the rise of the dominoes, is the energy before the
  * next hit; in rows where none detaches. */
-static void energy_is_kept(void **state)
+TEST(energy_is_kept)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 62;
     int checked = 0;
@@ -306,9 +301,8 @@ static void check_end(struct run *run, enum dom_row_end end, size_t domino)
     assert_true((run->verdict.short_by > 0) == (end == DOM_ROW_STOPS));
 }
 
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 5, 0.4, 1, 0);
     check_end(&run, DOM_ROW_FALLS, 5);
@@ -357,9 +351,8 @@ static void ends(void **state)
 
 /* Checks that one domino turns over with (1/2) I omega^2 = m g (sqrt(h^2 + d^2) - h) / 2, by bisection to
  * twenty bits. */
-static void push_just_enough(void **state)
+TEST(push_just_enough)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 1, 0.4, 1, 0);
     double edge = push_over(run.domino), lo = 0, hi = 10 * edge;
@@ -382,9 +375,8 @@ static void push_just_enough(void **state)
  * Checks a push that soon ends, (1/2) I omega^2 = m g d theta / 2, with friction, which a single domino does
  * not feel, and without.
  */
-static void rests_after_a_slight_push(void **state)
+TEST(rests_after_a_slight_push)
 {
-    (void)state;
     static struct run run;
     for (int mu = 0; mu < 2; mu++)
         for (double push = 1e-4; push > 1e-9; push /= 10) {
@@ -396,9 +388,8 @@ static void rests_after_a_slight_push(void **state)
         }
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     static struct run run;
     static const double wrong[] = {0, -1, NAN, INFINITY};
     static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
@@ -435,9 +426,8 @@ static bool twice(const struct domq_fall *fall, void *context)
     return ++*(int *)context < 2;
 }
 
-static void visits_end_early(void **state)
+TEST(visits_end_early)
 {
-    (void)state;
     static struct run run;
     int visits = 0;
     make_row(&run, 20, 0.4, 1, 0);
@@ -485,9 +475,8 @@ static void sizes(enum dom_precision precision, double s, double r, double h, do
     }
 }
 
-static void long_and_tall(void **state)
+TEST(long_and_tall)
 {
-    (void)state;
     enum { LONG = 10000 };
     static struct domq_domino domino[LONG];
     struct asked train = asked_default();
@@ -507,9 +496,8 @@ static void long_and_tall(void **state)
 }
 
 /* Checks m h^2 or h^2 beyond the range of the precision: a right answer, or an error. */
-static void beyond_the_range(void **state)
+TEST(beyond_the_range)
 {
-    (void)state;
     sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* only 45000 km */
     sizes(DOM_DOUBLE, 0.3, 1, 1e160, 1, 20, false);
     sizes(DOM_DOUBLE, 0.3, 1, 1e-170, 1, 20, false);
@@ -519,9 +507,8 @@ static void beyond_the_range(void **state)
 
 /* Checks that the weakest domino has the smallest margin over barrier, and that the verdict has the same bits
  * without times. */
-static void verdict_sums_up(void **state)
+TEST(verdict_sums_up)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 63;
     for (int i = 0; i < 200; i++) {
@@ -561,9 +548,8 @@ static void verdict_sums_up(void **state)
  * Checks that the energy that a head needs depends on the row alone, not on the speed of the head: also if a
  * domino detaches on the way; energy needed after that tilt is counted as energy at the launch.
  */
-static void barriers_do_not_depend_on_the_push(void **state)
+TEST(barriers_do_not_depend_on_the_push)
 {
-    (void)state;
     static struct run slow, fast;
     uint64_t seed = 66;
     int checked = 0, behind = 0;
@@ -594,9 +580,8 @@ static void barriers_do_not_depend_on_the_push(void **state)
 }
 
 /* Checks that a domino of almost no weight does not end a sum: those after it weigh as before. */
-static void light_dominoes_end_no_sum(void **state)
+TEST(light_dominoes_end_no_sum)
 {
-    (void)state;
     static struct run rough, fine;
     uint64_t seed = 65;
     int checked = 0;
@@ -623,9 +608,8 @@ static void light_dominoes_end_no_sum(void **state)
 }
 
 /* Returns the tolerance over the smallest margin, as a bound of the difference. */
-static void precisions_agree(void **state)
+TEST(precisions_agree)
 {
-    (void)state;
     static struct run run[3];
     uint64_t seed = 64;
     for (int i = 0; i < 12; i++) {
@@ -663,9 +647,8 @@ static void precisions_agree(void **state)
 
 /* Checks a long uniform row, which needs as much friction of the floor as the train; and the struck domino by
  * its formula. */
-static void floor_of_the_train(void **state)
+TEST(floor_of_the_train)
 {
-    (void)state;
     static struct run run;
     for (int i = 0; i < 3; i++) {
         struct asked train = asked_default();
@@ -688,28 +671,4 @@ static void floor_of_the_train(void **state)
         assert_int_equal(run.fall[0].floor_domino, 1);
         assert_true(run.fall[0].floor_hit == 0); /* the first domino was not hit */
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(newton_agrees),
-        cmocka_unit_test(contact_opens_before_a_stop),
-        cmocka_unit_test(contact_opens_without_a_stop),
-        cmocka_unit_test(uniform_rows_become_the_train),
-        cmocka_unit_test(energy_is_kept),
-        cmocka_unit_test(ends),
-        cmocka_unit_test(push_just_enough),
-        cmocka_unit_test(rests_after_a_slight_push),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(visits_end_early),
-        cmocka_unit_test(long_and_tall),
-        cmocka_unit_test(beyond_the_range),
-        cmocka_unit_test(verdict_sums_up),
-        cmocka_unit_test(barriers_do_not_depend_on_the_push),
-        cmocka_unit_test(light_dominoes_end_no_sum),
-        cmocka_unit_test(precisions_agree),
-        cmocka_unit_test(floor_of_the_train),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,9 +51,8 @@ static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, d
 }
 
 /* Checks that two dominoes, the first of which just tips over, are the pair of the paper. */
-static void two_are_the_pair(void **state)
+TEST(two_are_the_pair)
 {
-    (void)state;
     int limited = 0;
     for (int i = 1; i < 10; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, i % 2 ? 3 : 4);
@@ -72,9 +71,8 @@ static void two_are_the_pair(void **state)
 
 /* Checks rows that stop at r = 1 and fall at larger growths, on slopes and with thick dominoes: two dominoes
  * are the pair, and all fall from r_min on. */
-static void falls_from_above_one(void **state)
+TEST(falls_from_above_one)
 {
-    (void)state;
     static const double scenes[][4] = {/* s, d, q, alpha */
                                        {0.5180007117763072, 0.4, 2, 0.01},
                                        {0.342, 0.24, 2, 0},
@@ -97,9 +95,8 @@ static void falls_from_above_one(void **state)
 
 /* Checks long rows: the effect of a strong push on domino k decreases like a power of r, so the limit is that
  * of the endless train. */
-static void long_rows_are_the_train(void **state)
+TEST(long_rows_are_the_train)
 {
-    (void)state;
     for (int i = 4; i < 8; i++) {
         struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
         struct domq_limit limit;
@@ -112,9 +109,8 @@ static void long_rows_are_the_train(void **state)
 }
 
 /* Checks that all fall at r_max and not at a little more, with the same number in every precision. */
-static void falls_up_to_it(void **state)
+TEST(falls_up_to_it)
 {
-    (void)state;
     uint64_t seed = 81;
     int stopped = 0, reached = 0;
     for (int i = 0; i < 60; i++) {
@@ -154,9 +150,8 @@ static void falls_up_to_it(void **state)
 
 /* Checks that a row of one pushed domino falls at any growth, and that equal dominoes that lean from the
  * start do not. */
-static void at_the_ends(void **state)
+TEST(at_the_ends)
 {
-    (void)state;
     struct family f = family_of(0.4, 7.0 / 48, 4);
     struct asked_row row = row_of(1, 6);
     struct domq_row_growth growth = growth_of(&f, &row);
@@ -180,9 +175,8 @@ static void flat_make(domq_real r, struct domq_domino *domino, size_t count, voi
 }
 
 /* Checks that nothing is written if the status is not DOM_OK. */
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const volatile sig_atomic_t now = 1;
     struct family f = family_of(0.4, 7.0 / 48, 3);
     struct asked_row row = row_of(4, 6), bad;
@@ -203,14 +197,4 @@ static void refusals(void **state)
     row.interrupt = &now;
     assert_status(ask_row_rmax(&row, 2, family_make, &f, &growth), DOM_INTERRUPTED);
     assert_true(growth.r_max == -1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_are_the_pair), cmocka_unit_test(falls_from_above_one),
-        cmocka_unit_test(falls_up_to_it),   cmocka_unit_test(long_rows_are_the_train),
-        cmocka_unit_test(at_the_ends),      cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,9 +57,8 @@ static double highest_energy_change(const struct run *run, size_t k, size_t movi
 }
 
 /* Checks two rows that once differed: 0.0938 and 0.4332, where one lacks more energy with the weaker push. */
-static void short_of_the_highest(void **state)
+TEST(short_of_the_highest)
 {
-    (void)state;
     static double size[][3] = {{0.1, 0.03, 0}, {0.13, 0.08, 0.098}, {0.3, 0.02, 0.1}};
     static const double known[][3] = {{30, 0.361154, 0.596591}, {37, 0.524509, 0.433236}};
     static struct run run;
@@ -91,9 +90,8 @@ static void random_row(struct run *run, uint64_t *seed, double push, double mu)
  * its tilts, with an error of the third power of their distance, or the second if a domino detaches between
  * them: 1e-7.
  */
-static void short_of_the_highest_everywhere(void **state)
+TEST(short_of_the_highest_everywhere)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 71;
     int stops = 0, behind = 0;
@@ -119,9 +117,8 @@ static void short_of_the_highest_everywhere(void **state)
 }
 
 /* Checks that the energy that a head needs depends on the row alone, also where the row stops. */
-static void a_stop_needs_what_a_fall_needs(void **state)
+TEST(a_stop_needs_what_a_fall_needs)
 {
-    (void)state;
     static struct run slow, fast;
     uint64_t seed = 72;
     int compared = 0;
@@ -151,9 +148,8 @@ static void a_stop_needs_what_a_fall_needs(void **state)
 
 /* Checks that r = 1/s, rounded in the widest type, is reached in every precision, as by a train, and that a
  * gap wider by 1e-5 is not. */
-static void rounded_reach_is_reached(void **state)
+TEST(rounded_reach_is_reached)
 {
-    (void)state;
     static struct run run, near;
     struct domq_scale scale = domq_scale_default();
     int falls = 0, stops = 0;
@@ -197,9 +193,8 @@ static void rounded_reach_is_reached(void **state)
  * no row is an error. A head that arrives at a locked tilt in motion is left out: there Newton's equations
  * are singular.
  */
-static void much_friction(void **state)
+TEST(much_friction)
 {
-    (void)state;
     static struct run run;
     static struct newton n;
     uint64_t seed = 73;
@@ -246,9 +241,8 @@ static void much_friction(void **state)
 
 /* Checks a light domino, tipped over its edge, that meets a thick one, which stops; no energy would carry it
  * past the lock. */
-static void stops_before_a_lock(void **state)
+TEST(stops_before_a_lock)
 {
-    (void)state;
     static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};
     static struct run run;
     for (int precision = DOM_FLOAT; precision <= DOM_QUAD; precision++) {
@@ -260,17 +254,4 @@ static void stops_before_a_lock(void **state)
         assert_true(isinf((double)run.verdict.short_by) && isinf((double)run.fall[1].barrier));
         assert_true(run.fall[1].theta > 0 && run.fall[1].theta < 1e-6);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(short_of_the_highest),
-        cmocka_unit_test(short_of_the_highest_everywhere),
-        cmocka_unit_test(a_stop_needs_what_a_fall_needs),
-        cmocka_unit_test(rounded_reach_is_reached),
-        cmocka_unit_test(much_friction),
-        cmocka_unit_test(stops_before_a_lock),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static struct asked train_of(double s, double d, double q, double mu, enum dom_p
  * Checks the first root, from sums in 30 digits of an independent program, given to 10. A margin only just
  * below 0 does not show in float.
  */
-static void the_first_root_counts(void **state)
+TEST(the_first_root_counts)
 {
     static const struct {
         double s, d, q, mu, r_max, bound;
@@ -29,7 +29,6 @@ static void the_first_root_counts(void **state)
         {0.012128376507914842, 0.0089507755427695561, 1.0982787021882383, 0, 78.7589963324, 1e-11},
         {0.97, 0.7, 3, 0, 1.008242542, 1e-9},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct domq_limit limit[2];
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
@@ -45,13 +44,12 @@ static void the_first_root_counts(void **state)
 }
 
 /* Checks bands that begin and end between samples a factor e^(1/8) apart. */
-static void narrow_bands_of_pairs(void **state)
+TEST(narrow_bands_of_pairs)
 {
     static const struct {
         double s, d, q, r_max;
     } cases[] = {
         {0.72, 0.565, 2, 1.10790400424}, {0.66, 0.507, 2.5, 1.09210699}, {0.12, 0.278, 0.5, 6.55740614}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int p = 0; p < 3; p++) {
             struct asked train = train_of(cases[i].s, cases[i].d, cases[i].q, 0, (enum dom_precision)p);
@@ -63,12 +61,11 @@ static void narrow_bands_of_pairs(void **state)
 }
 
 /* Checks that smooth tops are known to tol: samples alone would give only its square root. */
-static void the_best_separation_to_its_digits(void **state)
+TEST(the_best_separation_to_its_digits)
 {
     static const struct {
         double d, q, s;
     } cases[] = {{0.014, 3, 0.206532218328}, {0.49, 4, 0.775717721697}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct asked train = train_of(1, cases[i].d, cases[i].q, 0, DOM_DOUBLE);
         struct domq_best best, error;
@@ -80,9 +77,8 @@ static void the_best_separation_to_its_digits(void **state)
 }
 
 /* Checks thick dominoes, which grow only above s = 0.9, if at all. */
-static void thick_dominoes_grow_at_wide_gaps(void **state)
+TEST(thick_dominoes_grow_at_wide_gaps)
 {
-    (void)state;
     for (double d = 0.665; d < 0.7486; d += 0.02) {
         struct asked train = train_of(1, d, 3, 0, DOM_DOUBLE);
         struct domq_best best;
@@ -97,9 +93,8 @@ static void thick_dominoes_grow_at_wide_gaps(void **state)
 }
 
 /* Checks two tops between s = 0.9^k and its neighbours: the higher one counts. */
-static void the_higher_of_two_tops(void **state)
+TEST(the_higher_of_two_tops)
 {
-    (void)state;
     struct asked train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
     struct domq_best best;
     train.fuel = DOM_FUEL_PAPER;
@@ -108,9 +103,8 @@ static void the_higher_of_two_tops(void **state)
 }
 
 /* Checks a search that would take more than the allowed work: an error, and soon. */
-static void too_much_work_is_refused(void **state)
+TEST(too_much_work_is_refused)
 {
-    (void)state;
     struct asked train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
     struct dom_work work = {0};
     struct domq_best best;
@@ -121,27 +115,12 @@ static void too_much_work_is_refused(void **state)
 
 /* Checks thin dominoes at tiny gaps, which need hundreds of thousands of followers at r = 1, but few where
  * they matter. */
-static void thin_dominoes_are_quick(void **state)
+TEST(thin_dominoes_are_quick)
 {
-    (void)state;
     struct asked train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);
     struct dom_work work = {0};
     struct domq_limit limit;
     train.work = &work;
     assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_true(work.dominoes < 1000000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_first_root_counts),
-        cmocka_unit_test(narrow_bands_of_pairs),
-        cmocka_unit_test(the_best_separation_to_its_digits),
-        cmocka_unit_test(thick_dominoes_grow_at_wide_gaps),
-        cmocka_unit_test(the_higher_of_two_tops),
-        cmocka_unit_test(too_much_work_is_refused),
-        cmocka_unit_test(thin_dominoes_are_quick),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

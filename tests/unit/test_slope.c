@@ -18,9 +18,8 @@ static struct asked train_of(double s, double degrees, double mu)
     return train;
 }
 
-static void largest_growths(void **state)
+TEST(largest_growths)
 {
-    (void)state;
     static const double table[][3] = {/* s, slope, r_max */
                                       {0.2, -1, 1.48052142}, {0.2, 0, 1.55478182},  {0.2, 1, 1.64507145},
                                       {0.2, 2, 1.75719157},  {0.3, -1, 1.71622498}, {0.3, 0, 1.81350829},
@@ -73,9 +72,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-static void rows_against_newton(void **state)
+TEST(rows_against_newton)
 {
-    (void)state;
     static const double scene[][4] = {/* r, slope, mu, push */
                                       {1.2, 1, 0, 1.5},   {1.2, -1, 0, 1.5}, {1.4, 2, 0, 1.5},
                                       {1.1, 3, 0.2, 1.5}, {1.3, 1, 0.2, 2},  {1, -2, 0.1, 2}};
@@ -105,9 +103,8 @@ static void rows_against_newton(void **state)
 }
 
 /* Checks that a long row falls just below the largest growth, and stops just above it. */
-static void limits_against_newton(void **state)
+TEST(limits_against_newton)
 {
-    (void)state;
     static const double some[][3] = {/* s, slope, mu */ {0.3, -1, 0}, {0.4, 2, 0}, {0.3, 1, 0.2}};
     static struct row row;
     enum { COUNT = 12 };
@@ -133,9 +130,8 @@ static void limits_against_newton(void **state)
 
 /* Checks the balance of energy: that at the beginning of a cycle, minus what is climbed and lost, is the
  * kinetic energy. */
-static void ledger_closes(void **state)
+TEST(ledger_closes)
 {
-    (void)state;
     for (int k = 0; k < 4; k++) {
         struct asked train = train_of(0.4, k % 2 ? 2 : -1.5, k < 2 ? 0 : 0.2);
         struct domq_state at;
@@ -148,9 +144,8 @@ static void ledger_closes(void **state)
 }
 
 /* Checks that a tiny slope changes no bit. */
-static void level_is_the_limit(void **state)
+TEST(level_is_the_limit)
 {
-    (void)state;
     static const double mu[] = {0, 0.2};
     for (int k = 0; k < 2; k++)
         for (double s = 0.15; s < 0.8; s += 0.15) {
@@ -179,9 +174,8 @@ static bool floor_seen(const struct domq_fall *fall, void *context)
 }
 
 /* Checks the floor under a domino that tips over, until it hits the next, by Newton's law for its centre. */
-static void floor_under_the_first(void **state)
+TEST(floor_under_the_first)
 {
-    (void)state;
     for (double degrees = -4; degrees <= 4; degrees += 2) {
         const double alpha = degrees * degree, d = 0.15, inertia = (1 + d * d) / 3, tips = atan(d) - alpha;
         double most = 0, got = 0;
@@ -210,9 +204,8 @@ static void floor_under_the_first(void **state)
 }
 
 /* Checks that a domino tips alpha earlier, and that a slope on which none is stable is an error. */
-static void slopes_that_do_not_hold(void **state)
+TEST(slopes_that_do_not_hold)
 {
-    (void)state;
     struct asked train = train_of(0.4, 0, 0);
     struct domq_angles angles;
     double edge = atan(7.0 / 48);
@@ -235,15 +228,4 @@ static void slopes_that_do_not_hold(void **state)
     assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
     struct domq_launch launch;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(largest_growths),       cmocka_unit_test(rows_against_newton),
-        cmocka_unit_test(limits_against_newton), cmocka_unit_test(ledger_closes),
-        cmocka_unit_test(level_is_the_limit),    cmocka_unit_test(slopes_that_do_not_hold),
-        cmocka_unit_test(floor_under_the_first),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -109,9 +109,8 @@ static struct point from_to(struct point a, struct point b)
 }
 
 /* Checks that each contact is the upper front edge of the follower, on the back face of the leader. */
-static void contacts_are_on_back_faces(void **state)
+TEST(contacts_are_on_back_faces)
 {
-    (void)state;
     static struct view v;
     int contacts = 0;
     double most = 0;
@@ -160,9 +159,8 @@ static double gap_between(const struct drawn *a, const struct drawn *b)
     return widest;
 }
 
-static void dominoes_do_not_overlap(void **state)
+TEST(dominoes_do_not_overlap)
 {
-    (void)state;
     static struct view v;
     int pairs = 0;
     for (int k = 0; view_next(&v, k); k++)
@@ -184,9 +182,8 @@ static void dominoes_do_not_overlap(void **state)
 
 /* Checks that each domino is r times smaller than its leader, and (s + d) of the leader's height away from
  * it. */
-static void sizes_and_places_are_those_of_the_train(void **state)
+TEST(sizes_and_places_are_those_of_the_train)
 {
-    (void)state;
     static struct view v;
     for (int k = 0; view_next(&v, k); k++) {
         double s = (double)v.train.s, d = (double)v.train.d, r = (double)v.train.r;
@@ -226,9 +223,8 @@ static bool tilt_seen(const struct domq_link *link, const struct domq_link *erro
 
 /* Checks tilts against those of the chain, at the library's own tolerance of 1e-12; dominoes after the last
  * are not more upright. */
-static void tilts_are_those_of_the_chain(void **state)
+TEST(tilts_are_those_of_the_chain)
 {
-    (void)state;
     static struct view v;
     static struct tilts tilts;
     int compared = 0;
@@ -253,9 +249,8 @@ static void tilts_are_those_of_the_chain(void **state)
 
 /* Checks that the head is before the next domino until theta_c, and then hits it at the height cos
  * theta_c. */
-static void the_head_hits_at_the_end(void **state)
+TEST(the_head_hits_at_the_end)
 {
-    (void)state;
     static struct view v;
     int hits = 0;
     for (int k = 0; view_next(&v, k); k++) {
@@ -276,9 +271,8 @@ static void the_head_hits_at_the_end(void **state)
 }
 
 /* Checks that after the first follower has detached, the head is free and all followers lie. */
-static void what_has_detached_lies(void **state)
+TEST(what_has_detached_lies)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_angles angles;
     struct stage stage;
@@ -312,9 +306,8 @@ static bool force_seen(const struct domq_force *force, void *context)
 
 /* Checks that every contact has the force that the library gives, and that there is no force without a
  * contact. */
-static void forces_press_where_dominoes_touch(void **state)
+TEST(forces_press_where_dominoes_touch)
 {
-    (void)state;
     static struct view v;
     static struct forces forces;
     int pressed = 0, alone = 0;
@@ -338,9 +331,8 @@ static void forces_press_where_dominoes_touch(void **state)
     assert_true(pressed > 1000 && alone > 1000);
 }
 
-static void no_stage_beyond_the_cycle(void **state)
+TEST(no_stage_beyond_the_cycle)
 {
-    (void)state;
     struct asked train = asked_default();
     struct stage stage;
     assert_status(asked_stage(&train, 0.7, &stage), DOM_BAD_TILT);
@@ -348,19 +340,4 @@ static void no_stage_beyond_the_cycle(void **state)
     train.r = 3;
     assert_status(asked_stage(&train, 0, &stage), DOM_OUT_OF_REACH);
     stage_free(&stage);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(contacts_are_on_back_faces),
-        cmocka_unit_test(dominoes_do_not_overlap),
-        cmocka_unit_test(sizes_and_places_are_those_of_the_train),
-        cmocka_unit_test(tilts_are_those_of_the_chain),
-        cmocka_unit_test(the_head_hits_at_the_end),
-        cmocka_unit_test(what_has_detached_lies),
-        cmocka_unit_test(forces_press_where_dominoes_touch),
-        cmocka_unit_test(no_stage_beyond_the_cycle),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

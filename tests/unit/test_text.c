@@ -4,9 +4,8 @@
 
 #include "language/text.h"
 
-static void quotes_end(void **state)
+TEST(quotes_end)
 {
-    (void)state;
     static const struct {
         const char *text;
         int behind; /* -1: never closed */
@@ -20,9 +19,8 @@ static void quotes_end(void **state)
     }
 }
 
-static void commands_end(void **state)
+TEST(commands_end)
 {
-    (void)state;
     static const struct {
         const char *text, *ends;
         int at;
@@ -44,13 +42,4 @@ static void commands_end(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_int_equal(text_end(cases[i].text, cases[i].ends) - cases[i].text, cases[i].at);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quotes_end),
-        cmocka_unit_test(commands_end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,9 +45,8 @@ static double part_of(uint64_t *seed, int kind)
 
 /* Checks that the times of trains that stop are within their bounds of those in quad, and that the bounds are
  * not too wide. */
-static void times_before_a_stop(void **state)
+TEST(times_before_a_stop)
 {
-    (void)state;
     uint64_t seed = 81;
     int checked = 0;
     double loosest = 0;
@@ -83,9 +82,8 @@ static void times_before_a_stop(void **state)
 }
 
 /* Checks that soon after the launch of a train that stops the time is theta / omega(0). */
-static void first_moment(void **state)
+TEST(first_moment)
 {
-    (void)state;
     struct asked train = asked_default();
     struct domq_launch launch;
     struct domq_state s;
@@ -104,9 +102,8 @@ static void first_moment(void **state)
 
 /* Checks that a train that stops has its events in every precision, with friction and without, also at r s
  * = 1. */
-static void stops_have_times(void **state)
+TEST(stops_have_times)
 {
-    (void)state;
     uint64_t seed = 82;
     int stops = 0, at_reach = 0, friction_work = 0;
     for (int i = 0; i < 1500; i++) {
@@ -140,9 +137,8 @@ static void stops_have_times(void **state)
 }
 
 /* Checks slight motions with friction that end at once: double and float against quad. */
-static void slight_motions(void **state)
+TEST(slight_motions)
 {
-    (void)state;
     struct asked train = asked_default();
     train.q = 3;
     train.s = 0.15;
@@ -178,9 +174,8 @@ static double vanishing(struct asked train)
 }
 
 /* Checks that the bound of theta_m covers a barrier of 0, where H' is 0 to rounding at the launch. */
-static void tops_that_vanish(void **state)
+TEST(tops_that_vanish)
 {
-    (void)state;
     uint64_t seed = 83;
     int checked = 0, small = 0;
     for (int i = 0; i < 300; i++) {
@@ -212,9 +207,8 @@ static void tops_that_vanish(void **state)
     assert_true(checked > 200 && small > 50);
 }
 
-static void top_of_one_train(void **state)
+TEST(top_of_one_train)
 {
-    (void)state;
     struct asked train = asked_default();
     train.s = 0.76688250642638167;
     train.r = 1.1153537532838222;
@@ -262,9 +256,8 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
 }
 
 /* Checks that near r_max the verdict is that of quad, at any tolerance, in every function. */
-static void verdicts_near_the_limit(void **state)
+TEST(verdicts_near_the_limit)
 {
-    (void)state;
     uint64_t seed = 84;
     int goes = 0, stops = 0;
     for (int i = 0; i < 120; i++) {
@@ -320,9 +313,8 @@ static bool state_seen(const struct domq_state *s, const struct domq_state *erro
     return true;
 }
 
-static void tables_and_answers(void **state)
+TEST(tables_and_answers)
 {
-    (void)state;
     uint64_t seed = 85;
     int tables = 0;
     for (int i = 0; i < 150; i++) {
@@ -356,9 +348,8 @@ static bool force_seen(const struct domq_force *f, void *context)
     return true;
 }
 
-static void least_forces(void **state)
+TEST(least_forces)
 {
-    (void)state;
     uint64_t seed = 86;
     int checked = 0;
     for (int i = 0; i < 120; i++) {
@@ -387,20 +378,4 @@ static void least_forces(void **state)
     }
     print_message("# %d least forces\n", checked);
     assert_true(checked > 30);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(times_before_a_stop),
-        cmocka_unit_test(first_moment),
-        cmocka_unit_test(stops_have_times),
-        cmocka_unit_test(slight_motions),
-        cmocka_unit_test(tops_that_vanish),
-        cmocka_unit_test(top_of_one_train),
-        cmocka_unit_test(verdicts_near_the_limit),
-        cmocka_unit_test(tables_and_answers),
-        cmocka_unit_test(least_forces),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

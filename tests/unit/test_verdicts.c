@@ -69,9 +69,8 @@ static struct domq_row row_of(const struct kind *k, struct domq_domino *domino)
 }
 
 /* Checks that each domino is the end of as many rows as when each row is run in full. */
-static void as_in_full(void **state)
+TEST(as_in_full)
 {
-    (void)state;
     const struct domq_engine full = {.run = in_full};
     size_t fall = 0, stop = 0;
     for (size_t i = 0; i < sizeof KIND / sizeof *KIND; i++) {
@@ -111,9 +110,8 @@ static enum dom_status three_batches(size_t count, dom_task *task, void *context
 
 /* Checks that a study which is interrupted counts the rows until then, and leaves what it has if there are
  * none. */
-static void interrupted_in_the_middle(void **state)
+TEST(interrupted_in_the_middle)
 {
-    (void)state;
     struct domq_domino domino[MOST];
     struct domq_row row = row_of(&KIND[0], domino);
     struct domq_compute compute = domq_compute_default();
@@ -131,11 +129,4 @@ static void interrupted_in_the_middle(void **state)
     compute.interrupt = &raised;
     assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
     assert_memory_equal(&part, &whole, sizeof part);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_in_full),
-                                       cmocka_unit_test(interrupted_in_the_middle)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

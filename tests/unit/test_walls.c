@@ -6,9 +6,8 @@
 #include "direct.h"
 #include "support.h"
 
-static void thin_and_solid(void **state)
+TEST(thin_and_solid)
 {
-    (void)state;
     struct domq_box box;
     const double d = 7.0 / 48;
     /* Walls that are thin, from their areas: 1 + (1 + d) / (2 (1 + d^2) (1 + 1/d + 1/w)), w = 1/2. */
@@ -29,9 +28,8 @@ static void thin_and_solid(void **state)
     assert_near("inertia", (double)box.inertia, ((1 - v * u) / (1 - v) + 3) / 4, 1e-14);
 }
 
-static void no_room(void **state)
+TEST(no_room)
 {
-    (void)state;
     struct domq_box box = {.inertia = -1};
     const domq_real bad[][4] = {{48, 7, 24, 3.6},     {48, 7, 24, 0}, {48, 7, 24, -1}, {48, 7, 24, DOMQ_NAN},
                                 {48, 7, 0, 1},        {0, 7, 24, 1},  {48, 0, 24, 1},  {48, DOMQ_NAN, 24, 1},
@@ -73,9 +71,8 @@ static void no_room(void **state)
 
 /* Checks that a train moves as without walls, in units of tau, with every law and precision, also with the
  * paper's fuel and the methods to compare with; and that tau has the factor. */
-static void trains_move_as_without(void **state)
+TEST(trains_move_as_without)
 {
-    (void)state;
     for (int k = 0; k < 24; k++) {
         struct asked solid = asked_default(), box;
         solid.r = 1.2;
@@ -117,9 +114,8 @@ static void trains_move_as_without(void **state)
 }
 
 /* Checks the bounds of errors: they are those without walls. */
-static void bounds_are_kept(void **state)
+TEST(bounds_are_kept)
 {
-    (void)state;
     struct asked solid = asked_default(), box = solid;
     struct domq_launch a, b, of_a, of_b;
     box.walls = 0.02;
@@ -130,9 +126,8 @@ static void bounds_are_kept(void **state)
 
 /* Checks what the floor gives in the collision: |1/2 - f (1 + d^2) / (3 a)| / (d/2) at the struck domino,
  * where the head needs the most. */
-static void struck_box(void **state)
+TEST(struck_box)
 {
-    (void)state;
     for (double walls = 0; walls < 0.073; walls += 0.01) {
         struct asked train = asked_default();
         struct domq_floor floor;
@@ -167,9 +162,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
 }
 
 /* Checks rows of unequal boxes, of the same boards, without and with friction and slope. */
-static void rows_against_newton(void **state)
+TEST(rows_against_newton)
 {
-    (void)state;
     static const double scene[][4] = {/* r, walls, mu, slope */
                                       {1.2, 1e-3, 0, 0},
                                       {1.4, 0.03, 0, 0},
@@ -219,9 +213,8 @@ static void rows_against_newton(void **state)
 }
 
 /* Checks that a row of equal boxes takes longer by the factor of tau, with energies as without walls. */
-static void equal_boxes_take_longer(void **state)
+TEST(equal_boxes_take_longer)
 {
-    (void)state;
     struct domq_domino domino[COUNT];
     struct domq_verdict solid, box;
     struct domq_box found;
@@ -239,18 +232,4 @@ static void equal_boxes_take_longer(void **state)
     assert_status(domq_box_find(48, 7, 24, 1, &found), DOM_OK);
     assert_near("seconds", (double)(box.seconds / solid.seconds), sqrt((double)found.inertia), 1e-12);
     assert_near("spare", (double)box.spare, (double)solid.spare, 1e-12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_and_solid),
-        cmocka_unit_test(no_room),
-        cmocka_unit_test(trains_move_as_without),
-        cmocka_unit_test(bounds_are_kept),
-        cmocka_unit_test(struck_box),
-        cmocka_unit_test(rows_against_newton),
-        cmocka_unit_test(equal_boxes_take_longer),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

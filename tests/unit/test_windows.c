@@ -47,9 +47,8 @@ static void random_row(struct run *run, uint64_t *seed)
     run->row.floor = random_unit(seed) < 0.2; /* changes nothing */
 }
 
-static void the_verdict_changes_at_the_ends(void **state)
+TEST(the_verdict_changes_at_the_ends)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 17;
     int fall = 0, stop = 0, open = 0, narrow = 0, none = 0;
@@ -130,9 +129,8 @@ static void check_window(const struct run *run, enum dom_window_of of, const str
     ends[1] += w->above != DOM_ROW_FALLS;
 }
 
-static void places_heights_and_friction(void **state)
+TEST(places_heights_and_friction)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 41;
     int ends[4][2] = {{0}}, beside = 0;
@@ -170,9 +168,8 @@ static void places_heights_and_friction(void **state)
 }
 
 /* Checks that places are counted from the back of the first domino to the back of each. */
-static void places_on_a_tape_measure(void **state)
+TEST(places_on_a_tape_measure)
 {
-    (void)state;
     static struct run run;
     double place = 0;
     make_row(&run, 4, 0.3, 1.2, 0);
@@ -185,9 +182,8 @@ static void places_on_a_tape_measure(void **state)
 }
 
 /* Checks that the widest gap is as wide as the domino before it is tall; a wider one is out of reach. */
-static void the_reach_ends_it(void **state)
+TEST(the_reach_ends_it)
 {
-    (void)state;
     static struct run run;
     make_row(&run, 3, 0.3, 1, 0);
     run.row.push = 30;
@@ -211,9 +207,8 @@ static double work_of(size_t count)
 
 /* Checks that a trial runs only the part of the row that can notice the change: a row twice as long takes
  * little more than twice as many passes, where whole rows take four times as many and more. */
-static void work_grows_with_the_row(void **state)
+TEST(work_grows_with_the_row)
 {
-    (void)state;
     double part = work_of(20), whole = work_of(40);
     print_message("# %.0f passes for 20 dominoes, %.0f for 40\n", part, whole);
     assert_true(whole < 2.6 * part && part > 1e4);
@@ -221,9 +216,8 @@ static void work_grows_with_the_row(void **state)
 
 /* Checks windows in the middle of a long row, where trials end early: whole rows say the same at their ends,
  * also with one weak domino, or one that ends the row, far from the change. */
-static void trials_end_early(void **state)
+TEST(trials_end_early)
 {
-    (void)state;
     static struct run run;
     uint64_t seed = 9;
     int fall = 0, stop = 0;
@@ -257,9 +251,8 @@ static void progress_seen(size_t done, size_t of, void *context)
 }
 
 /* Checks that a single domino has no window, and that progress is reported for every gap. */
-static void few_gaps(void **state)
+TEST(few_gaps)
 {
-    (void)state;
     static struct run run;
     size_t done = 0;
     make_row(&run, 1, 0.3, 1, 0);
@@ -272,9 +265,8 @@ static void few_gaps(void **state)
 
 /* Checks the windows of heights: all fall at both ends, also where taller dominoes have no foot to stand on.
  */
-static void heights_that_stand(void **state)
+TEST(heights_that_stand)
 {
-    (void)state;
     static struct run run;
     for (int i = 0; i < 6; i++) {
         static const double rho[] = {0.05, 0.02, 0.02, 0, 0.07, 0}, alpha[] = {0, 0.03, 0, 0.02, -0.004, 0};
@@ -298,9 +290,8 @@ static void heights_that_stand(void **state)
 }
 
 /* Checks that float finds the windows of double: a row may rest on the highest point but for rounding. */
-static void in_float(void **state)
+TEST(in_float)
 {
-    (void)state;
     static struct run run;
     struct domq_window exact[MOST];
     make_row(&run, 7, 0.4, 1.5, 0);
@@ -317,9 +308,8 @@ static void in_float(void **state)
     }
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const volatile sig_atomic_t now = 1;
     static struct run run;
     static const enum dom_status named[] = {DOM_BAD_COUNT, DOM_BAD_TOL, DOM_BAD_G, DOM_INTERRUPTED};
@@ -333,21 +323,4 @@ static void refusals(void **state)
         row.interrupt = wrong == 3 ? &now : NULL;
         assert_status(ask_row_windows(&row, DOM_WINDOW_GAP, NULL, NULL, windows), named[wrong]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_verdict_changes_at_the_ends),
-        cmocka_unit_test(the_reach_ends_it),
-        cmocka_unit_test(places_heights_and_friction),
-        cmocka_unit_test(places_on_a_tape_measure),
-        cmocka_unit_test(work_grows_with_the_row),
-        cmocka_unit_test(trials_end_early),
-        cmocka_unit_test(few_gaps),
-        cmocka_unit_test(heights_that_stand),
-        cmocka_unit_test(in_float),
-        cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,9 +22,8 @@ static void count_task(size_t index, void *context)
         t->flag = 1;
 }
 
-static void each_task_once(void **state)
+TEST(each_task_once)
 {
-    (void)state;
     static struct tally t;
     static const size_t counts[] = {0, 1, 2, 17, 1000, TASKS};
     static const int threads[] = {0, 1, 2, 7, 300};
@@ -39,9 +38,8 @@ static void each_task_once(void **state)
 }
 
 /* Checks that the pool starts no task after its flag is raised, and reports that some are missing. */
-static void an_interrupt_ends_it(void **state)
+TEST(an_interrupt_ends_it)
 {
-    (void)state;
     static struct tally t;
     for (int threads = 1; threads <= 3; threads++) {
         struct task_pool pool = {.threads = threads, .interrupt = &t.flag};
@@ -52,13 +50,4 @@ static void an_interrupt_ends_it(void **state)
         for (size_t k = 0; k < TASKS; k++)
             assert_true(t.runs[k] <= 1);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_task_once),
-        cmocka_unit_test(an_interrupt_ends_it),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }
