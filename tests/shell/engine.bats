@@ -101,7 +101,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -0 "$DOMINO" -n -e "$three; tolerance"
     [[ $output == *"3 windows of heights end where the upper edge"* ]]
     run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance"
-    [[ $output == *'good to about 1 %'* && $output != *'where the upper edge'* ]]
+    [[ $output == *'right to about 1 %'* && $output != *'where the upper edge'* ]]
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; tolerance'
 }
 

@@ -36,8 +36,10 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
 void answer_leave_out(struct answer *a, const char *key)
 {
     struct column *c = answer_columns(a, a->columns);
-    while (strcmp(c->key, key) != 0)
-        c++;
+    int i = 0; /* the cell of this column */
+    for (; a->left_out >> i & 1 || strcmp(c->key, key) != 0; i++)
+        c += !(a->left_out >> i & 1);
+    a->left_out |= 1u << i;
     for (; c->key; c++)
         c[0] = c[1];
 }
@@ -49,11 +51,11 @@ void answer_means(struct answer *a, const char *key, const char *meaning)
             c->meaning = meaning;
 }
 
-void answer_largest(struct answer *a, const char *key, domq_real largest)
+void answer_largest(struct answer *a, const char *key, domq_real number)
 {
-    for (int i = 0; a->columns[i].key; i++)
+    for (int i = 0; a->columns[i].key && isfinite(number); i++)
         if (strcmp(a->columns[i].key, key) == 0)
-            a->largest[i] = (double)quad(fabs)(largest);
+            a->largest[i] = fmax(a->largest[i], fabs((double)number));
 }
 
 void column_fit(struct column *c, const char *word)
@@ -198,13 +200,20 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
 
 void answer_keep(struct answer *a, const struct cell *cells)
 {
-    for (int n = 0; a->columns[n].key && a->kept; n++)
-        a->kept[n] = cells[n];
+    for (int i = 0, n = 0; a->columns[n].key && a->kept; i++) {
+        a->kept[i] = cells[i];
+        n += !(a->left_out >> i & 1);
+    }
 }
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
+    struct cell shown[ANSWER_COLUMNS];
     answer_keep(a, cells);
+    for (int i = 0, n = 0; a->left_out && a->columns[n].key; i++)
+        if (!(a->left_out >> i & 1))
+            shown[n++] = cells[i];
+    cells = a->left_out ? shown : cells;
     if (a->point) {
         a->point(a, cells, reason);
     } else if (a->out) {

@@ -41,9 +41,10 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
-    int width;                              /* of the terminal; 0 for none */
-    unsigned bounded;                       /* bit i: see answer_bounded */
-    double largest[ANSWER_COLUMNS];         /* what answer_largest has said of each column; 0 for nothing */
+    int width;                      /* of the terminal; 0 for none */
+    unsigned left_out;              /* bit i: cell i of each row has no column, see answer_leave_out */
+    unsigned bounded;               /* bit i: see answer_bounded */
+    double largest[ANSWER_COLUMNS]; /* the largest number that answer_largest has announced */
     struct measure measure[ANSWER_COLUMNS]; /* of each column in a table of rows, from its first row on */
     bool told;                              /* a person was told something, though no row was written */
     bool gap;                   /* set a blank line between this answer and the one before, for people */
@@ -107,19 +108,18 @@ bool column_is_angle(const struct column *column);
 /* Returns these columns as the answer's own copy, which may be changed before the first row. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Leaves the column with this key out of the answer, before the first row; a cell of a row has no place for
- * it. */
+/* Leaves the column with this key out of the answer, before the first row. Rows still have a cell for it. */
 void answer_leave_out(struct answer *answer, const char *key);
 
 /* Gives the column with this key another meaning, in this answer alone; before the first row. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);
 
 /*
- * Gives the largest number that the column with this key will hold, before the first row and after the
- * columns are settled: the unit that people see in a table of rows follows from it.  Without it the first row
- * decides.
+ * Announces a number of the column with this key, before the first row and after columns are left out. In a
+ * table of rows the largest number that was announced decides the unit of the column; otherwise the first row
+ * does. An answer without this column ignores the call.
  */
-void answer_largest(struct answer *answer, const char *key, domq_real largest);
+void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
 void column_fit(struct column *column, const char *word);

@@ -57,22 +57,6 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     memcpy(shown->cell, cells, sizeof cells);
 }
 
-/* Lists for names.h the columns. */
-static const char *show_keys(const void *context, int k)
-{
-    (void)context;
-    return show_columns[k].key;
-}
-
-/* Leaves cells out of a row, bits 1 << column. */
-static void shown_fit(struct shown *shown, unsigned left_out)
-{
-    int n = 0;
-    for (int i = 0; i < SHOW_COLUMNS; i++)
-        if (!(left_out >> i & 1))
-            shown->cell[n++] = shown->cell[i];
-}
-
 /* Returns the columns that a table of these has before the meaning, which is wrapped or below. */
 static int shown_width(const struct column *columns)
 {
@@ -82,24 +66,19 @@ static int shown_width(const struct column *columns)
     return width;
 }
 
-/* Leaves out of a table what a narrow terminal has no room for; shown_fit leaves it out of a row. */
-static unsigned show_fit(struct answer *a)
+/* Leaves out the columns for which a narrow terminal has no room. */
+static void show_fit(struct answer *a)
 {
     static const char *const last[] = {"default", "range", "unit"};
     int width = terminal_width(a->out);
-    unsigned left_out = 0;
-    for (size_t i = 0; width && i < sizeof last / sizeof *last && shown_width(a->columns) > width; i++) {
+    for (size_t i = 0; width && i < sizeof last / sizeof *last && shown_width(a->columns) > width; i++)
         answer_leave_out(a, last[i]);
-        left_out |= 1U << names_exact(show_keys, NULL, last[i]);
-    }
-    return left_out;
 }
 
 /* Adds what 'let' defined: a variable has a value and a unit, a function its text. */
-static void variable_row(struct answer *a, const struct variable *v, unsigned left_out)
+static void variable_row(struct answer *a, const struct variable *v)
 {
     char head[VARIABLE_HEAD], unit[48], value[WIDE_TEXT];
-    struct shown shown = {.range = ""};
     struct cell number = cell_unbounded(v->value.value);
     if (answer_for_people(a))
         number = cell_word(quad_text(v->value.value, (int)a->style.digits, value));
@@ -109,9 +88,7 @@ static void variable_row(struct answer *a, const struct variable *v, unsigned le
                                  cell_word(""),
                                  cell_word(""),
                                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'")};
-    memcpy(shown.cell, cells, sizeof cells);
-    shown_fit(&shown, left_out);
-    answer_row(a, shown.cell, NULL);
+    answer_row(a, cells, NULL);
 }
 
 /* Returns true if the parameter has not its default. */
@@ -125,14 +102,14 @@ static bool show(const struct query *query, struct answer *a, bool differing)
 {
     struct column *fitted = answer_columns(a, show_columns);
     struct shown shown;
-    unsigned left_out = 0;
     if (query->given->variable) {
-        variable_row(a, query->given->variable, show_fit(a));
+        show_fit(a);
+        variable_row(a, query->given->variable);
         return true;
     }
     for (int pass = 0; pass < 2; pass++) {
         if (pass == 1 && a->style.format->for_people)
-            left_out = show_fit(a);
+            show_fit(a);
         for (const struct parameter *p = session_parameters; p->name; p++) {
             if (differing                 ? !differs(query, p)
                 : query->given->parameter ? p != query->given->parameter
@@ -144,12 +121,11 @@ static bool show(const struct query *query, struct answer *a, bool differing)
                     column_fit(&fitted[i], shown.cell[i].word);
             if (pass == 0)
                 continue;
-            shown_fit(&shown, left_out);
             answer_row(a, shown.cell, NULL);
         }
     }
     for (size_t i = 0; !query->given->parameter && i < query->state->variables.count; i++)
-        variable_row(a, &query->state->variables.list[i], left_out);
+        variable_row(a, &query->state->variables.list[i]);
     return true;
 }
 
@@ -170,9 +146,9 @@ bool show_variables(const struct query *query, struct answer *a)
         return true;
     }
     answer_columns(a, show_columns);
-    unsigned left_out = show_fit(a);
+    show_fit(a);
     for (size_t i = 0; i < all->count; i++)
-        variable_row(a, &all->list[i], left_out);
+        variable_row(a, &all->list[i]);
     return true;
 }
 

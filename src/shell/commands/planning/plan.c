@@ -47,12 +47,16 @@ void plan_list(const struct answer *a, const struct plan *p)
         list.own[i].width = 9;
     for (size_t k = 0; k < p->count && !answer_lost(&list); k++) {
         const struct domq_domino *d = &p->domino[k];
-        struct cell cells[] = {
-            cell_count((domq_real)k + 1),  cell_real(d->height),
-            cell_real(d->thickness),       cell_real(d->gap),
-            cell_real(at += d->gap),       cell_real(p->mass > 0 ? d->mass : d->mass / p->domino[0].mass),
-            cell_real(plan_material(p, d))};
-        for (int i = 1; i < 7; i++)
+        struct cell cells[] = {cell_count((domq_real)k + 1),
+                               cell_real(d->height),
+                               cell_real(d->thickness),
+                               cell_real(d->gap),
+                               cell_real(at += d->gap),
+                               cell_real(d->mass),
+                               cell_real(d->mass / p->domino[0].mass),
+                               cell_real(plan_material(p, d)),
+                               cell_real(plan_material(p, d))};
+        for (int i = 1; i < 9; i++)
             cells[i].digits = 4;
         answer_row(&list, cells, NULL);
         at += d->thickness;
@@ -71,6 +75,6 @@ void plan_file(struct answer *a, const struct plan *p)
     for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
         const struct domq_domino *d = &p->domino[k];
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(d->height), cell_real(d->thickness),
-                     cell_real(d->gap), cell_real(p->mass > 0 ? d->mass : d->mass / p->domino[0].mass));
+                     cell_real(d->gap), cell_real(d->mass), cell_real(d->mass / p->domino[0].mass));
     }
 }

@@ -85,7 +85,7 @@ static bool limit_rows(const struct domq_train *train, struct answer *a, const s
         struct cell row[LIMITS + 2] = {cell_real(table->s[k])};
         for (int c = 0; c < table->curves; c++)
             row[c + 1] = cell_real(table->r[k][c]);
-        row[table->curves + 1] = cell_real(reach_at(*train, table->s[k]));
+        row[LIMITS + 1] = cell_real(reach_at(*train, table->s[k]));
         answer_row(a, row, NULL);
     }
     return true;

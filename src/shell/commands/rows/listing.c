@@ -2,7 +2,6 @@
 #include "commands/rows/listing.h"
 #include "language/quad.h"
 #include <stdlib.h>
-#include <string.h>
 
 const struct column row_columns[] = {
     {"domino", "", "its number, from 1", 6},
@@ -15,14 +14,6 @@ const struct column row_columns[] = {
     {"lean", "m", "what its top is off plumb, if the file has leans; negative: backwards", 0},
     {NULL, NULL, NULL, 0},
 };
-
-void cells_leave_out(const struct answer *a, const struct column *all, struct cell *cells)
-{
-    int n = 0;
-    for (int i = 0; all[i].key && a->columns[n].key; i++)
-        if (strcmp(a->columns[n].key, all[i].key) == 0)
-            cells[n++] = cells[i];
-}
 
 /* Returns what the top of a domino is off plumb. */
 static domq_real row_lean(const struct domq_domino *d)
@@ -50,21 +41,15 @@ static bool row_has_leans(const struct scene_row *scene)
 
 void row_largest(struct answer *a, const struct scene_row *scene)
 {
-    domq_real height = 0, thickness = 0, gap = 0, mass = 0, radius = 0, lean = 0;
     for (size_t k = 0; k < scene->row.count; k++) {
-        height = quad_larger(height, scene->domino[k].height);
-        thickness = quad_larger(thickness, scene->domino[k].thickness);
-        gap = quad_larger(gap, scene->domino[k].gap);
-        mass = quad_larger(mass, scene->domino[k].mass);
-        radius = quad_larger(radius, scene->domino[k].radius);
-        lean = quad_larger(lean, quad(fabs)(row_lean(&scene->domino[k])));
+        const struct domq_domino *d = &scene->domino[k];
+        answer_largest(a, "height", d->height);
+        answer_largest(a, "thickness", d->thickness);
+        answer_largest(a, "gap", d->gap);
+        answer_largest(a, "mass", d->mass);
+        answer_largest(a, "radius", d->radius);
+        answer_largest(a, "lean", row_lean(d));
     }
-    answer_largest(a, "height", height);
-    answer_largest(a, "thickness", thickness);
-    answer_largest(a, "gap", gap);
-    answer_largest(a, "mass", mass);
-    answer_largest(a, "radius", radius);
-    answer_largest(a, "lean", lean);
 }
 
 bool run_row(const struct query *query, struct answer *a, struct problem *problem)
@@ -89,7 +74,6 @@ bool run_row(const struct query *query, struct answer *a, struct problem *proble
                                cell_real(d->thickness),      cell_real(d->gap),
                                cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
                                cell_real(d->radius),         cell_real(row_lean(d))};
-        cells_leave_out(a, row_columns, cells);
         answer_row(a, cells, NULL);
     }
     free(scene.domino);

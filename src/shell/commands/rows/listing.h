@@ -9,9 +9,6 @@
 extern const struct column row_columns[];
 bool run_row(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Removes the cells of columns that are left out of the answer. */
-void cells_leave_out(const struct answer *answer, const struct column *all, struct cell *cells);
-
 /* Chooses the units of lengths and masses by the largest domino. */
 void row_largest(struct answer *answer, const struct scene_row *scene);
 

@@ -73,7 +73,6 @@ static bool fall_row(const struct domq_fall *f, void *context)
                            cell_narrow(f->floor_hit, 3),
                            cell_narrow(report_slid(c->scene, f->domino - 1), 3)};
     fall_seen(c, f);
-    cells_leave_out(c->answer, fall_columns, cells);
     answer_row(c->answer, cells, lifts && !answer_for_people(c->answer) ? lifted : NULL);
     return !answer_lost(c->answer);
 }

@@ -8,319 +8,289 @@
 
 const struct column tolerance_columns[] = {
     {"domino", "", "its number, from 1", 6},
-    {"place", "m", "from the back of domino 1 to its own back", 8},
-    {"from", "m", "all fall with places from here ...", 8},
-    {"to", "m", "... to here, if it alone moves", 8},
+    {"place", "m", "its place: from the back of domino 1 to its own back", 8},
+    {"from", "m", "the smallest place with which all fall, if it alone moves", 8},
+    {"to", "m", "the largest such place", 8},
     {"gap", "m", "free distance to the domino before it", 8},
-    {"gap_low", "m", "all fall with gaps from here ...", 8},
-    {"gap_high", "m", "... to here, if all after it move along", 8},
+    {"gap_low", "m", "the smallest gap with which all fall, if all after it move along", 8},
+    {"gap_high", "m", "the largest such gap", 8},
     {"height", "m", "its height", 8},
-    {"height_low", "m", "all fall with heights from here ...", 10},
-    {"height_high", "m", "... to here; 4 times its height if the search ended there", 11},
-    {"lean", "m", "what its top is off plumb when it is set up", 8},
-    {"lean_low", "m", "all fall if its top is off from here ...", 8},
-    {"lean_high", "m", "... to here; negative is backwards", 9},
-    {"friction_low", "", "all fall with a friction between dominoes from here ...", 8},
-    {"friction_high", "", "... to here; no more than 2, or 4 times the friction, is tried", 8},
-    {"first", "", "what fails first at this domino, of all: place, height or both", 6},
+    {"height_low", "m", "the smallest height with which all fall", 10},
+    {"height_high", "m", "the largest such height; 4 times its height if the search ended there", 11},
+    {"lean", "m", "how far its top is off plumb when it is set up", 8},
+    {"lean_low", "m", "the smallest value of lean with which all fall; negative is backwards", 8},
+    {"lean_high", "m", "the largest such value", 9},
+    {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
+    {"friction_high", "", "the largest such friction; none above 2, or 4 times the friction now, is tried",
+     8},
+    {"first", "", "whether its place, its height or both have the least room of all dominoes", 6},
     {NULL, NULL, NULL, 0},
 };
 
-/* The windows of a row; friction has one. */
+enum { KINDS = DOM_WINDOW_PLUMB + 1 };
+
 struct windows {
-    struct domq_window *place, *gap, *height; /* of domino k, from 0: [k]; place and gap from 1 */
-    struct domq_window *lean;                 /* lengths, at its top */
-    struct domq_window friction;
-    size_t first_place, first_height, first_lean, saving_lean; /* numbers of the dominoes; 0: none */
-    bool leans;                                                /* false: leans are not tried */
-    bool slope; /* true: a domino that stands as it should is not plumb */
+    const struct scene_row *scene;
+    size_t count;                    /* of the dominoes */
+    struct domq_window *kind[KINDS]; /* for each enum dom_window_of: domino k has [k]; the friction has [0] */
+    size_t first[KINDS]; /* the number of the domino with the least room; 0 if the row does not fall */
+    size_t saving_lean;  /* the number of a domino whose lean, if changed, saves the row; or 0 */
     bool falls;
 };
 
-struct pass {
+struct search {
     struct progress progress;
-    int number;
+    int kind;
 };
 
-enum { PASSES = 5 };
-
-static void pass_progress(size_t done, size_t of, void *context)
+static void search_progress(size_t done, size_t of, void *context)
 {
-    struct pass *p = context;
-    progress_show(&p->progress, (p->number + (double)done / (double)of) / PASSES);
+    struct search *s = context;
+    progress_show(&s->progress, (s->kind + (double)done / (double)of) / KINDS);
 }
 
-/* Returns how far the value is from the closer end of its window. */
+/* Returns how far the value is inside of its window; NaN without a window. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Finds the domino that leans and that the smallest change of its lean lets fall, in a row that does not. */
-static void saving_lean_find(struct windows *w, size_t count)
+/* Finds the leaning domino whose top has to move least to save the row. */
+static void saving_lean_find(struct windows *w)
 {
     domq_real change = DOMQ_NAN;
-    for (size_t k = 0; k < count && w->leans && !w->falls; k++) {
-        domq_real off = -room(&w->lean[k]); /* the value is outside */
-        if (w->lean[k].now != 0 && off > 0 && !(off >= change)) {
+    for (size_t k = 0; k < w->count; k++) {
+        const struct domq_window *lean = &w->kind[DOM_WINDOW_PLUMB][k];
+        domq_real off = -room(lean); /* the value is outside of the window */
+        if (lean->now != 0 && off > 0 && !(off >= change)) {
             change = off;
             w->saving_lean = k + 1;
         }
     }
 }
 
-/* Finds the dominoes whose place, height and lean have the least room: lengths, shares of the height,
- * lengths. */
-static void first_find(struct windows *w, size_t count)
+/* Finds the domino with the least room: heights are compared as shares, places and leans as lengths. */
+static void first_find(struct windows *w, enum dom_window_of kind)
 {
-    domq_real place = DOMQ_NAN, height = DOMQ_NAN, lean = DOMQ_NAN;
-    for (size_t k = 0; k < count && w->falls; k++) {
-        domq_real share = room(&w->height[k]) / w->height[k].now;
-        if (!(share >= height)) {
-            height = share;
-            w->first_height = k + 1;
-        }
-        if (w->leans && !(room(&w->lean[k]) >= lean)) {
-            lean = room(&w->lean[k]);
-            w->first_lean = k + 1;
-        }
-        if (k > 0 && !(room(&w->place[k]) >= place)) {
-            place = room(&w->place[k]);
-            w->first_place = k + 1;
+    domq_real least = DOMQ_NAN;
+    for (size_t k = 0; k < w->count; k++) {
+        const struct domq_window *of = &w->kind[kind][k];
+        domq_real free = room(of) / (kind == DOM_WINDOW_HEIGHT ? of->now : 1);
+        if (!isnan(free) && !(free >= least)) {
+            least = free;
+            w->first[kind] = k + 1;
         }
     }
 }
 
-/* Returns true if the library knows rows in which a domino leans. */
-static bool leans_are_known(const struct domq_row *row)
+/* Changes the window of a lean into that of the top of the domino. */
+static void lean_to_top(struct domq_window *lean, domq_real height)
 {
-    return !row->engine && row->rho == 0;
+    lean->now = height * quad(sin)(lean->now);
+    lean->low = height * quad(sin)(lean->low);
+    lean->high = height * quad(sin)(lean->high);
 }
 
-/* Returns the window of the top of a domino from that of its lean. */
-static struct domq_window top_of(const struct domq_window *lean, domq_real height)
-{
-    struct domq_window top = *lean;
-    top.now = height * quad(sin)(lean->now);
-    top.low = height * quad(sin)(lean->low);
-    top.high = height * quad(sin)(lean->high);
-    return top;
-}
-
-/* Finds all windows of the row; w->place is to be freed. */
+/* Finds all windows of the row. The caller frees w->kind[0]. */
 static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
-    struct pass pass = {{0, 0}, 0};
-    const size_t count = scene->row.count;
+    const struct domq_row *row = &scene->row;
+    const bool leans = !row->engine && row->rho == 0; /* the library knows no others */
+    struct search search = {.kind = 0};
     struct domq_verdict v;
-    *w = (struct windows){.place = malloc(4 * count * sizeof *w->place)};
-    if (!w->place)
+    *w = (struct windows){.scene = scene, .count = row->count};
+    w->kind[0] = malloc(KINDS * w->count * sizeof **w->kind);
+    if (!w->kind[0])
         return DOM_NO_MEMORY;
-    w->gap = w->place + count;
-    w->height = w->gap + count;
-    w->lean = w->height + count;
-    w->leans = leans_are_known(&scene->row);
-    w->slope = scene->row.alpha != 0;
-    enum dom_status status = domq_row_run(&scene->row, &scene->compute, false, NULL, NULL, &v);
+    for (size_t i = 0; i < KINDS * w->count; i++)
+        w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
+    enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    struct domq_window *const found[PASSES] = {w->place + 1, w->gap + 1, w->height, &w->friction, w->lean};
-    static const enum dom_window_of of[PASSES] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
-                                                  DOM_WINDOW_FRICTION, DOM_WINDOW_PLUMB};
-    for (; pass.number < PASSES - !w->leans && status == DOM_OK; pass.number++)
-        status = domq_row_windows(&scene->row, &scene->compute, of[pass.number], pass_progress, &pass,
-                                  found[pass.number]);
-    progress_show(&pass.progress, 1);
-    const struct domq_window none = {
-        .now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN}; /* domino 1 has no gap */
-    w->place[0] = w->gap[0] = none;
-    for (size_t k = 0; k < count; k++)
-        w->lean[k] = w->leans && status == DOM_OK ? top_of(&w->lean[k], scene->domino[k].height) : none;
-    if (status == DOM_OK)
-        first_find(w, count);
-    if (status == DOM_OK)
-        saving_lean_find(w, count);
+    for (; search.kind < KINDS; search.kind++) {
+        const enum dom_window_of kind = (enum dom_window_of)search.kind;
+        bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE;
+        w->kind[kind] = w->kind[0] + kind * w->count;
+        if (status == DOM_OK && (leans || kind != DOM_WINDOW_PLUMB))
+            status = domq_row_windows(row, &scene->compute, kind, search_progress, &search,
+                                      w->kind[kind] + from_second);
+    }
+    progress_show(&search.progress, 1);
+    for (size_t k = 0; k < w->count; k++)
+        lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
+    if (status == DOM_OK && w->falls) {
+        first_find(w, DOM_WINDOW_PLACE);
+        first_find(w, DOM_WINDOW_HEIGHT);
+        first_find(w, DOM_WINDOW_PLUMB);
+    } else if (status == DOM_OK) {
+        saving_lean_find(w);
+    }
     return status;
 }
 
 /* ---- For people: rounded inwards ---- */
 
-/* Returns the window with ends that a person can read, at most a hundredth of it inside. */
+/* Moves both ends inwards to readable numbers, by at most a hundredth of the window's width. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
-    domq_real wide = w->high - w->low;
-    if (!(wide > 0))
+    domq_real width = w->high - w->low;
+    if (!(width > 0))
         return r;
-    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(wide / 100)));
+    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(width / 100)));
     r.low = quad(ceil)(w->low / digit) * digit;
     r.high = quad(floor)(w->high / digit) * digit;
     return r;
 }
 
-enum { DIGITS = 6 };
+enum { DIGITS = 6, DIGITS_NOW = 4 /* what is measured is as exact as a tape measure */ };
 
 static struct measured length(domq_real value)
 {
     return measured(value, "m", DIGITS);
 }
 
-/* What is measured is as exact as a tape measure. */
-static struct measured now(domq_real value)
+static struct measured length_now(domq_real value)
 {
-    return measured(value, "m", 4);
+    return measured(value, "m", DIGITS_NOW);
 }
 
 static void friction_say(struct answer *a, const struct windows *w)
 {
-    const struct domq_window f = readable(&w->friction);
-    char low[WIDE_TEXT], high[WIDE_TEXT], now[WIDE_TEXT], from[WIDE_TEXT + 8] = "";
-    quad_text(f.now, 4, now);
-    quad_text(f.low, DIGITS, low);
-    quad_text(f.high, DIGITS, high);
-    if (f.low > 0)
-        snprintf(from, sizeof from, "from %s ", low);
+    const struct domq_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
+    const struct measured now = measured(f.now, "", DIGITS_NOW), low = measured(f.low, "", DIGITS),
+                          high = measured(f.high, "", DIGITS);
+    const char *from = f.low > 0 ? "from " : "", *from_low = f.low > 0 ? low.text : "",
+               *up_to = f.low > 0 ? " up to " : "up to ";
     if (isnan(f.low))
-        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now);
+        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now.text);
     else if (!w->falls)
-        answer_say(a, "With a friction between the dominoes %sup to %s all would fall; it is %s now.", from,
-                   high, now);
+        answer_say(a, "With a friction between the dominoes %s%s%s%s all would fall; it is %s now.", from,
+                   from_low, up_to, high.text, now.text);
     else
-        answer_say(a, "All fall with a friction between the dominoes %sup to %s%s; it is %s now.", from, high,
-                   f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now);
+        answer_say(a, "All fall with a friction between the dominoes %s%s%s%s%s; it is %s now.", from,
+                   from_low, up_to, high.text, f.above == DOM_ROW_FALLS ? " (more is not tried)" : "",
+                   now.text);
 }
 
-/* What the top of a domino is off plumb, in words. */
-struct off {
-    char text[64];
-};
-
-static struct off off(domq_real value, struct measured (*shown)(domq_real))
+/* Says "1.7 mm backwards". */
+static struct words off_plumb(domq_real value, int digits)
 {
-    struct off o;
-    const char *way = value < 0 ? " backwards" : value > 0 ? " forwards" : "";
-    snprintf(o.text, sizeof o.text, "%.40s%s", shown(quad(fabs)(value)).text, way);
-    return o;
+    struct words off;
+    snprintf(off.text, sizeof off.text, "%.40s%s", measured(quad(fabs)(value), "m", digits).text,
+             value < 0   ? " backwards"
+             : value > 0 ? " forwards"
+                         : "");
+    return off;
 }
 
-/* Says how many windows of heights reach the tallest that is tried. */
-static void highest_say(struct answer *a, const struct windows *w, size_t count)
+static void lean_say(struct answer *a, const struct windows *w)
 {
-    size_t open = 0;
-    for (size_t k = 0; k < count; k++)
-        open += w->falls && w->height[k].above == DOM_ROW_FALLS && w->height[k].high >= 4 * w->height[k].now;
+    const size_t first = w->first[DOM_WINDOW_PLUMB], k = first ? first : w->saving_lean;
+    if (k == 0)
+        return;
+    const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
+    const char *all = w->count > 1 ? ", the least room of all" : "";
+    if (!first)
+        answer_say(a, "With the top of domino %zu off by %s to %s all would fall; it is off by %s now.", k,
+                   off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
+                   off_plumb(l.now, DIGITS_NOW).text);
+    else if (l.now == 0)
+        answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.", k,
+                   w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low).text,
+                   length(l.high).text, all);
+    else
+        answer_say(a, "The top of domino %zu may be off by %s to %s%s; it is off by %s now.", k,
+                   off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
+                   off_plumb(l.now, DIGITS_NOW).text);
+}
+
+/* Says for how many windows of heights the search, or the model, has an end before the row has one. */
+static void heights_say(struct answer *a, const struct windows *w)
+{
+    size_t open = 0, passing = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        const struct domq_window *h = &w->kind[DOM_WINDOW_HEIGHT][k];
+        open += w->falls && h->above == DOM_ROW_FALLS && h->high >= 4 * h->now;
+        passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
+    }
     if (open > 0)
         answer_say(a, "%zu window%s of heights end%s at 4 times the height: taller ones are not tried.", open,
                    open == 1 ? "" : "s", open == 1 ? "s" : "");
-}
-
-/* Says where the model ends a window of heights and not the row: where it does not know the contact. */
-static void passes_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
-{
-    size_t passes = 0;
-    for (size_t k = 0; k < scene->row.count && !scene->row.engine; k++)
-        passes += w->height[k].below == DOM_ROW_PASSES || w->height[k].above == DOM_ROW_PASSES;
-    if (passes > 0)
+    if (passing > 0)
         answer_say(a,
                    "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
-                   "one and its face strike that one: a contact that the model does not include, so the row "
-                   "may fall beyond; 'set method engine' includes it.",
-                   passes, passes == 1 ? "" : "s", passes == 1 ? "s" : "");
+                   "domino, so that its face would strike that domino. The model does not include this "
+                   "contact, so the row may fall beyond; 'set method engine' includes it.",
+                   passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
-static void tolerance_say(struct answer *a, const struct windows *w, const struct scene_row *scene)
+static void tolerance_say(struct answer *a, const struct windows *w)
 {
-    const size_t count = scene->row.count;
-    answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each. A window is of one "
-                  "change, the rest of the row being as it is.");
-    if (scene->row.engine)
-        answer_say(a, "A rigid-body engine runs this row: ends of windows are good to about 1 %%, and at "
-                      "values that it cannot decide a window ends.");
+    const size_t place = w->first[DOM_WINDOW_PLACE], height = w->first[DOM_WINDOW_HEIGHT];
+    answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
+                  "is for one change, with the rest of the row as it is.");
+    if (w->scene->row.engine)
+        answer_say(a, "A rigid-body engine runs this row: the ends of windows are right to about 1 %%, and a "
+                      "window also ends at a value for which the engine finds no verdict.");
     if (!w->falls)
         answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
-    if (w->first_place) {
-        const struct domq_window p = readable(&w->place[w->first_place - 1]);
+    if (place) {
+        const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
         answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
-                   w->first_place, length(p.low).text, length(p.high).text, now(p.now).text);
+                   place, length(p.low).text, length(p.high).text, length_now(p.now).text);
     }
-    if (w->first_height) {
-        const struct domq_window h = readable(&w->height[w->first_height - 1]);
+    if (height) {
+        const struct domq_window h = readable(&w->kind[DOM_WINDOW_HEIGHT][height - 1]);
         answer_say(a,
                    "Make domino %zu between %s and %s tall: its height has the least room%s; it is %s now.",
-                   w->first_height, length(h.low).text, length(h.high).text, count > 1 ? " of all" : "",
-                   now(h.now).text);
+                   height, length(h.low).text, length(h.high).text, w->count > 1 ? " of all" : "",
+                   length_now(h.now).text);
     }
-    highest_say(a, w, count);
-    passes_say(a, w, scene);
-    if (w->first_lean) {
-        const struct domq_window l = readable(&w->lean[w->first_lean - 1]);
-        const char *all = count > 1 ? ", the least room of all" : "";
-        if (l.now == 0)
-            answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.",
-                       w->first_lean, w->slope ? "square to the floor" : "plumb", length(0 - l.low).text,
-                       length(l.high).text, all);
-        else
-            answer_say(a, "The top of domino %zu may be off by %s to %s%s; it is off by %s now.",
-                       w->first_lean, off(l.low, length).text, off(l.high, length).text, all,
-                       off(l.now, now).text);
-    }
-    if (w->saving_lean) {
-        const struct domq_window l = readable(&w->lean[w->saving_lean - 1]);
-        answer_say(a, "With the top of domino %zu off by %s to %s all would fall; it is off by %s now.",
-                   w->saving_lean, off(l.low, length).text, off(l.high, length).text, off(l.now, now).text);
-    }
+    heights_say(a, w);
+    lean_say(a, w);
     friction_say(a, w);
 }
 
 /* ---- The answer ---- */
 
-/* Chooses what a person reads, and the units by the largest of each column. */
-static void tolerance_columns_choose(struct answer *a, const struct windows *w, size_t count)
-{
-    domq_real place = 0, gap = 0, height = 0;
-    if (answer_for_people(a)) {
-        static const char *const left_out[] = {"place",    "gap",       "height",       "lean",
-                                               "lean_low", "lean_high", "friction_low", "friction_high"};
-        for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
-            answer_leave_out(a, left_out[i]);
-    }
-    for (size_t k = 0; k < count; k++) { /* a NaN is never larger */
-        place = w->place[k].high > place ? w->place[k].high : place;
-        gap = w->gap[k].high > gap ? w->gap[k].high : gap;
-        height = w->height[k].high > height ? w->height[k].high : height;
-    }
-    answer_largest(a, "from", place);
-    answer_largest(a, "to", place);
-    answer_largest(a, "gap_low", gap);
-    answer_largest(a, "gap_high", gap);
-    answer_largest(a, "height_low", height);
-    answer_largest(a, "height_high", height);
-}
+/* The windows of a domino in the order of the columns. */
+static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
+                                                  DOM_WINDOW_PLUMB};
+enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
-static struct cell value(domq_real value)
+static void columns_choose(struct answer *a, const struct windows *w)
 {
-    return cell_narrow(value, DIGITS);
+    static const char *const left_out[] = {"place",    "gap",       "height",       "lean",
+                                           "lean_low", "lean_high", "friction_low", "friction_high"};
+    for (size_t i = 0; answer_for_people(a) && i < sizeof left_out / sizeof *left_out; i++)
+        answer_leave_out(a, left_out[i]);
+    for (size_t k = 0; k < w->count; k++)
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window have one unit */
+            domq_real high = w->kind[column_kinds[i]][k].high;
+            answer_largest(a, tolerance_columns[3 * i + 2].key, high);
+            answer_largest(a, tolerance_columns[3 * i + 3].key, high);
+        }
 }
 
 static void tolerance_row(struct answer *a, const struct windows *w, size_t k)
 {
-    const struct domq_window p = w->place[k], g = w->gap[k], h = w->height[k], f = w->friction,
-                             l = w->lean[k];
-    bool place = w->first_place == k + 1, height = w->first_height == k + 1;
-    struct cell first = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
-    if (answer_for_people(a)) {
-        const struct domq_window q = readable(&p), i = readable(&g), j = readable(&h);
-        answer_row(a,
-                   ROW(cell_count((domq_real)k + 1), value(q.low), value(q.high), value(i.low), value(i.high),
-                       value(j.low), value(j.high), first),
-                   NULL);
-    } else
-        answer_row(a,
-                   ROW(cell_count((domq_real)k + 1), value(p.now), value(p.low), value(p.high), value(g.now),
-                       value(g.low), value(g.high), value(h.now), value(h.low), value(h.high), value(l.now),
-                       value(l.low), value(l.high), value(f.low), value(f.high), first),
-                   w->falls || !isnan(p.low) || !isnan(g.low) || !isnan(h.low) || !isnan(l.low)
-                       ? NULL
-                       : "no change of this domino alone saves the row");
+    const bool place = w->first[DOM_WINDOW_PLACE] == k + 1, height = w->first[DOM_WINDOW_HEIGHT] == k + 1;
+    const struct domq_window *friction = w->kind[DOM_WINDOW_FRICTION];
+    struct cell cells[ANSWER_COLUMNS] = {cell_count((domq_real)k + 1)}, *cell = cells + 1;
+    bool saves = w->falls;
+    for (int i = 0; i < COLUMN_KINDS; i++) {
+        const struct domq_window *of = &w->kind[column_kinds[i]][k];
+        const struct domq_window shown = answer_for_people(a) ? readable(of) : *of;
+        saves = saves || !isnan(of->low);
+        *cell++ = cell_narrow(shown.now, DIGITS);
+        *cell++ = cell_narrow(shown.low, DIGITS);
+        *cell++ = cell_narrow(shown.high, DIGITS);
+    }
+    *cell++ = cell_narrow(friction->low, DIGITS);
+    *cell++ = cell_narrow(friction->high, DIGITS);
+    *cell++ = cell_word(place && height ? "both" : place ? "place" : height ? "height" : "");
+    answer_row(a, cells,
+               saves || answer_for_people(a) ? NULL : "no change of this domino alone saves the row");
 }
 
 bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem)
@@ -332,12 +302,12 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
     scene.row.floor = false;
     enum dom_status status = windows_find(&scene, &w);
     if (status == DOM_OK) {
-        tolerance_columns_choose(a, &w, scene.row.count);
-        for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++)
+        columns_choose(a, &w);
+        for (size_t k = 0; k < w.count && !answer_lost(a); k++)
             tolerance_row(a, &w, k);
-        tolerance_say(a, &w, &scene);
+        tolerance_say(a, &w);
     }
-    free(w.place);
+    free(w.kind[0]);
     free(scene.domino);
     return status == DOM_OK || row_status(query, problem, status);
 }
