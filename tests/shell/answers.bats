@@ -366,7 +366,7 @@ END
 
 @test "what completion offers after a word is no error there" {
     local line word refused=''
-    same 'draw' 'at forces train' "$("$DOMINO" -e 'complete draw ' | paste -sd ' ' -)"
+    same 'draw' 'at train forces' "$("$DOMINO" -e 'complete draw ' | paste -sd ' ' -)"
     same 'a lone answer is not written for s' '(nothing)' "$("$DOMINO" -e 'complete set s ')"
     same 'but for a beginning' best "$("$DOMINO" -e 'complete set s b')"
     same 'after a plain number' rate "$("$DOMINO" -e 'complete animate a.gif speed 2 r')"

@@ -199,6 +199,7 @@ END
     wrong_line 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
     wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' is not the name of a parameter"
+    wrong_line 'sweep r 1 1.5 3, s 0.3 0.5 3 : thetac' "',' separates values, and not parameters"
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
     wrong_line 'sweep s 0.1 3 ms 9 : rmax' 's is a plain number, not a time'
     wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'

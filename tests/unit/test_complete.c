@@ -34,7 +34,7 @@ static bool parses(const char *line)
     const struct query query = session_query(&session);
     struct text text;
     struct arena arena;
-    struct question question = {.key = -1};
+    struct question question;
     arena_begin(&arena);
     assert_true(text_make(&text, line, strlen(line)));
     struct reader r = {.query = &query,
@@ -43,8 +43,7 @@ static bool parses(const char *line)
                        .at = text.line,
                        .arena = &arena,
                        .evaluates = true};
-    question.command = read_command(&r);
-    bool whole = question.command && question_parse(&r, &question);
+    bool whole = command_parse(&r, &question);
     arena_free(&arena);
     text_free(&text);
     return whole;

@@ -252,7 +252,7 @@ static const struct command *command_of(struct session *session, const char *lin
     struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line, .arena = &arena};
     const struct command *c = read_form(&r);
     if (!c && problem.kind == PROBLEM_NONE)
-        c = read_command(&r);
+        c = read_command(&r, command_names);
     *column = problem.place;
     *at = problem.kind == PROBLEM_NONE ? (int)(r.at - text.line) : -1;
     text_free(&text);

@@ -31,7 +31,6 @@ void verdict_train_say(const struct query *query, struct answer *answer, enum do
 
 /* What 'print' and 'let' read after their names, and what they do. */
 extern const struct column print_columns[];
-const char *conversion_word(const void *context, int k);
 bool conversion_parse(struct reader *reader, struct question *question);
 bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
                      struct problem *problem);

@@ -22,12 +22,6 @@ struct conversion {
     char name[48];
 };
 
-const char *conversion_word(const void *context, int k)
-{
-    (void)context;
-    return k == 0 ? "to" : NULL;
-}
-
 /* Lists the units of one kind, with a blank before each. */
 static void units_list(struct quantity kind, char *text, size_t size)
 {
@@ -71,6 +65,7 @@ bool conversion_parse(struct reader *r, struct question *q)
                              names_shown(word ? word : "", shown));
     }
     *item = (struct item){.at = r->at};
+    offer_names(r, expression_units, NULL);
     item->word = reader_ends(r) ? "" : read_word(r, false);
     return item->word || problem_error(r->problem, "out of memory");
 }
@@ -216,6 +211,7 @@ bool definition_parse(struct reader *r, struct question *q)
         return problem_error(r->problem, "out of memory");
     struct variable *v = &d->variable;
     const char *value = definition_head(r->at, v);
+    offer_kind(r, OFFER_VARIABLE);
     if (!value)
         return problem_error(r->problem,
                              "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "

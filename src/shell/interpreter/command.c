@@ -148,16 +148,22 @@ static bool is_tilt(const struct argument *a)
     return a->kind == ARGUMENT_TILT || a->kind == ARGUMENT_PLACE;
 }
 
+struct quantity argument_unit(const struct argument *a)
+{
+    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
+    return p ? expression_unit(p->value[a->which].unit)
+           : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
+               ? (struct quantity){.value = 1, .length = 1}
+           : is_tilt(a) ? (struct quantity){.value = 1, .angle = 1}
+                        : (struct quantity){.value = 1};
+}
+
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
     char kind[64], wanted[64];
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
-    struct quantity unit = p ? expression_unit(p->value[a->which].unit)
-                           : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
-                               ? (struct quantity){.value = 1, .length = 1}
-                           : is_tilt(a) ? (struct quantity){.value = 1, .angle = 1}
-                                        : (struct quantity){.value = 1};
+    struct quantity unit = argument_unit(a);
     /* s and d are over the height: a length is divided by that of the first domino. */
     bool over_height = p && strcmp(p->value[a->which].unit, "h") == 0;
     if (over_height && quantity_alike(q, (struct quantity){.length = 1}))

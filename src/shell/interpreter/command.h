@@ -56,12 +56,6 @@ struct argument {
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
-    /* Unless NULL, returns true if the argument may follow the one before it, given as its choice or
-     * place. */
-    bool (*follows)(domq_real before);
-    /* Unless NULL, returns what completion offers as the n-th word after the argument before this one, which
-     * is given as its choice; NULL: nothing. */
-    names_list *(*offers)(domq_real before, int n);
     int (*most)(const struct scene *scene); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
     const char *most_of;                    /* the name of what `most` limits */
 };
@@ -150,6 +144,9 @@ int command_principal(const struct command *command);
 
 /* Writes the usage of a command: "rmax [S]". */
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
+
+/* Returns the unit of the values of an argument, 1 for a plain number. */
+struct quantity argument_unit(const struct argument *argument);
 
 /* Checks a value for an argument of this kind, and stores it.  Reports what is wrong and returns false. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,

@@ -79,6 +79,7 @@ static const struct command *called(struct reader *r, const char *c, size_t n)
     bool empty = c[n + 1] == ')' && word_ends(c + n + 2);
     if (!command || command_values(command, &fewest) >= 0 || (!empty && strcmp(name, "print") != 0))
         return NULL;
+    reader_named(r, c, c + n);
     r->at = c + n + (empty ? 2 : 0);
     return command;
 }
@@ -130,6 +131,7 @@ static const struct command *plain_command(struct reader *r, const char *c, size
     if (command) {
         r->problem->place = reader_column(r, c);
         r->at = c + n;
+        reader_named(r, c, r->at);
     }
     return command;
 }

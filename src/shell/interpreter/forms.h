@@ -15,8 +15,13 @@ const struct command *read_form(struct reader *reader);
 /* Returns true if an operator that needs a value before it, or a conversion, is here, behind a word. */
 bool goes_on(const char *c);
 
-/* Reads the name of a command.  Returns NULL after an error, which was described. */
-const struct command *read_command(struct reader *reader);
+/* Reads the name of a command; `offered` lists those that completion offers. Returns NULL after an error,
+ * which was described. */
+const struct command *read_command(struct reader *reader, names_list *offered);
+
+/* Reads what a command begins with, a name or another form, and parses its arguments. */
+struct question;
+bool command_parse(struct reader *reader, struct question *question);
 
 /* Reads the head of a definition, "x =" or "f(s, d) =".  Returns the place after '=', or NULL: none is there.
  */

@@ -230,21 +230,17 @@ static void run_command(struct session *session, struct reader *line)
     const struct query query = session_query(session);
     r->query = &query;
     r->problem = &problem;
-    r->stops = r->no_unit = NULL;
-    r->unresolved = false;
-    struct question q = {.key = -1, .command = read_form(r)};
-    if (!q.command && problem.kind == PROBLEM_NONE)
-        q.command = read_command(r);
-    if (q.command) {
+    struct question q;
+    if (command_parse(r, &q)) {
         /* A program that waits for an answer gets one also where there is none to give. */
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
-        session->command = problem.command = c->name;
+        session->command = c->name;
         /* A file that is sourced is one change. */
         bool changes = c->changes && session->depth == 0;
         struct state *before = changes ? undo_begin(session) : NULL;
-        bool parsed = question_parse(r, &q), file = parsed && *r->at == '>';
-        bool done = parsed && run_question(session, r, &q, file);
+        bool file = *r->at == '>';
+        bool done = run_question(session, r, &q, file);
         bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
         if (done && same && format->done && is_silent(session, c, file))
             format->done(session->out, c->name);

@@ -67,12 +67,28 @@ static bool wrong_end(struct reader *r, const char *name, const char *end)
 
 static struct tree *parse_with(struct parse *parse, struct tree *value);
 
+/* Returns true if the text ends in a number, which a unit may follow. */
+static bool ends_in_number(const char *begin, const char *end)
+{
+    const char *c = end;
+    while (c > begin && (isdigit((unsigned char)c[-1]) || c[-1] == '.'))
+        c--;
+    return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
+}
+
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 {
+    offer_value(r, a, false);
     struct parse p = {
         .text = r->at, .arena = r->arena, .no_unit = r->no_unit, .with = parse_with, .context = r};
     struct tree *tree = expression_parse(&p);
     *item = (struct item){.argument = a, .value = tree, .at = r->at};
+    struct reader behind = *r;
+    behind.at = tree ? skip_blanks(p.end) : p.end;
+    if (!tree && p.end > r->at)
+        offer_value(&behind, a, true);
+    if (tree && ends_in_number(r->at, p.end))
+        offer_kind(&behind, OFFER_UNIT);
     if (!tree)
         return r->problem->kind == PROBLEM_NONE &&
                expression_wrong(r->problem, PROBLEM_WRONG, r->text, a->name, p.end, p.message);
@@ -138,6 +154,7 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     char message[NAMES_MESSAGE], shown[NAMES_SHOWN];
     bool usual;
     reader_place(r, r->at);
+    offer_names(r, model_names, NULL);
     char *word = read_word(r, false);
     if (!word) {
         problem_error(r->problem, "%s", no_memory);
@@ -155,6 +172,9 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
         problem_error(r->problem,
                       "'%s' is a setting of the calculator; use a parameter of the model or an effect here",
                       shown);
+    else if (*r->at == ',')
+        problem_error(r->problem, "',' separates values, and not parameters; a blank is enough before the "
+                                  "next parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");
     else if (isalpha((unsigned char)*shown))
         problem_error(r->problem, "%s", message);
     else
@@ -171,6 +191,9 @@ static bool weighs(const struct parameter *p)
 const struct item *item_parse_listed(struct reader *r, const struct parameter *p, struct item *item)
 {
     const char *no_unit = r->no_unit;
+    struct offer *e = reader_offer(r);
+    if (e)
+        e->parameter = p;
     r->no_unit = weighs(p) ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;
@@ -250,6 +273,8 @@ bool question_with(const struct question *q, const struct query *query, struct s
 bool item_parse_value(struct reader *r, const struct parameter *p, int i, const char *name, struct item *item)
 {
     const char *begin = r->at;
+    if (p->words && i == 0)
+        offer_names(r, parameter_offered, p);
     char message[NAMES_MESSAGE] = "", what[32], range[64];
     char *word = read_word(r, false);
     int k = -1;
@@ -294,6 +319,7 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[128];
     bool usual;
     *item = (struct item){.at = r->at};
+    offer_names(r, a->choices, NULL);
     const char *word = item->word = read_word(r, false);
     if (!word)
         return problem_error(r->problem, "%s", no_memory);
@@ -319,6 +345,7 @@ static bool place_parse(struct reader *r, const struct argument *a, struct item 
 {
     char message[NAMES_MESSAGE];
     const char *begin = r->at;
+    offer_names(r, a->choices, NULL);
     char *name = read_word(r, false);
     bool letters = name && *name && name[strspn(name, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
                    !is_value_name(r->query->state, name);
@@ -370,6 +397,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word || problem_error(r->problem, "%s", unclosed);
     }
+    if (of->or_file)
+        offer_kind(r, OFFER_FILE);
     r->last = !parameter_value(p, i);
     return item_parse_value(r, p, i - 1, of->name, item);
 }
@@ -404,6 +433,9 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     char message[NAMES_MESSAGE];
     bool topic = a->kind == ARGUMENT_TOPIC, valued = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE,
          usual;
+    offer_names(r, a->choices, NULL);
+    if (!valued)
+        offer_kind(r, OFFER_VARIABLE);
     const char *word = q->item[i].word = read_name(r, valued ? "=" : "?");
     if (!word)
         return problem_error(r->problem, "%s", no_memory);
@@ -464,6 +496,9 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
         return effect_parse(r, a, q, i);
     case ARGUMENT_WORD:
     case ARGUMENT_FILE:
+        offer_names(r, a->choices, NULL);
+        if (a->kind == ARGUMENT_FILE)
+            offer_kind(r, OFFER_FILE);
         item->word = a->kind == ARGUMENT_FILE ? read_file(r) : read_word(r, true);
         return item->word ? *item->word || problem_error(r->problem, "%s is missing", a->name)
                           : problem_error(r->problem, "%s", unclosed);
@@ -531,6 +566,12 @@ static bool arguments_parse(struct reader *r, struct question *q)
         bool ends = reader_ends(r);
         if (ends && c->argument[q->count].kind != ARGUMENT_REST)
             break;
+        struct offer *e = reader_offer(r);
+        if (e) {
+            e->command = c;
+            e->argument = q->count;
+            e->parameter = q->parameter;
+        }
         if (!no_check(r, c) || !argument_parse(r, q, q->count))
             return false;
     }
@@ -553,6 +594,21 @@ bool question_parse(struct reader *r, struct question *q)
     if (good)
         r->problem->command = outer;
     return good;
+}
+
+bool command_parse(struct reader *r, struct question *q)
+{
+    r->stops = r->no_unit = NULL;
+    r->unresolved = false;
+    *q = (struct question){.key = -1, .command = read_form(r)};
+    if (!q->command && r->problem->kind == PROBLEM_NONE) {
+        offer_kind(r, OFFER_VARIABLE);
+        q->command = read_command(r, command_names);
+    }
+    if (!q->command)
+        return false;
+    r->problem->command = q->command->name;
+    return question_parse(r, q);
 }
 
 bool question_bind(const struct question *q, const struct query *query, struct arguments *given,
@@ -649,11 +705,23 @@ const char *question_name(struct reader *r, const char *begin, const char *end)
     return name ? name : "";
 }
 
+const char *question_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
+        const struct command *c = command_find(name);
+        if ((c->principal || c->holds) && !c->unswept && k-- == 0)
+            return name;
+    }
+    return NULL;
+}
+
 bool question_parse_any(struct reader *r, struct question *q, bool number)
 {
     const char *begin = r->at;
     size_t length = strspn(begin, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.");
     int key = -1;
+    offer_names(r, question_names, NULL);
     const char *next = skip_blanks(begin + length);
     const struct command *c = command_named(begin, length, &key);
     struct reader behind = *r;
@@ -663,6 +731,7 @@ bool question_parse_any(struct reader *r, struct question *q, bool number)
     if (q->command == c) {
         q->key = key;
         r->at = begin + length;
+        reader_named(r, begin, r->at);
         if (c->unswept)
             return problem_error(r->problem, "'%s' is not varied: %s", c->name, c->unswept);
         if ((number || !c->holds) && !question_needs_number(q, r->problem))

@@ -31,6 +31,10 @@ bool question_parse(struct reader *reader, struct question *question);
  * With `number` it must be about one number. */
 bool question_parse_any(struct reader *reader, struct question *question, bool number);
 
+/* Lists for names.h the commands that a question may be about: their answer has a number, or decides
+ * something. */
+const char *question_names(const void *context, int k);
+
 /* Returns a question as it was typed, without blanks at its end and as a message can show it; in the arena.
  */
 const char *question_name(struct reader *reader, const char *begin, const char *end);

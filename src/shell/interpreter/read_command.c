@@ -57,15 +57,18 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
         problem_error(r->problem, "%s; 'help' lists the commands", message);
 }
 
-const struct command *read_command(struct reader *r)
+const struct command *read_command(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE] = "out of memory";
-    r->problem->place = reader_column(r, r->at);
+    const char *begin = r->at;
+    offer_names(r, offered, NULL);
+    r->problem->place = reader_column(r, begin);
     size_t length = strcspn(r->at, r->stops ? " \t\r\f\v;>,=" : " \t\r\f\v;>");
     char exact[VARIABLE_NAME];
     const struct command *typed = name_copy(r->at, length, exact, sizeof exact) ? command_find(exact) : NULL;
     if (typed) { /* as in nearly every line */
         r->at += length;
+        reader_named(r, begin, r->at);
         return typed;
     }
     const char *name = arena_text(r->arena, r->at, length);
@@ -84,5 +87,7 @@ const struct command *read_command(struct reader *r)
         problem_error(r->problem, "%s", message);
     else if (k < 0)
         command_unknown(r, name, k, message);
+    if (k >= 0)
+        reader_named(r, begin, r->at);
     return k < 0 ? NULL : command_find(command_names(NULL, k));
 }

@@ -81,6 +81,55 @@ char *read_file(struct reader *r)
     return name;
 }
 
+struct offer *reader_offer(const struct reader *r)
+{
+    struct offer *e = r->offer;
+    return e && (r->at == e->cursor || (*r->at == '"' && r->at + 1 == e->cursor)) ? e : NULL;
+}
+
+void offer_kind(const struct reader *r, enum offer_kind kind)
+{
+    struct offer *e = reader_offer(r);
+    if (e)
+        e->kinds |= kind;
+}
+
+void offer_names(const struct reader *r, names_list *list, const void *context)
+{
+    struct offer *e = reader_offer(r);
+    for (int i = 0; e && i < e->lists; i++)
+        if (e->names[i] == list && e->context[i] == context)
+            return;
+    if (!e || !list || e->lists == OFFER_LISTS)
+        return;
+    e->names[e->lists] = list;
+    e->context[e->lists++] = context;
+}
+
+void offer_value(const struct reader *r, const struct argument *a, bool is_inside)
+{
+    struct offer *e = reader_offer(r);
+    if (!e)
+        return;
+    e->value = *a;
+    e->is_inside = is_inside;
+}
+
+void reader_named(const struct reader *r, const char *begin, const char *end)
+{
+    if (!r->offer)
+        return;
+    r->offer->typed = (size_t)(end - begin);
+    if (r->offer->is_command)
+        memset(r->offer->is_command + (begin - r->text->line), true, (size_t)(end - begin));
+}
+
+/* Lists for names.h the one word that is the context. */
+static const char *this_word(const void *word, int k)
+{
+    return k == 0 ? word : NULL;
+}
+
 bool word_is_next(const struct reader *r, const char *word)
 {
     size_t n = strlen(word);
@@ -91,6 +140,7 @@ bool word_is_next(const struct reader *r, const char *word)
 bool reader_takes(struct reader *r, const char *word)
 {
     bool is_next = word_is_next(r, word);
+    offer_names(r, this_word, word);
     if (is_next)
         r->at = skip_blanks(r->at + strlen(word));
     return is_next;

@@ -6,6 +6,31 @@
 #include "interpreter/command.h"
 #include "language/text.h"
 
+enum { OFFER_LISTS = 8 };
+
+/* Other things than names and values that a line may go on with. */
+enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
+
+/*
+ * What a line that is being typed may go on with. The line is parsed with a cursor at its end, a character
+ * that no parser accepts, and each function that reads at the cursor records here what it would have read.
+ * Completion, hints and colours all show what is recorded.
+ */
+struct offer {
+    const char *cursor;
+    int lists; /* the lists of names that were looked for */
+    names_list *names[OFFER_LISTS];
+    const void *context[OFFER_LISTS];
+    struct argument value; /* the argument that an expression may give; its kind may be ARGUMENT_NONE */
+    bool is_inside;        /* the cursor is inside that expression, and not where it begins */
+    unsigned kinds;        /* bits of enum offer_kind */
+    const struct command *command; /* the command whose argument the cursor is at, or NULL */
+    int argument;
+    const struct parameter *parameter; /* the parameter or effect that gets a value at the cursor, or NULL */
+    size_t typed;     /* length of the last command's name as it was typed, which may be a beginning */
+    bool *is_command; /* unless NULL, marks each byte of the line that belongs to the name of a command */
+};
+
 /* The place of reading in a line that is being run. */
 struct reader {
     const struct query *query; /* gives values to names */
@@ -18,7 +43,19 @@ struct reader {
     bool unresolved;     /* names in expressions get their meaning later */
     bool evaluates;      /* each value is also computed and checked, at once */
     bool last;           /* the argument that is read is the command's last */
+    struct offer *offer; /* NULL unless the line is being typed */
 };
+
+/* Record what may stand where the reader is, if the cursor is there. */
+void offer_kind(const struct reader *reader, enum offer_kind kind);
+void offer_names(const struct reader *reader, names_list *list, const void *context);
+void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
+
+/* Returns the record if the reader is at the cursor; NULL elsewhere, and in a line that is run. */
+struct offer *reader_offer(const struct reader *reader);
+
+/* Records that the name of a command was typed here. */
+void reader_named(const struct reader *reader, const char *begin, const char *end);
 
 int reader_column(const struct reader *reader, const char *place);
 

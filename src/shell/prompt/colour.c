@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "prompt/colour.h"
+#include "interpreter/preview.h"
 #include "io/terminal.h"
-#include "language/text.h"
-#include "prompt/typed.h"
-#include <stdlib.h>
 #include <string.h>
 
 #include <readline/readline.h>
@@ -13,43 +11,6 @@ enum { LINE_LONGEST = 2000 };
 
 /* True once a part of the line on the screen has a colour. */
 static bool coloured;
-
-/* Marks the word at this place as a command: the name of one, or its beginning, if nothing else is named so.
- */
-static void mark_command(const struct session *session, const char *line, const char *at, bool *mark)
-{
-    char word[TYPED_WORD], message[NAMES_MESSAGE];
-    size_t length = strcspn(at, " \t;:<>=(#+-*/^\"");
-    snprintf(word, sizeof word, "%.*s", (int)length, at);
-    bool alone = at[length] == '\0' || strchr(" \t;:", at[length]);
-    const char *rest = skip_blanks(at + length);
-    bool other = parameter_find(word) || variable_find(&session->state.variables, word);
-    if (length == 0 || length >= sizeof word || !alone || *rest == '=' ||
-        (names_exact(command_names, NULL, word) < 0 &&
-         (other || names_find(command_names, NULL, "command", word, message) < 0)))
-        return;
-    memset(mark + (at - line), true, length * sizeof *mark);
-}
-
-/* Marks the names of commands: after each ';', and after the ':' of a sweep. */
-static void mark_line(const struct session *session, const char *line, bool *mark)
-{
-    for (const char *begin = line;; begin++) {
-        const char *end = text_end(begin, ";");
-        struct typed t;
-        char *part = strndup(line, (size_t)(end - line));
-        if (!part)
-            return;
-        typed_read(part, &t);
-        mark_command(session, line, line + (t.line - part), mark);
-        if (t.sweep)
-            mark_command(session, line, line + (t.begin - part), mark);
-        free(part);
-        begin = end;
-        if (*end != ';')
-            return;
-    }
-}
 
 static bool variable_is_on(const char *name)
 {
@@ -88,13 +49,13 @@ static void part_write(const struct session *session, int width, int from, int l
     fprintf(rl_outstream, mark ? "\033[36m%.*s\033[m" : "%.*s", length, rl_line_buffer + from);
 }
 
-void colour_show(const struct session *session)
+void colour_show(struct session *session)
 {
     int width, height;
     bool mark[LINE_LONGEST] = {false};
     if (!terminal_size(session->out, &width, &height) || !places_known(session, width, height))
         return;
-    mark_line(session, rl_line_buffer, mark);
+    line_preview(session, rl_line_buffer, (size_t)rl_end, "", &(struct offer){.is_command = mark});
     if (!coloured && !memchr(mark, 1, (size_t)rl_end))
         return;
     coloured = memchr(mark, 1, (size_t)rl_end) != NULL;

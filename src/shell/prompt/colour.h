@@ -10,6 +10,6 @@
  * colours. Writes the line again, character for character, so that what Readline knows of the screen stays
  * true.
  */
-void colour_show(const struct session *session);
+void colour_show(struct session *session);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "prompt/hint.h"
+#include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
-#include "prompt/typed.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,32 +35,33 @@ static void find_rest(const char *line)
     }
 }
 
-/* Writes the arguments that the usage of the command at the end of the line still has. */
-static void usage_rest(const struct session *session, const char *line, char usage[HINT])
+/* Writes the arguments that may still follow, by the usage of the command at the end of the line. */
+static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
-    struct typed t;
-    typed_read(line, &t);
-    const struct command *c = t.words ? t.command : command_find(t.last);
-    int k = typed_argument(&t) + (*t.last != '\0' && !t.unit);
+    struct offer e = {.lists = 0};
+    bool is_apart = strchr(" \t", line[strlen(line) - 1]);
+    line_preview(session, line, strlen(line), is_apart ? PREVIEW_CURSOR : " " PREVIEW_CURSOR, &e);
+    const struct command *c = e.command;
+    const struct parameter *p = e.parameter;
     size_t n = 0;
     *usage = '\0';
-    if (!c || t.file || c->argument[0].kind == ARGUMENT_GRID)
+    if (!c || c->argument[0].kind == ARGUMENT_GRID || (!is_apart && !e.argument && e.typed < strlen(c->name)))
         return;
-    for (int i = k; i < ARGUMENTS_MAX && c->argument[i].kind && n < HINT; i++) {
+    for (int i = e.argument; i < ARGUMENTS_MAX && c->argument[i].kind && n < HINT; i++) {
         const struct argument *a = &c->argument[i];
         const struct domq_effect_argument *value =
-            a->kind == ARGUMENT_VALUE && t.parameter ? parameter_value(t.parameter, i - 1) : NULL;
+            a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
         const char *name = value ? value->name : a->name;
         char range[64];
-        if (a->kind == ARGUMENT_VALUE && t.parameter && !value)
+        if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
-        if (value && !t.parameter->effect) { /* which is named already */
-            parameter_range(&session->state, t.parameter, 0, range, sizeof range);
+        if (value && !p->effect) { /* its name stands in the line already */
+            parameter_range(&session->state, p, 0, range, sizeof range);
             name = range;
         }
         n +=
             (size_t)snprintf(usage + n, HINT - n, (value ? value->optional : a->optional) ? "%s[%s]" : "%s%s",
-                             i > k || *t.last ? " " : "", name);
+                             i > e.argument || !is_apart ? " " : "", name);
     }
 }
 
@@ -76,7 +77,7 @@ static bool possible(const struct session *session)
            !moved && !rl_done;
 }
 
-void hint_show(const struct session *session)
+void hint_show(struct session *session)
 {
     char usage[HINT];
     const char *hint = rest;

@@ -9,7 +9,7 @@
 void hint_begin(void);
 
 /* Shows a hint while Readline waits for a key, where the terminal can and the session has hints. */
-void hint_show(const struct session *session);
+void hint_show(struct session *session);
 
 /* Removes the hint, before the key that has come is read. */
 void hint_remove(void);

@@ -227,12 +227,8 @@ const struct command draw_commands[] = {
     {.name = "draw",
      .synonyms = "picture image drawing figure svg png pdf show",
      .train = true,
-     .argument = {{.name = "WHAT",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = draw_parse,
-                   .bind = draw_bind,
-                   .choices = draw_names}},
+     .argument =
+         {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
      .summary = "the row, or the train, to scale; at a moment, with forces",
      .help =
          "'draw' draws the row as it is set up, with the weakest domino and the one that stops it. "
@@ -253,13 +249,9 @@ const struct command draw_commands[] = {
     {.name = "animate",
      .synonyms = "picture image film movie video gif",
      .train = true,
-     .argument = {{.name = "FILE", .kind = ARGUMENT_FILE},
-                  {.name = "HOW",
-                   .kind = ARGUMENT_WORDS,
-                   .optional = true,
-                   .parse = film_parse,
-                   .bind = film_bind,
-                   .choices = film_names}},
+     .argument =
+         {{.name = "FILE", .kind = ARGUMENT_FILE},
+          {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = film_bind}},
      .summary = "the row, or cycles of the train, as they run in time, into FILE",
      .help =
          "'animate row.gif' shows the row from the push until the last domino lies, or until it stops, in "

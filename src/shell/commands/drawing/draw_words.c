@@ -4,51 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Lists for completion ---- */
-
-/* The words that may follow a word, up to a NULL. */
-struct follow {
-    const char *before; /* "": the first; NULL: any other */
-    const char *word[5];
-};
-
-static const char *follower(const struct follow *list, const char *before, int k)
-{
-    while (list->before && strcmp(list->before, before) != 0)
-        list++;
-    return k < 5 ? list->word[k] : NULL;
-}
-
-const char *draw_names(const void *before, int k)
-{
-    static const struct follow list[] = {
-        {"draw", {"at", "forces", "train"}},
-        {"train", {"forces"}},
-        {"at", {"domino", "end"}},
-        {"domino", {NULL}},
-        {"forces", {NULL}},
-        {"end", {NULL}},
-        {NULL, {"forces"}},
-    };
-    return follower(list, before ? before : "draw", k);
-}
-
-const char *film_names(const void *before, int k)
-{
-    static const struct follow list[] = {
-        {"train", {NULL}},
-        {"speed", {NULL}},
-        {"rate", {NULL}},
-        {NULL, {"rate", "speed", "train"}},
-    };
-    return follower(list, before ? before : "", k);
-}
-
 /* ---- Parsing ---- */
 
 static const struct argument moment_argument = {.name = "the moment", .kind = ARGUMENT_ANY},
                              domino_argument = {.name = "the domino", .kind = ARGUMENT_ANY},
-                             tilt_argument = {.name = "T", .kind = ARGUMENT_PLACE},
+                             tilt_argument = {.name = "T", .kind = ARGUMENT_TILT},
                              speed_argument = {.name = "the speed", .kind = ARGUMENT_NUMBER},
                              rate_argument = {.name = "rate", .kind = ARGUMENT_ANY},
                              cycles_argument = {.name = "N", .kind = ARGUMENT_ANY};

@@ -36,8 +36,4 @@ bool film_parse(struct reader *reader, struct question *question);
 bool film_bind(const struct question *question, const struct query *query, struct arguments *given,
                struct problem *problem);
 
-/* Lists for names.h the words that may follow the word that is the context. */
-const char *draw_names(const void *before, int k);
-const char *film_names(const void *before, int k);
-
 #endif

@@ -25,7 +25,7 @@ bool assert_parse(struct reader *r, struct question *q)
     asked->command = read_form(r);
     if (r->problem->kind == PROBLEM_NONE && (!asked->command || strcmp(asked->command->name, "print") != 0)) {
         r->at = begin;
-        asked->command = read_command(r);
+        asked->command = read_command(r, assert_names);
     }
     if (!asked->command)
         return false;

@@ -47,6 +47,7 @@ struct wishes_parsed {
 static int name_parse(struct reader *r, names_list *list, const char *what, const char *right)
 {
     char message[NAMES_MESSAGE] = "out of memory";
+    offer_names(r, list, NULL);
     const char *word = read_word(r, false);
     int k = word ? names_find(list, NULL, what, word, message) : -1;
     if (k < 0)
@@ -408,7 +409,7 @@ const struct command design_commands[] = {
            .kind = ARGUMENT_COMMAND,
            .parse = solve_parse_answer,
            .bind = solve_bind,
-           .choices = inquiry_names}},
+           .choices = question_names}},
      .summary = "where an answer takes a value, along a parameter",
      .help =
          "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
@@ -430,7 +431,7 @@ const struct command design_commands[] = {
            .kind = ARGUMENT_COMMAND,
            .parse = watch_parse_answer,
            .bind = solve_bind,
-           .choices = inquiry_names}},
+           .choices = question_names}},
      .summary = "keys change a parameter; its answer follows on a curve",
      .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, up and down "
              "small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
@@ -441,7 +442,7 @@ const struct command design_commands[] = {
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,
                    .parse = sensitivity_parse,
-                   .choices = inquiry_names}},
+                   .choices = question_names}},
      .summary = "how much each parameter changes the number of COMMAND",
      .help =
          "Changes each parameter of the model down and up, by 1 %; friction by 0.01 and slope by 1 degree, "

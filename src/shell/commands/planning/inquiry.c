@@ -1,17 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/planning/inquiry.h"
 
-const char *inquiry_names(const void *context, int k)
-{
-    const char *name;
-    for (int i = 0; (name = command_names(context, i)) != NULL; i++) {
-        const struct command *c = command_find(name);
-        if ((c->principal || c->holds) && !c->unswept && k-- == 0)
-            return name;
-    }
-    return NULL;
-}
-
 /* Asks whether what the command decides is true. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)

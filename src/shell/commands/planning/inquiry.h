@@ -5,9 +5,6 @@
 
 #include "interpreter/question.h"
 
-/* Lists for names.h the commands that such a question may be about. */
-const char *inquiry_names(const void *context, int k);
-
 /* A parameter that is varied in copies of the state of a query. */
 struct probe {
     const struct query *query;

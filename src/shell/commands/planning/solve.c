@@ -68,6 +68,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     struct solve_parsed *s = q->own = arena_take(r->arena, sizeof *s);
     if (!s)
         return problem_error(r->problem, "out of memory");
+    offer_names(r, solve_names, NULL);
     size_t length = strcspn(r->at, " \t:;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = names_find(solve_names, NULL, "parameter", name, message);

@@ -111,16 +111,6 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return !q->own || sweep_bind(q, query, given, problem);
 }
 
-/* Returns what completion offers as the n-th word after the name of a picture. */
-static names_list *offers(domq_real before, int n)
-{
-    enum follows follows = plots[(int)before].follows;
-    return follows == GRID                    ? model_names
-           : follows == ANSWER_NAME && n == 1 ? cost_names
-           : follows == PAPER && n == 1       ? paper_names
-                                              : NULL;
-}
-
 /* Chooses the columns of one picture, whose meanings name it, in the order of its keys. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
@@ -148,13 +138,9 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
 const struct command plot_commands[] = {
     {.name = "plot",
      .synonyms = "picture image graph figure chart diagram svg png pdf",
-     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
-                  {.name = "MORE",
-                   .kind = ARGUMENT_GRID,
-                   .optional = true,
-                   .parse = more_parse,
-                   .bind = more_bind,
-                   .offers = offers}},
+     .argument =
+         {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
+          {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
      .summary = "a picture of the row, of limits, of a cycle, of any sweep",
      .help =
          "Of a row: 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "

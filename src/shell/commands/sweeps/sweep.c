@@ -48,6 +48,16 @@ bool sweep_parse_grid(struct reader *r, struct question *q)
                                               "'sweep s 0.1 0.9 9 : rmax'"));
 }
 
+/* Lists for names.h the commands that can be swept. */
+static const char *swept_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = command_names(context, i)) != NULL; i++)
+        if (command_find(name)->columns && !command_find(name)->unswept && k-- == 0)
+            return name;
+    return NULL;
+}
+
 /* Returns the command of each point; an expression means 'print'. */
 static const struct command *asked_command(struct reader *r)
 {
@@ -56,7 +66,7 @@ static const struct command *asked_command(struct reader *r)
     if (c && strcmp(c->name, "print") == 0)
         return c;
     r->at = begin;
-    return r->problem->kind == PROBLEM_NONE ? read_command(r) : NULL;
+    return r->problem->kind == PROBLEM_NONE ? read_command(r, swept_names) : NULL;
 }
 
 /* Parses the answers of a list: commands with a principal number, COMMAND.KEY, or expressions. */

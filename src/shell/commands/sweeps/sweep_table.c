@@ -12,7 +12,7 @@ const struct command sweep_commands[] = {
     {.name = "sweep",
      .synonyms = "loop batch table scan grid",
      .argument =
-         {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid, .choices = model_names},
+         {{.name = "GRID", .kind = ARGUMENT_GRID, .parse = sweep_parse_grid},
           {.name = ": ANSWER", .kind = ARGUMENT_COMMAND, .parse = sweep_parse_answers, .bind = sweep_bind}},
      .summary = "the answers of a command over a grid of any parameters",
      .help =
