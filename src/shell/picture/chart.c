@@ -63,6 +63,28 @@ void chart_event(struct chart *c, double x, const char *name)
     snprintf(e->name, sizeof e->name, "%s", name);
 }
 
+void chart_level(struct chart *c, double y, const char *title)
+{
+    struct chart_curve *level = chart_curve(c, CHART_LINE, INK_GREY, 2, "%s", title);
+    chart_point(c, level, -HUGE_VAL, y);
+    chart_point(c, level, HUGE_VAL, y);
+}
+
+void chart_scale(struct chart *c, double x, double y)
+{
+    for (int k = 0; k < c->curves; k++)
+        for (size_t i = 0; i < c->curve[k].count; i++) {
+            struct chart_point *p = &c->curve[k].point[i];
+            *p = (struct chart_point){p->x / x, p->y / y, p->low / y, p->high / y};
+        }
+    for (int k = 0; k < c->events; k++)
+        c->event[k].x /= x;
+    c->x.low /= x;
+    c->x.high /= x;
+    c->y.low /= y;
+    c->y.high /= y;
+}
+
 /* ---- Axes ---- */
 
 static void axis_include(const struct chart_axis *axis, double value, double *low, double *high)
@@ -95,30 +117,60 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
+/* Returns a coordinate within the axis where it is infinite, or 0 on a logarithmic axis. */
+static double axis_within(const struct chart_axis *a, double value)
+{
+    return value == HUGE_VAL                                      ? a->high
+           : value == -HUGE_VAL || (a->logarithmic && value == 0) ? a->low
+                                                                  : value;
+}
+
+/* Sets the ends of the axes to the outer edges of the cells of a map. */
+static void map_fit(const struct chart_map *m, struct chart_axis *x, struct chart_axis *y)
+{
+    double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) / 2 : 0.5;
+    double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) / 2 : 0.5;
+    x->low = x->logarithmic ? pow(10, m->x0 - dx) : m->x0 - dx;
+    x->high = x->logarithmic ? pow(10, m->x1 + dx) : m->x1 + dx;
+    y->low = y->logarithmic ? pow(10, m->y0 - dy) : m->y0 - dy;
+    y->high = y->logarithmic ? pow(10, m->y1 + dy) : m->y1 + dy;
+}
+
+static void curve_fit(const struct chart *c, struct chart_curve *curve)
+{
+    for (size_t i = 0; i < curve->count; i++) {
+        struct chart_point *p = &curve->point[i];
+        if (curve->kind == CHART_STEPS && isnan(p->y) && i > 0)
+            p->y = p[-1].y;
+        p->x = axis_within(&c->x, p->x);
+        p->y = axis_within(&c->y, p->y);
+        p->low = axis_within(&c->y, p->low);
+    }
+}
+
 void chart_fit(struct chart *c)
 {
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
-    for (int k = 0; k < c->curves; k++)
+    int kept = 0;
+    for (int k = 0; k < c->curves; k++) {
         for (size_t i = 0; i < c->curve[k].count; i++) {
             const struct chart_point *p = &c->curve[k].point[i];
-            bool beside = c->curve[k].kind == CHART_RANGES;
             axis_include(&c->x, p->x, &x0, &x1);
             axis_include(&c->y, p->y, &y0, &y1);
             axis_include(&c->y, p->low, &y0, &y1);
             axis_include(&c->y, p->high, &y0, &y1);
-            aside = beside ? 0.6 : aside;
+            aside = c->curve[k].kind == CHART_RANGES ? 0.6 : aside;
         }
-    if (c->map.value) {
-        const struct chart_map *m = &c->map;
-        double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) / 2 : 0.5;
-        double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) / 2 : 0.5;
-        c->x.low = c->x.logarithmic ? pow(10, m->x0 - dx) : m->x0 - dx;
-        c->x.high = c->x.logarithmic ? pow(10, m->x1 + dx) : m->x1 + dx;
-        c->y.low = c->y.logarithmic ? pow(10, m->y0 - dy) : m->y0 - dy;
-        c->y.high = c->y.logarithmic ? pow(10, m->y1 + dy) : m->y1 + dy;
+        if (c->curve[k].count > 0)
+            c->curve[kept++] = c->curve[k];
     }
+    c->curves = kept;
+    if (c->map.value)
+        map_fit(&c->map, &c->x, &c->y);
     axis_fit(&c->x, x0 - aside, x1 + aside, 0);
     axis_fit(&c->y, y0, y1, 0.06);
+    for (int k = 0; k < c->curves; k++)
+        curve_fit(c, &c->curve[k]);
 }
 
 double axis_place(const struct chart_axis *a, double value)

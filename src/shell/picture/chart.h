@@ -75,12 +75,22 @@ struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum 
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
 void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
 
+/* Adds a grey line all across the chart. */
+void chart_level(struct chart *chart, double y, const char *title);
+
 /* Adds a vertical line with a name. */
 void chart_event(struct chart *chart, double x, const char *name);
 
+/* Shows all numbers in larger units, by these factors. */
+void chart_scale(struct chart *chart, double x, double y);
+
 /* ---- For the files that draw ---- */
 
-/* Sets the ends of both axes that are NaN. */
+/*
+ * Makes a chart ready to be drawn: chooses the ends of axes that are NaN, moves points at infinity, and at 0
+ * on a logarithmic axis, to the end of the axis, lets steps go on where y is NaN, and drops curves without
+ * points.
+ */
 void chart_fit(struct chart *chart);
 
 /* Returns the place of a value on its axis, 0 for the lower end and 1 for the upper. */

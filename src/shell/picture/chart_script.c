@@ -119,8 +119,6 @@ static void points_script(const struct chart *c, int k, FILE *out)
         fprintf(out, "%s %s %s %s\n", number(p->x, text[0]), number(p->y, text[1]), number(p->low, text[2]),
                 number(p->high, text[3]));
     }
-    if (curve->count == 0)
-        fprintf(out, "NaN NaN NaN NaN\n");
     fprintf(out, "END\n");
 }
 

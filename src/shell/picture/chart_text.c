@@ -89,10 +89,10 @@ static void curve_draw(const struct frame *f, const struct chart_curve *curve)
         const struct chart_point *a = &curve->point[i], *b = a + 1;
         double x0 = dot_x(f, a->x), y0 = dot_y(f, a->y), x1 = dot_x(f, b->x), y1 = dot_y(f, b->y);
         bool steps = curve->kind == CHART_STEPS;
-        if (isnan(x0 + y0 + x1) || (isnan(y1) && !steps))
+        if (isnan(x0 + y0 + x1 + y1))
             continue;
         line_draw(f, x0, y0, x1, steps ? y0 : y1, curve, &phase);
-        if (steps && !isnan(y1))
+        if (steps)
             line_draw(f, x1, y0, x1, y1, curve, &phase);
     }
 }

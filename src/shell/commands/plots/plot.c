@@ -2,7 +2,7 @@
 /* plot: curves, points and maps. */
 #include "commands/costs.h"
 #include "commands/plots/plots.h"
-#include "commands/sweeps/grid.h"
+#include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
 #include <string.h>
 
@@ -45,26 +45,63 @@ static const struct column plot_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static const struct plot {
-    const char *name;
-    plot_run *run;
-    const char *keys; /* of its data */
-    enum follows { NOTHING, ANSWER_NAME, PAPER, ROWS, GRID } follows;
-} plots[] = {
-    {"fall", plot_fall, "domino kinetic barrier margin spare", NOTHING},
-    {"speed", plot_speed, "domino place speed", NOTHING},
-    {"gaps", plot_gaps, "domino gap low high others", NOTHING},
-    {"placement", plot_placement, "sigma probability low high rows", ROWS},
-    {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach", PAPER},
-    {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach", NOTHING},
-    {"sweep", plot_sweep, "", GRID},
-    {"energy", plot_energy, "theta dH kinetic J event", NOTHING},
-    {"omega", plot_omega, "theta omegasq omega event", NOTHING},
-    {"inertia", plot_inertia, "theta J event", NOTHING},
-    {"chain", plot_chain, "i theta theta_i event", NOTHING},
-    {"cost", plot_cost, "", ANSWER_NAME},
-    {NULL, NULL, NULL, NOTHING},
+#define TILT                                                                                                 \
+    {                                                                                                        \
+        "theta", "tilt of the head"                                                                          \
+    }
+
+/* The plots, in the order of completion. */
+static const struct plot plots[] = {
+    {"fall", plot_fall, "domino kinetic barrier margin spare", .title = "Energy to spare, domino by domino",
+     .x = {"domino", "domino"}, .y = {NULL, "more than it needs,", .percent = true},
+     .curve = {{"spare", "", CHART_POINTS, INK_BLUE}}},
+    {"speed", plot_speed, "domino place speed", .title = "Speed of the front along the row",
+     .x = {"place", "distance from the first domino"}, .y = {"speed", "speed"},
+     .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
+    {"gaps", plot_gaps, "domino gap low high others",
+     .title = "How far each gap may be off, the others being as planned",
+     .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
+     .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
+    {"placement", plot_placement, "sigma probability low high rows", .title = "",
+     .x = {"sigma", "standard deviation of every gap"}, .y = {NULL, "rows that fall,", .percent = true},
+     .curve = {{"probability", "", CHART_BOTH, INK_BLUE}}, .argument = ROWS},
+    {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach",
+     .title = "Below its curve a train keeps falling", .x = {"s", ""}, .y = {NULL, "growth r"},
+     .curve = {{"solid", "solid dominoes", CHART_LINE, INK_BLUE, 0},
+               {"hollow", "hollow dominoes", CHART_LINE, INK_RED, 1},
+               {"solid_paper", "solid, the paper's fuel", CHART_LINE, INK_SKY, 3},
+               {"hollow_paper", "hollow, the paper's fuel", CHART_LINE, INK_ORANGE, 4},
+               {"reach", "", CHART_LINE, INK_GREY, 2}},
+     .argument = PAPER},
+    {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach",
+     .title = "Below the curve of a pair, a domino that just tips over topples the next", .x = {"s", ""},
+     .y = {NULL, "growth r"},
+     .curve = {{"solid_pair", "solid pair", CHART_LINE, INK_SKY, 3},
+               {"solid_train", "solid train", CHART_LINE, INK_BLUE, 0},
+               {"hollow_pair", "hollow pair", CHART_LINE, INK_ORANGE, 4},
+               {"hollow_train", "hollow train", CHART_LINE, INK_RED, 1},
+               {"reach", "", CHART_LINE, INK_GREY, 2}}},
+    {"sweep", plot_sweep_rows, "", .title = "", .draw = plot_sweep_draw, .argument = GRID},
+    {"energy", plot_energy, "theta dH kinetic J event", .title = "Energy over a cycle", .x = TILT,
+     .y = {NULL, "energy in m g h/2 of the head"},
+     .curve = {{"dH", "potential energy, from the launch on", CHART_LINE, INK_BLUE, 0},
+               {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
+    {"omega", plot_omega, "theta omegasq omega event", .title = "Angular velocity over a cycle", .x = TILT,
+     .y = {"omega", "angular velocity"}, .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
+    {"inertia", plot_inertia, "theta J event", .title = "Inertia over a cycle", .x = TILT,
+     .y = {NULL, "inertia J of all that move, 1 for the head alone"},
+     .curve = {{"J", "J (20; c2)", CHART_LINE, INK_BLUE, 0}}},
+    {"chain", plot_chain, "i theta theta_i event", .title = "Tilts over a cycle", .x = TILT,
+     .y = {"theta_i", "tilt of domino i"},
+     .curve = {{"theta_i", "i = 0, the head", CHART_LINE, INK_BLUE, 0, 1},
+               {"theta_i", "i = 1", CHART_LINE, INK_RED, 1, 2},
+               {"theta_i", "i = 2", CHART_LINE, INK_GREEN, 2, 3},
+               {"theta_i", "i = 3", CHART_LINE, INK_PURPLE, 3, 4},
+               {"theta_i", "i = 4", CHART_LINE, INK_ORANGE, 4, 5}}},
+    {"cost", plot_cost, "", .title = "", .argument = ANSWER_NAME},
+    {.name = NULL},
 };
+#undef TILT
 
 static const char *plot_names(const void *context, int k)
 {
@@ -89,7 +126,7 @@ static bool more_parse(struct reader *r, struct question *q)
     static const struct argument paper = {
         .name = "paper", .kind = ARGUMENT_CHOICE, .of = "word after 'plot growth'", .choices = paper_names};
     static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
-    switch (plot->follows) {
+    switch (plot->argument) {
     case ANSWER_NAME:
         return item_parse_choice(r, &answer, &q->item[1]);
     case PAPER:
@@ -132,7 +169,12 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     columns_choose(plot, a->own);
     a->columns = a->own;
     a->style.errors = 0; /* a picture needs no bounds */
-    return plot->run(query, a, problem);
+    return plot_draw(plot, query, a, problem);
+}
+
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return plot_draw(&plots[names_exact(plot_names, NULL, "sweep")], query, a, problem);
 }
 
 const struct command plot_commands[] = {

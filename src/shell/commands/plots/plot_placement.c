@@ -1,132 +1,98 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot placement: the probability that the whole row falls, against the errors of its gaps. */
-#include "answer/measure.h"
+/* plot placement: the probability that the whole row falls, over the errors of its gaps. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
+#include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
-struct likely {
-    struct scene_row scene;
-    struct domq_placement placement;
-    struct domq_study study[SIGMAS];
-    domq_real sigma[SIGMAS];
-    domq_real now; /* of the session; NaN: the effect is off */
-};
-
 /*
- * Chooses the errors: from none up to well beyond where half of the rows fall, and to those of the session.
- * Few rows are enough to find that place roughly.
+ * Finds the largest error of the picture: well beyond that at which half of the rows fall, and that of the
+ * session. A few rows are enough to find it roughly.
  */
-static enum dom_status sigmas_choose(struct likely *l)
+static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
+                                  domq_real now, domq_real *most)
 {
     struct domq_budget half;
-    struct domq_placement rough = l->placement;
+    struct domq_placement rough = *placement;
     rough.rows = ROWS_ROUGH;
-    enum dom_status status = domq_placement_budget(&l->scene.row, &l->scene.compute, &rough, 0.5, &half);
-    if (status != DOM_OK)
-        return status;
-    domq_real top = 0;
-    for (size_t k = 1; k < l->scene.row.count; k++)
-        top = l->scene.domino[k].gap > top ? l->scene.domino[k].gap : top;
-    if (isfinite(half.sigma))
-        top = (domq_real)(2.4 * half.sigma);
-    if (l->now * (domq_real)1.2 > top)
-        top = l->now * (domq_real)1.2;
-    for (int k = 0; k < SIGMAS; k++)
-        l->sigma[k] = top * k / (SIGMAS - 1);
-    return DOM_OK;
-}
-
-static enum dom_status studies_make(struct likely *l)
-{
-    struct progress progress = {0, 0};
-    enum dom_status status = sigmas_choose(l);
-    for (int k = 0; k < SIGMAS && status == DOM_OK; k++) {
-        l->placement.sigma = l->sigma[k];
-        status = domq_placement_study(&l->scene.row, &l->scene.compute, &l->placement, &l->study[k], NULL);
-        progress_show(&progress, status == DOM_OK ? (k + 1.0) / SIGMAS : 1);
-    }
+    enum dom_status status = domq_placement_budget(&scene->row, &scene->compute, &rough, 0.5, &half);
+    *most = 0;
+    for (size_t k = 1; k < scene->row.count; k++)
+        *most = quad_larger(*most, scene->domino[k].gap);
+    if (status == DOM_OK && isfinite(half.sigma))
+        *most = (domq_real)(2.4 * half.sigma);
+    if (now > 0)
+        *most = quad_larger(*most, now * (domq_real)1.2);
     return status;
 }
 
-static double share(const struct domq_study *s)
+static enum dom_status studies_write(const struct scene_row *scene, struct domq_placement *placement,
+                                     domq_real most, struct answer *a, bool *unknown)
 {
-    return (double)s->fall / (double)s->rows;
+    struct progress progress = {0, 0};
+    enum dom_status status = DOM_OK;
+    for (int k = 0; k < SIGMAS && status == DOM_OK && !answer_lost(a); k++) {
+        struct domq_study study;
+        placement->sigma = most * k / (SIGMAS - 1);
+        status = domq_placement_study(&scene->row, &scene->compute, placement, &study, NULL);
+        if (status == DOM_OK)
+            answer_cells(a, cell_real(placement->sigma),
+                         cell_real((domq_real)((double)study.fall / (double)study.rows)),
+                         cell_real((domq_real)study.low), cell_real((domq_real)study.high),
+                         cell_count((domq_real)study.rows));
+        *unknown = *unknown || study.unknown > 0;
+        progress_show(&progress, (k + 1.0) / (SIGMAS + 1));
+    }
+    progress_show(&progress, 1);
+    return status;
 }
 
-static bool likely_chart(const struct query *query, struct answer *a, struct problem *problem,
-                         const struct likely *l)
+static void placement_chart(const struct scene_row *scene, size_t rows, domq_real now, bool unknown,
+                            struct chart *chart)
 {
-    struct chart chart = chart_make();
-    const struct axis_unit unit = measure_axis((double)l->sigma[SIGMAS - 1]);
-    snprintf(chart.title, sizeof chart.title, "How likely the whole row of %zu falls", l->scene.row.count);
-    snprintf(chart.x.label, sizeof chart.x.label, "standard deviation of every gap in %s", unit.name);
-    snprintf(chart.y.label, sizeof chart.y.label, "rows that fall, in %%");
-    chart.x.low = chart.y.low = 0;
-    chart.y.high = 104;
-    struct chart_curve *curve = chart_curve(
-        &chart, CHART_BOTH, INK_BLUE, 0, "%zu rows at each error, with the 95 %% interval", l->study[0].rows);
-    bool unknown = false;
-    for (int k = 0; k < SIGMAS; k++)
-        unknown = unknown || l->study[k].unknown > 0;
-    for (int k = 0; k < SIGMAS; k++)
-        chart_range(&chart, curve, (double)l->sigma[k] / unit.size, 100 * share(&l->study[k]),
-                    100 * l->study[k].low, 100 * l->study[k].high);
-    struct chart_curve *most = chart_curve(&chart, CHART_LINE, INK_GREY, 2, "95 %%");
-    chart_point(&chart, most, 0, 95);
-    chart_point(&chart, most, (double)l->sigma[SIGMAS - 1] / unit.size, 95);
+    snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu falls", scene->row.count);
+    snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
+             "%zu rows at each error, with the 95 %% interval", rows);
     if (unknown)
-        snprintf(chart.note, sizeof chart.note,
+        snprintf(chart->note, sizeof chart->note,
                  "Rows that the model cannot decide widen the intervals upwards.");
-    if (l->now > 0)
-        chart_event(&chart, (double)l->now / unit.size, "now");
-    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart->x.low = chart->y.low = 0;
+    chart->y.high = 1.04;
+    chart_level(chart, 0.95, "95 %");
+    if (now > 0)
+        chart_event(chart, (double)now, "now");
 }
 
-static bool likely_make(const struct query *query, struct problem *problem, struct task_pool *pool,
-                        struct likely *l)
+bool plot_placement(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
     const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
-    if (!scene_row_make(query->scene, &l->scene, problem))
+    struct scene_row scene;
+    struct task_pool pool = {.threads = query->state->settings.threads,
+                             .interrupt = query->scene->compute.interrupt};
+    struct domq_placement placement = {.heights = errors->on ? errors->value[1] : 0,
+                                       .seed = (unsigned long)query->scene->seed,
+                                       .rows = ROWS_USUAL,
+                                       .parallel = workers_tasks,
+                                       .pool = &pool};
+    domq_real most, now = errors->on ? errors->value[0] : DOMQ_NAN;
+    bool unknown = false;
+    if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    *pool = (struct task_pool){.threads = query->state->settings.threads,
-                               .interrupt = query->scene->compute.interrupt};
-    l->now = errors->on ? errors->value[0] : DOMQ_NAN;
-    l->placement = (struct domq_placement){.heights = errors->on ? errors->value[1] : 0,
-                                           .seed = (unsigned long)query->scene->seed,
-                                           .rows = query->given->count > 1 ? (size_t)query->given->number[1]
-                                                                           : ROWS_USUAL,
-                                           .parallel = workers_tasks,
-                                           .pool = pool};
-    enum dom_status status = studies_make(l);
+    if (query->given->count > 1)
+        placement.rows = (size_t)query->given->number[1];
+    enum dom_status status = sigma_most(&scene, &placement, now, &most);
     if (status == DOM_OK)
-        return true;
-    free(l->scene.domino);
+        status = studies_write(&scene, &placement, most, a, &unknown);
+    if (status == DOM_OK && chart)
+        placement_chart(&scene, placement.rows, now, unknown, chart);
+    free(scene.domino);
     if (status == DOM_STOPS)
-        problem_no_answer(problem,
-                          "fewer than half of the rows fall, even without random errors: 'fall' shows where "
-                          "the row stops, and 'mend' finds what saves it");
-    else
-        row_status(query, problem, status);
-    return false;
-}
-
-bool plot_placement(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct likely l;
-    struct task_pool pool;
-    bool people = answer_for_people(a);
-    if ((people && !picture_ready(a, problem)) || !likely_make(query, problem, &pool, &l))
-        return false;
-    for (int k = 0; k < SIGMAS && !people; k++)
-        answer_cells(a, cell_real(l.sigma[k]), cell_real((domq_real)share(&l.study[k])),
-                     cell_real((domq_real)l.study[k].low), cell_real((domq_real)l.study[k].high),
-                     cell_count((domq_real)l.study[k].rows));
-    bool shown = !people || likely_chart(query, a, problem, &l);
-    free(l.scene.domino);
-    return shown;
+        return problem_no_answer(problem,
+                                 "fewer than half of the rows fall, even without random errors: 'fall' shows "
+                                 "where the row stops, and 'mend' finds what saves it");
+    return status == DOM_OK || row_status(query, problem, status);
 }

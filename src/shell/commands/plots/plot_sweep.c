@@ -1,287 +1,182 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * plot sweep: one number of any answer over one or two parameters.  One parameter gives a curve, a second one
- * of few values a curve each, and of many a map.  The numbers are those that 'sweep' would write.
+ * plot sweep: one number of any answer over one or two parameters. One parameter gives a curve. A second one
+ * gives a curve for each of its values if there are few, else a map.
  */
-#include "answer/format.h"
 #include "commands/plots/plots.h"
-#include "io/io.h"
-#include "session/parameters.h"
-#include <errno.h>
+#include "commands/sweeps/sweep.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { FAMILY = 6 /* curves at most */, CELLS = ANSWER_COLUMNS };
+enum { FAMILY = 6 /* the most curves */, AXES = 2 };
 
 struct points {
+    const struct plot_rows *rows;
     struct sweep_shape shape;
-    size_t count;
-    double *at[SWEEP_AXES], *value; /* of each point; NaN: no number */
-    char (*word)[32];               /* of the axis that is a family, as it is written */
-    size_t none;                    /* points without an answer */
-    char key[64];                   /* of the column that is shown */
+    int column;  /* the column that is shown */
+    size_t none; /* the number of points without an answer */
 };
 
-/* ---- The rows of the sweep ---- */
-
-/* The names of the columns, and a row of numbers: which a sweep hands over without their text. */
-struct head {
-    char key[CELLS][64]; /* ends with an empty one */
-};
-
-struct row {
-    double number[CELLS]; /* NaN where the cell is none */
-    char word[32];        /* the value of the first parameter, as it is written */
-};
-
-static void handed_begin(struct answer *a, const struct cell *cells, const char *reason)
+static double value_at(const struct points *p, size_t k)
 {
-    (void)cells, (void)reason;
-    struct head head = {{""}};
-    for (int i = 0; a->columns[i].key; i++)
-        snprintf(head.key[i], sizeof head.key[i], "%s", a->columns[i].key);
-    fwrite(&head, sizeof head, 1, a->out);
+    return p->rows->row[k].number[p->column];
 }
 
-static void handed_row(struct answer *a, const struct cell *cells, const char *reason)
-{
-    (void)reason;
-    struct row row = {.word = ""};
-    char text[CELL_TEXT];
-    for (int i = 0; a->columns[i].key; i++) {
-        bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
-        row.number[i] = number ? (double)cells[i].number : (double)NAN;
-    }
-    if (cells[0].kind != CELL_NONE)
-        snprintf(row.word, sizeof row.word, "%s", cell_plain(&a->style, cells[0], text));
-    fwrite(&row, sizeof row, 1, a->out);
-}
-
-static const struct format handed = {.begin = handed_begin, .row = handed_row};
-
-/* Finds the column that is shown: what the command stands for in an expression, or its first. */
-static int column_find(struct points *p, const struct head *head)
+/* Returns the column that is shown: the number for which the command stands in expressions, or its first. */
+static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;
-    char renamed[64];
     const char *key = c->principal ? c->principal : c->columns[0].key;
-    int from = p->shape.axes;
-    snprintf(p->key, sizeof p->key, "%s", key);
+    char renamed[64];
     snprintf(renamed, sizeof renamed, "%s.%s", c->name, key);
-    for (int i = from; *head->key[i]; i++)
-        if (strcmp(head->key[i], key) == 0 || strcmp(head->key[i], renamed) == 0)
+    for (int i = p->shape.grid->axes; i < ANSWER_COLUMNS && *p->rows->key[i]; i++)
+        if (strcmp(p->rows->key[i], key) == 0 || strcmp(p->rows->key[i], renamed) == 0)
             return i;
-    return from;
+    return p->shape.grid->axes;
 }
 
-/* Makes room for one more point. */
-static bool points_grow(struct points *p, size_t *room)
+static void axis_label(const struct axis *a, struct chart_axis *to)
 {
-    bool good = true;
-    if (p->count < *room)
-        return true;
-    *room = 2 * *room + 64;
-    for (int i = 0; i < SWEEP_AXES; i++) {
-        double *more = realloc(p->at[i], *room * sizeof *more);
-        p->at[i] = more ? more : p->at[i];
-        good = good && more;
-    }
-    double *value = realloc(p->value, *room * sizeof *value);
-    p->value = value ? value : p->value;
-    void *word = realloc(p->word, *room * sizeof *p->word);
-    p->word = word ? word : p->word;
-    return good && value && word;
-}
-
-static bool points_read(FILE *rows, struct points *p)
-{
-    struct head head;
-    struct row row;
-    size_t room = 0;
-    bool good = true;
-    if (fread(&head, sizeof head, 1, rows) != 1)
-        return true;
-    int column = column_find(p, &head);
-    while (good && fread(&row, sizeof row, 1, rows) == 1) {
-        if (!(good = points_grow(p, &room)))
-            break;
-        for (int i = 0; i < SWEEP_AXES; i++)
-            p->at[i][p->count] = i < p->shape.axes ? row.number[i] : (double)NAN;
-        memcpy(p->word[p->count], row.word, sizeof row.word);
-        p->value[p->count] = row.number[column];
-        p->none += isnan(row.number[column]) != 0;
-        p->count++;
-    }
-    return good;
-}
-
-static bool points_find(const struct query *query, struct answer *a, struct problem *problem,
-                        struct points *p)
-{
-    FILE *rows = io_temporary(NULL);
-    if (!rows) {
-        problem_error(problem, "cannot draw: %s", strerror(errno));
-        return false;
-    }
-    struct answer answer = {.out = rows, .style = a->style, .rows = true};
-    answer.style.format = &handed;
-    answer.style.errors = false;
-    bool done = run_sweep(query, &answer, problem);
-    rewind(rows);
-    if (done && !points_read(rows, p))
-        done = problem_status(problem, query->scene, DOM_NO_MEMORY);
-    fclose(rows);
-    if (done && p->count == 0)
-        problem_no_answer(problem, "the sweep has no points to draw");
-    return done && p->count > 0;
-}
-
-static void points_free(struct points *p)
-{
-    for (int i = 0; i < SWEEP_AXES; i++)
-        free(p->at[i]);
-    free(p->value);
-    free(p->word);
-}
-
-/* ---- The picture ---- */
-
-static void axis_label(const struct sweep_axis *a, char label[128])
-{
-    /* Meanings say what is over the height; the unit h would say it again. */
-    bool unit = *a->unit && strcmp(a->unit, "h") != 0;
-    snprintf(label, 128, "%s, %s%s%s", a->name, parameter_meaning(a->parameter), unit ? ", in " : "",
-             unit ? a->unit : "");
+    const char *unit = a->parameter->value->unit;
+    /* The meaning of a parameter in heights says that it is over the height. */
+    bool shown = *unit && strcmp(unit, "h") != 0;
+    snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
+             shown ? ", in " : "", shown ? unit : "");
+    to->logarithmic = a->logarithmic;
 }
 
 static void value_label(const struct query *query, const struct points *p, char *label, size_t size)
 {
-    const struct column *c = p->shape.command->columns;
-    while (c->key && strcmp(c->key, p->key) != 0)
+    const struct command *command = p->shape.command;
+    const char *key = command->principal ? command->principal : command->columns[0].key;
+    const struct column *c = command->columns;
+    while (c->key && strcmp(c->key, key) != 0)
         c++;
-    bool angle = c->key && column_is_angle(c);
+    bool angle = c->key && column_is_angle(c), expression = strcmp(command->name, "print") == 0;
     const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
-    snprintf(label, size, "%s%s%s", p->shape.expression ? p->shape.asked : p->key, *unit ? " in " : "", unit);
+    snprintf(label, size, "%s%s%s", expression ? p->shape.asked : key, *unit ? " in " : "", unit);
 }
 
 /* Returns true if the values of an axis, or their logarithms, are evenly spaced, as a map needs them. */
-static bool is_even(const double *at, size_t count, size_t stride, bool logarithmic)
+static bool is_even(const struct points *p, int axis)
 {
-    for (size_t i = 2; i < count; i++) {
-        double a = at[(i - 2) * stride], b = at[(i - 1) * stride], c = at[i * stride];
-        double d = logarithmic ? log(b / a) : b - a, e = logarithmic ? log(c / b) : c - b;
-        if (!(fabs(d - e) <= 1e-6 * fabs(e)))
+    const struct axis *a = &p->shape.grid->axis[axis];
+    size_t stride = axis == 0 ? p->shape.grid->axis[1].count : 1;
+    double before = (double)NAN;
+    for (size_t i = 1; i < a->count; i++) {
+        double from = p->rows->row[(i - 1) * stride].number[axis], to = p->rows->row[i * stride].number[axis];
+        double step = a->logarithmic ? log(to / from) : to - from;
+        if (!isfinite(step) || fabs(step - before) > 1e-6 * fabs(step))
             return false;
+        before = step;
     }
-    return count > 1 && isfinite(at[0]);
+    return a->count > 1;
 }
 
-/* Draws a curve over axis `over` for each value of the other axis, the slower one if it is 1. */
+/* Draws curves over one axis: a curve for each value of the other axis if there are two. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
     static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
-    const struct sweep_shape *s = &p->shape;
-    size_t family = s->axes == 1 ? 1 : s->axis[1 - over].count, along = s->axis[over].count;
-    size_t step = s->axes == 1 || over == 1 ? 1 : s->axis[1].count, turn = over == 1 ? s->axis[1].count : 1;
-    char word[64];
+    const struct grid *grid = p->shape.grid;
+    size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
+    size_t family = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
+    axis_label(&grid->axis[over], &chart->x);
     for (size_t k = 0; k < family; k++) {
-        size_t first = k * turn;
-        word[0] = '\0'; /* of one curve alone nothing is said */
-        if (s->axes > 1 && over == 1)
-            snprintf(word, sizeof word, "%s = %s", s->axis[0].name, p->word[first]);
-        else if (s->axes > 1)
-            snprintf(word, sizeof word, "%s = %.6g", s->axis[1].name, p->at[1][first]);
-        bool few = along <= 24;
+        const struct plot_row *row = &p->rows->row[k * turn];
+        char word[64] = "";
+        if (grid->axes > 1 && over == 1)
+            snprintf(word, sizeof word, "%s = %s", grid->axis[0].parameter->name, row->word);
+        else if (grid->axes > 1)
+            snprintf(word, sizeof word, "%s = %.6g", grid->axis[1].parameter->name, row->number[1]);
         struct chart_curve *curve =
-            chart_curve(chart, few ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
+            chart_curve(chart, along <= 24 ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
         for (size_t i = 0; i < along; i++)
-            chart_point(chart, curve, p->at[over][first + i * step], p->value[first + i * step]);
+            chart_point(chart, curve, row[i * step].number[over], row[i * step].number[p->column]);
     }
-    chart->x.logarithmic = s->axis[over].logarithmic;
-    axis_label(&s->axis[over], chart->x.label);
 }
 
-static bool map_draw(struct chart *chart, const struct points *p)
+static double map_place(const struct chart_axis *axis, double value)
 {
-    const struct sweep_shape *s = &p->shape;
+    return axis->logarithmic ? log10(value) : value;
+}
+
+static void map_draw(struct chart *chart, const struct points *p)
+{
+    const struct grid *grid = p->shape.grid;
+    const struct plot_row *first = p->rows->row, *last = first + p->rows->count - 1;
     struct chart_map *m = &chart->map;
-    size_t across = s->axis[0].count, down = s->axis[1].count;
-    const double *x = p->at[0], *y = p->at[1];
-    m->value = malloc(p->count * sizeof *m->value);
-    if (!m->value)
-        return false;
-    for (size_t k = 0; k < p->count; k++)
-        m->value[k % down * across + k / down] = p->value[k];
+    size_t across = grid->axis[0].count, down = grid->axis[1].count;
+    m->value = malloc(p->rows->count * sizeof *m->value);
+    chart->failed = chart->failed || !m->value;
+    for (size_t k = 0; k < p->rows->count && m->value; k++)
+        m->value[k % down * across + k / down] = value_at(p, k);
     m->across = (int)across;
     m->down = (int)down;
-    chart->x.logarithmic = s->axis[0].logarithmic;
-    chart->y.logarithmic = s->axis[1].logarithmic;
-    m->x0 = chart->x.logarithmic ? log10(x[0]) : x[0];
-    m->x1 = chart->x.logarithmic ? log10(x[p->count - 1]) : x[p->count - 1];
-    m->y0 = chart->y.logarithmic ? log10(y[0]) : y[0];
-    m->y1 = chart->y.logarithmic ? log10(y[down - 1]) : y[down - 1];
-    axis_label(&s->axis[0], chart->x.label);
-    axis_label(&s->axis[1], chart->y.label);
-    return true;
+    axis_label(&grid->axis[0], &chart->x);
+    axis_label(&grid->axis[1], &chart->y);
+    m->x0 = map_place(&chart->x, first->number[0]);
+    m->x1 = map_place(&chart->x, last->number[0]);
+    m->y0 = map_place(&chart->y, first->number[1]);
+    m->y1 = map_place(&chart->y, last->number[1]);
 }
 
-/* Chooses how to show the points, and draws them. */
-static bool points_draw(const struct query *query, struct answer *a, struct problem *problem,
-                        const struct points *p)
+bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                     struct problem *problem)
 {
-    struct chart chart = chart_make();
-    const struct sweep_shape *s = &p->shape;
-    bool numbers[SWEEP_AXES] = {isfinite(p->at[0][0]), s->axes > 1 && isfinite(p->at[1][0])};
-    bool few[SWEEP_AXES] = {s->axis[0].count <= FAMILY, s->axis[1].count <= FAMILY};
-    int over = s->axes == 1 ? 0 : numbers[1] && few[0] ? 1 : numbers[0] && few[1] ? 0 : -1;
-    bool even = s->axes == 2 &&
-                is_even(p->at[0], s->axis[0].count, s->axis[1].count, s->axis[0].logarithmic) &&
-                is_even(p->at[1], s->axis[1].count, 1, s->axis[1].logarithmic);
-    if (s->axes == 1 && !numbers[0])
+    struct points p = {.rows = rows, .shape = sweep_shape(query->given)};
+    const struct grid *grid = p.shape.grid;
+    const struct axis *axis = grid->axis;
+    if (rows->count == 0)
+        return problem_no_answer(problem, "the sweep has no points to draw");
+    p.column = column_find(&p);
+    for (size_t k = 0; k < rows->count; k++)
+        p.none += isnan(value_at(&p, k)) != 0;
+    bool two = grid->axes > 1, numbers = isfinite(rows->row[0].number[0]);
+    int over = !two                                                          ? 0
+               : isfinite(rows->row[0].number[1]) && axis[0].count <= FAMILY ? 1
+               : numbers && axis[1].count <= FAMILY                          ? 0
+                                                                             : -1;
+    if (!two && !numbers)
         return problem_error(problem, "'%s' has words here, and a curve needs numbers along its axis",
-                             s->axis[0].name);
-    if (over < 0 && !even)
+                             axis[0].parameter->name);
+    if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
         return problem_error(problem,
                              "a map needs evenly spaced numbers on both axes; with at most %d values of one "
                              "of them there is a curve each",
                              FAMILY);
-    if (p->none == p->count)
+    if (p.none == rows->count)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
-                                 p->count);
-    snprintf(chart.title, sizeof chart.title, "%s over %s%s%s", s->asked, s->axis[0].name,
-             s->axes > 1 ? " and " : "", s->axes > 1 ? s->axis[1].name : "");
-    if (p->none > 0)
-        snprintf(chart.note, sizeof chart.note, "%zu of %zu points have no answer.", p->none, p->count);
-    if (over >= 0) {
-        curves_draw(&chart, p, over);
-        value_label(query, p, chart.y.label, sizeof chart.y.label);
-    } else if (map_draw(&chart, p)) {
-        value_label(query, p, chart.map.label, sizeof chart.map.label);
-    } else {
-        chart.failed = true;
-    }
-    return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+                                 rows->count);
+    snprintf(chart->title, sizeof chart->title, "%.95s over %s%s%s", p.shape.asked, axis[0].parameter->name,
+             two ? " and " : "", two ? axis[1].parameter->name : "");
+    if (p.none > 0)
+        snprintf(chart->note, sizeof chart->note, "%zu of %zu points have no answer.", p.none, rows->count);
+    if (over >= 0)
+        curves_draw(chart, &p, over);
+    else
+        map_draw(chart, &p);
+    if (over >= 0)
+        value_label(query, &p, chart->y.label, sizeof chart->y.label);
+    else
+        value_label(query, &p, chart->map.label, sizeof chart->map.label);
+    return true;
 }
 
-bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
+bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *chart,
+                     struct problem *problem)
 {
     if (query->given->count < 2 || !query->given->own)
         return problem_error(problem,
                              "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : "
                              "rmax'");
-    struct points p = {.shape = sweep_shape(query->given)};
-    if (!answer_for_people(a))
-        return run_sweep(query, a, problem);
-    if (p.shape.axes > SWEEP_AXES)
+    const struct sweep_shape shape = sweep_shape(query->given);
+    if (chart && shape.grid->axes > AXES)
         return problem_error(problem, "a picture has one or two parameters, and this grid has %d",
-                             p.shape.axes);
-    if (p.shape.command->rows)
+                             shape.grid->axes);
+    if (chart && shape.command->rows)
         return problem_error(problem,
                              "'%s' answers in rows, and a picture needs one number a point, such as "
                              "'verdict' or 'print EXPRESSION'",
-                             p.shape.command->name);
-    bool shown =
-        picture_ready(a, problem) && points_find(query, a, problem, &p) && points_draw(query, a, problem, &p);
-    points_free(&p);
-    return shown;
+                             shape.command->name);
+    return run_sweep(query, a, problem);
 }

@@ -1,46 +1,77 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pictures of 'plot': each gives its data where programs read, and draws it where people do. */
+/*
+ * The pictures of 'plot'. A plot is a function that writes rows, and a table of labels and curves. Programs
+ * get the rows as csv or json; for people plot_draw reads the same rows, and draws a chart of them.
+ */
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
 
 #include "interpreter/question.h"
 #include "picture/show.h"
 
-/* A picture draws for people, and answers its data to programs; false: an error was reported. */
-typedef bool plot_run(const struct query *query, struct answer *a, struct problem *problem);
-plot_run plot_energy, plot_omega, plot_inertia, plot_chain; /* over a cycle */
-plot_run plot_growth, plot_marginal;                        /* limits over s */
+/*
+ * Writes the rows of a plot. For people `chart` is the chart in which plot_draw will put the rows: the
+ * function adds what only it knows, such as a note, and points of its own. For programs `chart` is NULL.
+ * Returns false after describing a problem.
+ */
+typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
+                      struct problem *problem);
+plot_run plot_energy, plot_omega, plot_inertia, plot_chain;
+plot_run plot_growth, plot_marginal;
 plot_run plot_cost;
-plot_run plot_fall, plot_speed, plot_gaps; /* along a row */
+plot_run plot_fall, plot_speed, plot_gaps;
 plot_run plot_placement;
-plot_run plot_sweep; /* of the arguments that sweep_arguments has read */
+plot_run plot_sweep_rows;
 
-/* Parse and bind the grid and the answers of a sweep: after 'sweep' itself, and after 'plot sweep'. */
-bool sweep_parse_grid(struct reader *reader, struct question *question);
-bool sweep_parse_answers(struct reader *reader, struct question *question);
-bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
-                struct problem *problem);
-
-/* A sweep as its picture sees it. */
-struct sweep_axis {
-    const char *name, *unit;
-    const struct parameter *parameter;
+/* The rows of an answer as numbers. */
+struct plot_rows {
+    char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
+    struct plot_row {
+        double number[ANSWER_COLUMNS]; /* NaN for a word or a missing number; angles in the session's unit */
+        char word[32];                 /* the first cell as csv would write it */
+    } * row;
     size_t count;
-    bool logarithmic;
 };
-enum { SWEEP_AXES = 2 };
-struct sweep_shape {
-    int axes;
-    struct sweep_axis axis[SWEEP_AXES]; /* of the first two */
-    const struct command *command;      /* the first, or only one */
-    int several;                        /* answers of a point, of which each is a column; 0: one */
-    char asked[96];                     /* the command with its arguments, or the expression, as typed */
-    bool expression;                    /* the command is 'print' */
-};
-struct sweep_shape sweep_shape(const struct arguments *given);
-bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Returns the angle unit of the session's answers, and a tilt in it. */
-double plot_angle(const struct query *query, domq_real theta);
+/* Returns the index of the column with this key, or -1. */
+int plot_column(const struct plot_rows *rows, const char *key);
+
+struct plot_axis {
+    const char *key;   /* the column that has x, and the unit of the axis; NULL for a pure number */
+    const char *label; /* followed by "in" and the unit */
+    bool percent;
+};
+
+/* A curve through the column `key`. Ranges end at the columns "low" and "high". */
+struct plot_curve {
+    const char *key, *title;
+    enum chart_kind kind;
+    enum ink ink;
+    int dash;
+    int series; /* unless 0, the curve takes the rows whose first number is one less than this */
+};
+
+enum { PLOT_CURVES = 5 };
+
+struct plot {
+    const char *name;
+    plot_run *run;
+    const char *keys; /* the columns of its data */
+    const char *title;
+    struct plot_axis x, y;                /* without a key of x, the function makes the curves itself */
+    struct plot_curve curve[PLOT_CURVES]; /* ends with a NULL title if there are fewer */
+    /* Unless NULL, makes the chart of the rows in place of the axes and curves above. */
+    bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                 struct problem *problem);
+    enum plot_argument { NOTHING, ANSWER_NAME, PAPER, ROWS, GRID } argument; /* what follows its name */
+};
+
+/* Answers with the rows of a plot, or draws them for people. */
+bool plot_draw(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem);
+
+/* Draws a sweep. Its arguments are those of 'sweep' or of 'plot sweep'. */
+bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
+bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
+                     struct problem *problem);
 
 #endif

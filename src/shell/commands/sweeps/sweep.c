@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep: the answers of a command over a grid of parameters and effects. */
+#include "commands/sweeps/sweep.h"
 #include "answer/format.h"
-#include "commands/plots/plots.h"
-#include "commands/sweeps/grid.h"
 #include "commands/sweeps/swept.h"
 #include "commands/tables.h"
 #include "interpreter/forms.h"
@@ -480,18 +479,5 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
 struct sweep_shape sweep_shape(const struct arguments *given)
 {
     const struct sweep *s = given->own;
-    struct sweep_shape shape = {.axes = s->grid.axes, .command = s->parsed->question.command};
-    for (int i = 0; i < s->grid.axes && i < SWEEP_AXES; i++) {
-        const struct axis *axis = &s->grid.axis[i];
-        shape.axis[i] = (struct sweep_axis){.name = axis->parameter->name,
-                                            .unit = axis->parameter->value->unit,
-                                            .parameter = axis->parameter,
-                                            .count = axis->count,
-                                            .logarithmic = axis->logarithmic};
-    }
-    for (const struct asked *q = s->parsed->several; q; q = q->next)
-        shape.several++;
-    shape.expression = strcmp(shape.command->name, "print") == 0;
-    snprintf(shape.asked, sizeof shape.asked, "%s", s->parsed->asked);
-    return shape;
+    return (struct sweep_shape){&s->grid, s->parsed->question.command, s->parsed->asked};
 }

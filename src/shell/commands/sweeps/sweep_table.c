@@ -2,7 +2,7 @@
 /* sweep: its row of the table of commands, which knows its answer (sweep.c) and its picture (plot_sweep.c).
  */
 #include "commands/plots/plots.h"
-#include "commands/sweeps/grid.h"
+#include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
 
 /* The columns follow from the arguments. */

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* From the rows of a plot to its chart. */
+#include "answer/format.h"
+#include "commands/plots/plots.h"
+#include "io/io.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The rows as numbers ---- */
+
+/* A format of answers that writes the keys, and then each row, as they are in memory. */
+static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
+{
+    char key[ANSWER_COLUMNS][sizeof((struct plot_rows *)0)->key[0]] = {{""}};
+    (void)cells, (void)reason;
+    for (int i = 0; a->columns[i].key; i++)
+        snprintf(key[i], sizeof key[i], "%s", a->columns[i].key);
+    fwrite(key, sizeof key, 1, a->out);
+}
+
+static void numbers_write(struct answer *a, const struct cell *cells, const char *reason)
+{
+    (void)reason;
+    struct plot_row row = {.word = ""};
+    char text[CELL_TEXT];
+    for (int i = 0; a->columns[i].key; i++) {
+        bool number = cells[i].kind == CELL_REAL || cells[i].kind == CELL_COUNT;
+        row.number[i] = number ? (double)cells[i].number : (double)NAN;
+    }
+    if (cells[0].kind != CELL_NONE)
+        snprintf(row.word, sizeof row.word, "%s", cell_plain(&a->style, cells[0], text));
+    fwrite(&row, sizeof row, 1, a->out);
+}
+
+static const struct format numbers = {.begin = keys_write, .row = numbers_write};
+
+int plot_column(const struct plot_rows *rows, const char *key)
+{
+    for (int i = 0; key && i < ANSWER_COLUMNS && *rows->key[i]; i++)
+        if (strcmp(rows->key[i], key) == 0)
+            return i;
+    return -1;
+}
+
+/* Runs a plot, and reads its rows. *text is to be freed; the rows are in it. */
+static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
+                      struct chart *chart, struct problem *problem, char **text, struct plot_rows *rows)
+{
+    size_t size = 0;
+    struct answer answer = *a;
+    answer.out = io_memory(text, &size);
+    answer.style.format = &numbers;
+    if (!answer.out)
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
+    bool done = plot->run(query, &answer, chart, problem), whole = !ferror(answer.out);
+    whole = fclose(answer.out) == 0 && whole;
+    if (done && !whole)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    if (size > 0) {
+        memcpy(rows->key, *text, sizeof rows->key);
+        rows->row = (struct plot_row *)(*text + sizeof rows->key);
+        rows->count = (size - sizeof rows->key) / sizeof *rows->row;
+    }
+    return done;
+}
+
+/* ---- Axes and curves ---- */
+
+/* Writes the label of an axis with its unit, and returns by how much numbers are larger in base units. */
+static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
+                         double largest)
+{
+    const struct column *c = a->columns;
+    while (axis->key && c->key && strcmp(c->key, axis->key) != 0)
+        c++;
+    const char *unit = axis->key && c->key ? c->unit : "", *over = "";
+    double size = 1;
+    if (axis->percent || strcmp(unit, "m") == 0) {
+        struct axis_unit chosen = axis->percent ? (struct axis_unit){"%", 0.01} : measure_axis(largest);
+        unit = chosen.name;
+        size = chosen.size;
+    } else if (*unit && column_is_angle(c)) { /* the numbers are in this unit already */
+        over = unit + strlen("rad");
+        unit = style_angle_unit(&a->style);
+    }
+    if (!*to->label)
+        snprintf(to->label, sizeof to->label, "%s%s%s%s", axis->label, *unit ? " in " : "", unit, over);
+    return size;
+}
+
+/* Fills the curves of the table with the points of the rows. */
+static void curves_fill(const struct plot *plot, const struct plot_rows *rows, struct chart *chart)
+{
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *from = &plot->curve[k];
+        bool ranges = from->kind == CHART_RANGES || from->kind == CHART_BOTH;
+        int x = plot_column(rows, plot->x.key), y = plot_column(rows, from->key);
+        int low = ranges ? plot_column(rows, "low") : -1, high = ranges ? plot_column(rows, "high") : -1;
+        for (size_t i = 0; i < rows->count && (y >= 0 || ranges); i++) {
+            const double *n = rows->row[i].number;
+            if (from->series == 0 || n[0] == from->series - 1)
+                chart_range(chart, &chart->curve[k], n[x], y < 0 ? (double)NAN : n[y],
+                            low < 0 ? (double)NAN : n[low], high < 0 ? (double)NAN : n[high]);
+        }
+    }
+}
+
+static void chart_finish(const struct plot *plot, const struct answer *a, struct chart *chart)
+{
+    double x = 0, y = 0;
+    for (int k = 0; k < chart->curves; k++)
+        for (size_t i = 0; i < chart->curve[k].count; i++) {
+            const struct chart_point *p = &chart->curve[k].point[i];
+            x = fmax(x, isfinite(p->x) ? p->x : 0);
+            y = fmax(fmax(y, p->y), p->high);
+        }
+    chart_scale(chart, axis_label(&chart->x, &plot->x, a, x), axis_label(&chart->y, &plot->y, a, y));
+}
+
+bool plot_draw(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem)
+{
+    if (!answer_for_people(a))
+        return plot->run(query, a, NULL, problem);
+    if (!picture_ready(a, problem))
+        return false;
+    struct plot_rows rows = {.count = 0};
+    struct chart chart = chart_make();
+    char *text = NULL;
+    snprintf(chart.title, sizeof chart.title, "%s", plot->title);
+    for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {
+        const struct plot_curve *c = &plot->curve[k];
+        chart_curve(&chart, c->kind, c->ink, c->dash, "%s", c->title);
+    }
+    bool done = rows_read(plot, query, a, &chart, problem, &text, &rows);
+    if (done && plot->draw) {
+        done = plot->draw(query, &rows, &chart, problem);
+    } else if (done && plot->x.key) {
+        curves_fill(plot, &rows, &chart);
+        chart_finish(plot, a, &chart);
+    }
+    free(text);
+    if (done)
+        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart_free(&chart);
+    return false;
+}

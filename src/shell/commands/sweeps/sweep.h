@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The sweep as a question, for 'sweep' and for 'plot sweep'. */
+#ifndef SHELL_SWEEP_H
+#define SHELL_SWEEP_H
+
+#include "commands/sweeps/grid.h"
+
+/* Parse and bind the grid, and the answers after the ':'. */
+bool sweep_parse_grid(struct reader *reader, struct question *question);
+bool sweep_parse_answers(struct reader *reader, struct question *question);
+bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
+                struct problem *problem);
+
+/* What a bound sweep asks for. */
+struct sweep_shape {
+    const struct grid *grid;
+    const struct command *command; /* the first one, if a list of answers is swept */
+    const char *asked;             /* the command with its arguments, or the expression, as it was typed */
+};
+struct sweep_shape sweep_shape(const struct arguments *given);
+
+bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
+
+#endif
