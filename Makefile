@@ -95,7 +95,7 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/kernel_names.h # made of other sources
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/kernel_names.h $(B)/tutorial.h # made of other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -108,6 +108,11 @@ KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c s
 $(B)/kernel_names.h: $(KERNEL_C) Makefile
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
+
+# The text of 'lesson', as numbers for an array of C.
+$(B)/tutorial.h: examples/tutorial.dom
+	@mkdir -p $(@D)
+	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
 # <domino_quad.h>, made of domino.h, and the names in it for the sources.
 QUAD_AWK := src/model/precision/quad.awk

@@ -87,6 +87,21 @@ answers_in() { # WAY
     for name in set show reset print save source exit quit help apropos complete; do grep -q "^  $name " <<<"$list"; done
 }
 
+@test "lesson: in a pipe it shows the tutorial without waiting, and in a file the rest of the file" {
+    cd "$BATS_TEST_TMPDIR"
+    golden=$BATS_TEST_DIRNAME/golden/tutorial.out
+    same steps 10 "$(grep -c '^---- ' "$golden")"
+    for way in -e stdin; do
+        session "$way" 'set s 0.3; lesson; print s' | diff <(cat "$golden"; echo 0.3) - || same "$way" 'the tutorial' ''
+    done
+    printf '%s\n' 'set s 0.3' lesson '# Two dominoes.' '#' '#  pair' 'pair.s; foo' >own.dom
+    run -1 --separate-stderr "$DOMINO" --safe -f own.dom
+    same 'own file' $'Two dominoes.\n\n pair\ndomino> pair.s; foo\n0.4' "$output"
+    same 'an error' "unknown command 'foo'; 'help' lists the commands" "$stderr"
+    run -1 "$DOMINO" -e 'set output json; lesson'
+    [[ $output == *"a lesson is for people; 'set output table' comes first"* ]]
+}
+
 @test "json: one object a line, the same keys in every row" {
     while IFS='|' read -r call expected; do
         json "$call" >"$BATS_TEST_TMPDIR/rows"

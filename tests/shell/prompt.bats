@@ -58,6 +58,9 @@ same_at_the_prompt() { # FORMAT
 @test "^Z suspends, and fg resumes with the half-typed line" { prompt suspend "set s 0.4; " "0.4; \$"; }
 @test "^Z during a computation suspends when it is done" { prompt suspend $'curve 0.1 0.9 200\r' '\n +0.1 '; }
 @test "watch: keys move the point, and every way out puts the terminal in order" { prompt watch; }
+@test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
+    TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
+}
 @test "leaving with changed gaps that no file has is asked once" { prompt unsaved; }
 @test "a line goes on below after a backslash" { prompt backslash; }
 @test "the arrow keys bring lines back" { prompt history; }

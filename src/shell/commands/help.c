@@ -103,6 +103,8 @@ static void help_parameter(struct session *session, const struct parameter *p)
     else
         snprintf(usage, sizeof usage, "%s VALUE", p->name);
     help_say(out, "%s%s: %s", p->effect ? "effect " : "", p->effect ? usage : p->name, parameter_meaning(p));
+    if (parameter_help(p))
+        help_text(out, parameter_help(p));
     putc('\n', out);
     parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits, text,
                    sizeof text);
@@ -120,8 +122,6 @@ static void help_parameter(struct session *session, const struct parameter *p)
     const char *name;
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
-    if (parameter_help(p))
-        help_text(out, parameter_help(p));
     if (p->effect)
         help_effect_state(session, p);
     putc('\n', out);
@@ -398,7 +398,7 @@ static bool run_complete(struct session *session, const struct arguments *given,
 
 const struct command help_commands[] = {
     {.name = "help",
-     .synonyms = "manual man list explain tutorial commands",
+     .synonyms = "manual man list explain commands",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_TOPIC, .of = "topic", .choices = topic_names, .optional = true}},
      .summary = "the commands, or one command or parameter",
@@ -414,6 +414,16 @@ const struct command help_commands[] = {
      .see = "help",
      .pages = true,
      .act = run_apropos},
+    {.name = "lesson",
+     .synonyms = "tutorial tour learn course introduction begin start",
+     .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
+     .help = "At a terminal the lesson waits until you type the line that it shows, or press Enter; any other "
+             "command may come in between, and 'q' leaves. It runs in a session of its own, so that your "
+             "parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same way; "
+             "examples/tutorial.dom is written so.",
+     .see = "help",
+     .runs = true,
+     .act = run_lesson},
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},

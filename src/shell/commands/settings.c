@@ -269,6 +269,7 @@ const struct command session_commands[] = {
      .shortest = "pr",
      ANSWER(print)},
     {.name = "let",
+     .shortest = "le",
      .synonyms = "variable define function assign name constant vars variables who",
      .argument = {{.name = "NAME = VALUE",
                    .kind = ARGUMENT_WORDS,

@@ -45,6 +45,8 @@ bool run_undo(struct session *session, const struct arguments *given, struct ans
               struct problem *problem);
 bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
               struct problem *problem);
+bool run_lesson(struct session *session, const struct arguments *given, struct answer *a,
+                struct problem *problem);
 bool run_print(const struct query *query, struct answer *a, struct problem *problem);
 /* Shows the variable of the call, or all of them. */
 bool show_variables(const struct query *query, struct answer *a);

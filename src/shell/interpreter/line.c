@@ -42,6 +42,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     ssize_t length;
     struct session outer = *session;
     session->source = name;
+    session->script = in;
     session->line = 0;
     session->prompt_width = 0;
     session->command = NULL;
@@ -66,6 +67,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
         session_error(session, "cannot read the next line: %s", strerror(reason));
     free(text);
     session->source = outer.source;
+    session->script = outer.script;
     session->line = outer.line;
     session->prompt_width = outer.prompt_width;
     session->command = outer.command;

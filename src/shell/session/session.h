@@ -22,6 +22,7 @@ struct session {
     struct output standard; /* standard output, the bottom of the stack */
     FILE *out;              /* the stream of output */
     const char *source;     /* name of the script for messages; NULL at the prompt */
+    FILE *script;           /* the stream whose lines run, for 'lesson'; NULL at the prompt and in -e */
     long line;
     int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
     const char *typed; /* the line that runs, as it was typed, not ended */

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * lesson: shows the lines of a script while it runs them: comments as text, commands as at the prompt. At a
+ * terminal each command waits until the reader has typed it. The script is the rest of the file in which
+ * 'lesson' stands; elsewhere it is the tutorial, which the build copies from examples/tutorial.dom into
+ * tutorial.h.
+ */
+#include "commands/tables.h"
+#include "io/io.h"
+#include "io/terminal.h"
+#include "language/text.h"
+#include "session/session.h"
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char tutorial[] = {
+#include "tutorial.h"
+};
+
+static const char prompt[] = "domino> ";
+
+/* Opens the tutorial behind its own line 'lesson'. Returns NULL without memory. */
+static FILE *tutorial_open(void)
+{
+    FILE *in = fmemopen(tutorial, sizeof tutorial, "r");
+    char line[256];
+    while (in && fgets(line, sizeof line, in) && strcmp(line, "lesson\n") != 0)
+        continue;
+    return in;
+}
+
+/*
+ * Waits until the reader types the command, or presses Enter instead. Runs any other line, and waits again.
+ * Returns false if the lesson ends here: after 'q', 'quit', ^C or ^D.
+ */
+static bool reader_types(struct session *reader, const char *command)
+{
+    FILE *keys = io_stdin(reader->state.scene.compute.interrupt);
+    char *line = NULL;
+    size_t size = 0;
+    bool waits = keys != NULL;
+    fprintf(reader->out, "Type: %s\n", command);
+    while (waits) {
+        fputs(prompt, reader->out);
+        fflush(reader->out);
+        waits = text_read(&line, &size, keys) != -1;
+        const char *typed = waits ? skip_blanks(line) : "q";
+        if (!waits)
+            putc('\n', reader->out);
+        if (strcmp(typed, "q") == 0)
+            reader->quit = true;
+        else if (*typed && strcmp(typed, command) != 0)
+            command_run_text(reader, typed);
+        else
+            break;
+        waits = !session_stops(reader, reader->errors);
+    }
+    free(line);
+    return waits;
+}
+
+static void lesson_line(struct session *reader, const char *line, bool waits)
+{
+    if (*line == '\0' || *line == '#') {
+        fprintf(reader->out, "%s\n", line + strspn(line, "#") + (line[0] == '#' && line[1] == ' '));
+        return;
+    }
+    if (!waits)
+        fprintf(reader->out, "%s%s\n", prompt, line);
+    if (!waits || reader_types(reader, line))
+        command_run_text(reader, line);
+}
+
+bool run_lesson(struct session *session, const struct arguments *given, struct answer *a,
+                struct problem *problem)
+{
+    (void)given;
+    struct session
+        reader; /* so that the lesson begins with the defaults, and changes nothing of the reader's */
+    bool in_file = session->script && strcmp(session->source, "stdin") != 0;
+    int width, height;
+    bool waits = isatty(STDIN_FILENO) && terminal_size(session->out, &width, &height);
+    char *line = NULL;
+    size_t size = 0;
+    if (!answer_for_people(a))
+        return problem_error(problem, "a lesson is for people; 'set output table' comes first");
+    FILE *in = in_file ? session->script : tutorial_open();
+    if (!in)
+        return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
+    session_init(&reader, session->out);
+    reader.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
+    reader.standard.messages = session->output->messages;
+    reader.means.safe = session->means.safe;
+    reader.prompt_width = waits ? (int)strlen(prompt) : 0;
+    ticker_stop(); /* the time that the reader takes is no computation */
+    if (waits)
+        fputs("Type the lines that the lesson shows, or press Enter instead. Other commands\n"
+              "may come in between: the lesson leaves your own parameters as they are.\n"
+              "'q' ends it.\n",
+              reader.out);
+    while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in) != -1)
+        lesson_line(&reader, line, waits);
+    session->errors += waits ? 0 : reader.errors;
+    session_close(&reader);
+    free(line);
+    if (!in_file)
+        fclose(in);
+    return true;
+}
