@@ -188,7 +188,7 @@ $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthrea
 # The library has no threads: the shell's pool runs its tasks.
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/standard.c io/terminal.c))
 # Unit tests of the shell: how it writes numbers.
-$(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c language/fewest.c answer/cell.c))
+$(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # Where the quotes and comments of a line end.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # How csv files are read.

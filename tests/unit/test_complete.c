@@ -33,9 +33,8 @@ static bool parses(const char *line)
     struct problem problem = {.kind = PROBLEM_NONE};
     const struct query query = session_query(&session);
     struct text text;
-    struct arena arena;
+    struct arena arena = {.block = NULL};
     struct question question;
-    arena_begin(&arena);
     assert_true(text_make(&text, line, strlen(line)));
     struct reader r = {.query = &query,
                        .problem = &problem,

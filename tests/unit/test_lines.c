@@ -9,7 +9,6 @@
 #include "interpreter/forms.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
-#include "language/fewest.h"
 #include "language/quad.h"
 #include "language/text.h"
 #include "session/parameters.h"
@@ -62,65 +61,6 @@ TEST(whole_numbers_are_written_as_by_the_c_library)
         assert_string_equal(quad_text((domq_real)value, digits, text), plain);
     }
     assert_string_equal(quad_text((domq_real)-0.0, 6, text), "-0");
-}
-
-/* Random bits of a double, and decimals of few digits, which end in halves of the last digit. */
-TEST(doubles_are_written_in_the_fewest_digits_of_the_c_library)
-{
-    char text[FEWEST_TEXT], plain[FEWEST_TEXT];
-    int length[18] = {0};
-    for (int k = 0; k < 300000; k++) {
-        double value = ldexp((double)bits(1u << 24) / (1 << 24) + (double)bits(1u << 24) / (1ull << 48),
-                             (int)bits(60) - 30);
-        if (k % 3 == 1)
-            value = (double)bits(1u << 24) / pow(10, (double)bits(24));
-        if (k % 3 == 2) {
-            uint64_t of = (uint64_t)bits(1u << 24) << 40 | (uint64_t)bits(1u << 24) << 16 | bits(1u << 16);
-            memcpy(&value, &of, sizeof value);
-        }
-        if (!isfinite(value))
-            continue;
-        value = k % 2 ? -value : value;
-        int n = 15;
-        snprintf(plain, sizeof plain, "%.*g", n, value);
-        while (n < 17 && strtod(plain, NULL) != value)
-            snprintf(plain, sizeof plain, "%.*g", ++n, value);
-        assert_string_equal(fewest_text(value, text), plain);
-        length[n]++;
-    }
-    for (int power = -1074; power < 1024; power++) { /* their neighbours are not equally far */
-        double value = ldexp(1, power);
-        int n = 15;
-        snprintf(plain, sizeof plain, "%.*g", n, value);
-        while (n < 17 && strtod(plain, NULL) != value)
-            snprintf(plain, sizeof plain, "%.*g", ++n, value);
-        assert_string_equal(fewest_text(value, text), plain);
-    }
-    assert_true(length[15] > 1000 && length[16] > 1000 && length[17] > 1000);
-    assert_string_equal(fewest_text(-0.0, text), "-0");
-    assert_string_equal(fewest_text(999999999999999.9, text), "999999999999999.9");
-    assert_string_equal(fewest_text(0.5 + 1e16, text), "1e+16");
-}
-
-TEST(an_index_finds_what_the_list_has)
-{
-    char name[64];
-    const char *all;
-    int found = 0;
-    command_registry(all_commands);
-    for (int k = 0; (all = topic_names(NULL, k)) != NULL; k++)
-        for (size_t cut = 0; cut <= strlen(all); cut++) { /* names, and their beginnings */
-            snprintf(name, sizeof name, "%.*s", (int)cut, all);
-            int command = names_exact(command_names, NULL, name),
-                p = names_exact(parameter_names, NULL, name);
-            assert_ptr_equal(parameter_find(name), p < 0 ? NULL : &session_parameters[p]);
-            if (command < 0)
-                assert_null(command_find(name));
-            else
-                assert_string_equal(command_find(name)->name, command_names(NULL, command));
-            found += command >= 0 && p < 0;
-        }
-    assert_true(found > 50);
 }
 
 /* Makes the text with a Greek letter before it, too: that one has columns of its own. */
@@ -246,8 +186,7 @@ static const struct command *command_of(struct session *session, const char *lin
     struct text text;
     struct problem problem = {.kind = PROBLEM_NONE};
     const struct query query = session_query(session);
-    struct arena arena;
-    arena_begin(&arena);
+    struct arena arena = {.block = NULL};
     assert_true(text_make(&text, line, strlen(line)));
     struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line, .arena = &arena};
     const struct command *c = read_form(&r);
@@ -288,18 +227,4 @@ TEST(a_command_before_a_number_is_that_command)
     assert_true(commands > 50);
     session_close(&session);
     fclose(null);
-}
-
-TEST(a_tolerance_promises_its_digits_whatever_was_asked_before)
-{
-    struct state defaults;
-    state_init(&defaults);
-    for (int k = 0; k < 2000; k++) {
-        double tol = k % 2 ? pow(10, -(double)bits(34)) : (double)(1 + bits(1000)) / 1e6;
-        defaults.scene.compute.tol = (domq_real)tol;
-        int digits = (int)fmax(floor(-log10(tol) + 1e-6), 1);
-        assert_int_equal(state_style(&defaults).tol_digits, digits);
-        assert_int_equal(state_style(&defaults).tol_digits, digits);
-    }
-    state_close(&defaults);
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/cell.h"
-#include "language/fewest.h"
 #include "language/quad.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -124,10 +123,12 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Reads a number as a program with the session's precision does, where that is not double. */
+/* Reads a number as a program with the session's precision does. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
-    return style->precision == DOM_FLOAT ? (domq_real)strtof(text, NULL) : quad_read(text, NULL);
+    return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
+           : style->precision == DOM_DOUBLE ? (domq_real)strtod(text, NULL)
+                                            : quad_read(text, NULL);
 }
 
 /* What is brief is known in double at best, and a count is more than a float holds. */
@@ -157,8 +158,6 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
     cell.digits = 0;
     cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
-    if (cell.kind == CELL_REAL && style->precision == DOM_DOUBLE && isfinite(cell.number))
-        return fewest_text((double)cell.number, text);
     const char *said = cell_text(cell, few, false, text);
     bool same = cell.kind != CELL_REAL || read_back(style, text) == cell.number;
     for (int n = all - 2 > few ? all - 2 : few + 1; !same && n <= all; n++) {

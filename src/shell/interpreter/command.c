@@ -8,17 +8,15 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands, one after the other: every line looks for its own. */
+/* All commands of all groups. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
-static struct names_index every_index = {.list = command_names};
 
 void command_registry(const struct command_group *all)
 {
     groups = all;
     every_count = 0;
-    every_index = (struct names_index){.list = command_names};
     for (const struct command_group *g = groups; g->title; g++)
         for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++)
             every[every_count++] = c;
@@ -102,7 +100,7 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    int k = names_indexed(&every_index, name);
+    int k = names_exact(command_names, NULL, name);
     return k < 0 ? NULL : every[k];
 }
 

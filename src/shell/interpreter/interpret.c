@@ -274,9 +274,8 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    struct arena arena;
+    struct arena arena = {.block = NULL};
     struct reader r = {.text = &text, .at = text.line, .arena = &arena};
-    arena_begin(&arena);
     /* What a file commands is in that file. */
     bool logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
     if (logged) /* where there are several commands, one may fail after others have run */

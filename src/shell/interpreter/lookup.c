@@ -78,11 +78,11 @@ static bool routine_quantity(struct evaluation *e, const struct tree *t, const s
     bool good = expression_evaluate(e, routine->body, result);
     lookup->argument = outer;
     e->at = t->at;
-    if (!good && !e->named && e->message[0]) {
+    if (!good && !e->is_named && e->message[0]) {
         memcpy(inside, e->message, sizeof inside);
         evaluation_message(e, e->of_value, "in '%s': %.180s", variable_head(routine->function, head), inside);
     }
-    e->named = !good;
+    e->is_named = !good;
     return good;
 }
 
@@ -159,6 +159,6 @@ bool query_evaluate(const struct query *query, struct evaluation *e, const struc
     e->context = &lookup;
     e->angle = query->state->settings.style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1;
     e->message[0] = '\0';
-    e->named = false;
+    e->is_named = false;
     return expression_evaluate(e, tree, result);
 }

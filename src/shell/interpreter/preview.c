@@ -26,7 +26,7 @@ bool line_preview(struct session *session, const char *line, size_t length, cons
     struct query query = session_query(session);
     struct problem problem;
     struct text text;
-    struct arena arena;
+    struct arena arena = {.block = NULL};
     char *whole = NULL;
     int size = asprintf(&whole, "%.*s%s", (int)length, line, tail);
     if (size < 0 || !text_make(&text, whole, (size_t)size)) {
@@ -35,7 +35,6 @@ bool line_preview(struct session *session, const char *line, size_t length, cons
     }
     means.note = NULL;
     query.means = &means;
-    arena_begin(&arena);
     struct reader r = {.query = &query,
                        .problem = &problem,
                        .text = &text,

@@ -8,13 +8,13 @@ struct arena_block {
     _Alignas(max_align_t) unsigned char bytes[];
 };
 
-enum { BLOCK = 1 << 16 };
+enum { BLOCK = 8192 };
 
 void *arena_take(struct arena *arena, size_t size)
 {
     const size_t align = _Alignof(max_align_t);
     size = (size + align - 1) / align * align;
-    if (size > arena->size - arena->used) {
+    if (!arena->block || size > arena->size - arena->used) {
         size_t room = size > BLOCK ? size : BLOCK;
         struct arena_block *block = malloc(sizeof *block + room);
         if (!block)
@@ -24,7 +24,7 @@ void *arena_take(struct arena *arena, size_t size)
         arena->used = 0;
         arena->size = room;
     }
-    unsigned char *bytes = (arena->block ? arena->block->bytes : arena->first) + arena->used;
+    unsigned char *bytes = arena->block->bytes + arena->used;
     arena->used += size;
     return memset(bytes, 0, size);
 }
@@ -42,5 +42,5 @@ void arena_free(struct arena *arena)
         free(arena->block);
         arena->block = before;
     }
-    arena_begin(arena);
+    *arena = (struct arena){.block = NULL};
 }

@@ -1,36 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Memory that is freed at once: what a command line was parsed into lives until the line has run. The first
- * pieces come from a block inside the arena, so that most lines allocate nothing.
+ * An arena: pieces of memory that are freed together. What a command is parsed into lives in an arena until
+ * the command has run. `struct arena arena = {.block = NULL}` is an empty arena.
  */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 
 #include <stddef.h>
 
-enum { ARENA_FIRST = 6144 };
-
 struct arena {
-    struct arena_block *block; /* the blocks on the heap, the last one first; NULL: none */
-    size_t used, size;         /* of the last block, or of `first` */
-    _Alignas(max_align_t) unsigned char first[ARENA_FIRST];
+    struct arena_block *block; /* a linked list; the block at its head is the one in use */
+    size_t used, size;         /* of that block, in bytes */
 };
 
-/* Begins an arena; `first` needs no initial value. */
-static inline void arena_begin(struct arena *arena)
-{
-    arena->block = NULL;
-    arena->used = 0;
-    arena->size = ARENA_FIRST;
-}
-
-/* Returns so many bytes, all zero, aligned for any type; NULL: no memory. */
+/* Returns zeroed memory that is aligned for any type, or NULL if there is no memory. */
 void *arena_take(struct arena *arena, size_t size);
 
-/* Returns a copy of text of this length; NULL: no memory. */
+/* Returns a copy of a text, which ends after `length` bytes, or NULL if there is no memory. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 
-/* Frees everything that was taken; the arena can be used again. */
+/* Frees all that was taken. The arena is then empty, and can be used again. */
 void arena_free(struct arena *arena);
 
 #endif

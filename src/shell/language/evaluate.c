@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values of trees. A comparison is 1 if it is true, else 0; a condition is true unless it is 0. */
+/* Evaluates trees. The value of a comparison is 1 or 0, and a condition is true unless its value is 0. */
 #include "language/expression.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +17,8 @@ void evaluation_message(struct evaluation *e, bool of_value, const char *format,
     e->of_value = of_value;
 }
 
-bool evaluation_finite(struct evaluation *e, const char *at, const struct quantity *q)
+/* Returns true if a result is finite, and the exponents of its unit are not too large. */
+static bool is_valid(struct evaluation *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };
     bool unit = abs(q->length) <= EXPONENT_MOST && abs(q->time) <= EXPONENT_MOST &&
@@ -31,7 +33,8 @@ bool evaluation_finite(struct evaluation *e, const char *at, const struct quanti
 
 /* ---- Functions ---- */
 
-/* KEEPS: the value has the dimension that the arguments have; HALVES: the square root of it. */
+/* What a function takes and returns. The result of KEEPS has the unit of the arguments, and that of HALVES
+ * has the square root of this unit. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
@@ -54,18 +57,18 @@ static const struct function functions[] = {
     {"sqrt", HALVES, quad(sqrt), NULL},      {NULL, OF_NUMBER, NULL, NULL},
 };
 
-const struct function *function_find(const char *name, int *values)
+const struct function *function_find(const char *name, int *arguments)
 {
     const struct function *f = functions;
     while (f->name && strcmp(f->name, name) != 0)
         f++;
-    *values = f->one ? 1 : 2;
+    *arguments = f->one ? 1 : 2;
     return f->name ? f : NULL;
 }
 
 const char *expression_names(const void *context, int k)
 {
-    static const char *const more[] = {"if", "pi", NULL}; /* lazy, and constant */
+    static const char *const more[] = {"if", "pi", NULL}; /* these have code of their own */
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
     return k < count ? functions[k].name : more[k - count];
@@ -104,7 +107,7 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
 static bool power(struct evaluation *e, const struct tree *exponent, struct quantity *q, struct quantity by)
 {
     bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
-    e->at = exponent->operator_at;
+    e->at = exponent->op_at;
     if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
         return evaluation_fail(e, "the value before '^' cannot have this exponent");
     int n = whole ? (int)by.value : 0;
@@ -113,9 +116,9 @@ static bool power(struct evaluation *e, const struct tree *exponent, struct quan
     return true;
 }
 
-/* thetac - 1: a bare number beside an angle is in the unit of angles. Returns true for two quantities of one
- * kind. */
-static bool alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
+/* Gives a number without a unit the unit of angles if the other value is an angle, as in "thetac - 1".
+ * Returns true if both values then have the same unit. */
+static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
         *a = (struct quantity){.value = a->value * e->angle, .angle = 1};
@@ -124,9 +127,9 @@ static bool alike(const struct evaluation *e, struct quantity *a, struct quantit
     return quantity_alike(*a, *b);
 }
 
-static bool compares(enum tree_operator operator, domq_real a, domq_real b)
+static bool compares(enum tree_operator op, domq_real a, domq_real b)
 {
-    switch (operator) {
+    switch (op) {
     case OPERATOR_LESS:
         return a < b;
     case OPERATOR_AT_MOST:
@@ -142,18 +145,18 @@ static bool compares(enum tree_operator operator, domq_real a, domq_real b)
     }
 }
 
-/* Adds, or compares. */
-static bool alike_apply(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
+/* Adds, subtracts or compares two values. */
+static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
 {
     char a[48], b[48];
-    bool adds = t->operator>= OPERATOR_PLUS;
-    if (!alike(e, q, &by))
+    bool adds = t->op >= OPERATOR_PLUS;
+    if (!make_alike(e, q, &by))
         return evaluation_fail(e, adds ? "%s and %s do not add up" : "%s and %s are not compared",
                                expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
     if (adds)
-        q->value += t->operator== OPERATOR_MINUS ? -by.value : by.value;
+        q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
     else
-        *q = (struct quantity){.value = compares(t->operator, q->value, by.value)};
+        *q = (struct quantity){.value = compares(t->op, q->value, by.value)};
     return true;
 }
 
@@ -169,10 +172,10 @@ static bool condition(struct evaluation *e, const struct tree *t, bool *is_true)
                                                expression_kind(q, kind, sizeof kind));
 }
 
-/* 'and' and 'or' leave the rest of a chain alone where a condition decides. */
-static bool joined(struct evaluation *e, const struct tree *t, struct quantity *q)
+/* Evaluates the conditions of a chain with 'and' or 'or' until one of them decides. */
+static bool logical_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
-    bool is_true, decides = t->child->next->operator== OPERATOR_OR;
+    bool is_true, decides = t->child->next->op == OPERATOR_OR;
     const struct tree *child = t->child;
     do {
         if (!condition(e, child, &is_true))
@@ -183,28 +186,28 @@ static bool joined(struct evaluation *e, const struct tree *t, struct quantity *
     return true;
 }
 
-/* Applies the operator before a value of a chain. */
+/* Applies the operator before an operand of a chain to the value of the chain so far. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;
-    const enum tree_operator operator= value->operator;
+    const enum tree_operator op = value->op;
     if (!expression_evaluate(e, value, &by))
         return false;
-    e->at = value->operator_at;
-    if (operator== OPERATOR_OVER && by.value == 0)
+    e->at = value->op_at;
+    if (op == OPERATOR_OVER && by.value == 0)
         return evaluation_no_value(e, "division by zero");
-    if (operator== OPERATOR_TIMES || operator== OPERATOR_OVER)
-        quantity_multiply(q, by, operator== OPERATOR_OVER ? -1 : 1);
-    else if (!(operator== OPERATOR_POWER ? power(e, value, q, by) : alike_apply(e, value, q, by)))
+    if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
+        quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
+    else if (!(op == OPERATOR_POWER ? power(e, value, q, by) : sum_or_compare(e, value, q, by)))
         return false;
-    return evaluation_finite(e, operator== OPERATOR_POWER ? t->at : value->operator_at, q);
+    return is_valid(e, op == OPERATOR_POWER ? t->at : value->op_at, q);
 }
 
 static bool chain(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     const struct tree *child = t->child->next;
-    if (child->operator<= OPERATOR_AND)
-        return joined(e, t, q);
+    if (child->op <= OPERATOR_AND)
+        return logical_chain(e, t, q);
     bool good = expression_evaluate(e, t->child, q);
     for (; good && child; child = child->next)
         good = apply(e, t, child, q);
@@ -225,7 +228,7 @@ static bool function(struct evaluation *e, const struct tree *t, struct quantity
     for (int i = 0; i < t->count; i++, child = child->next)
         if (!expression_evaluate(e, child, &argument[i]))
             return false;
-    return function_apply(e, t, argument, q) && evaluation_finite(e, t->at, q);
+    return function_apply(e, t, argument, q) && is_valid(e, t->at, q);
 }
 
 bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quantity *q)
@@ -253,10 +256,24 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
         return function(e, t, q);
     case TREE_SYMBOL:
         e->at = t->at;
-        return e->symbol(e, t, q) && evaluation_finite(e, t->at, q);
+        return e->symbol(e, t, q) && is_valid(e, t->at, q);
     case TREE_NAME:
         break;
     }
     e->at = t->at;
-    return evaluation_fail(e, "'%s' has no value", t->name);
+    return evaluation_fail(e, "'%s' has no value in a file", t->name);
+}
+
+bool expression_constant(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
+                         const char **end)
+{
+    struct arena arena = {.block = NULL};
+    struct evaluation e = {.angle = 1};
+    struct parse p = {.text = text, .arena = &arena};
+    const struct tree *t = expression_parse(&p);
+    bool good = t && expression_evaluate(&e, t, q);
+    *end = !t ? p.end : !good ? e.at : skip_blanks(p.end);
+    snprintf(message, EXPRESSION_MESSAGE, "%s", t ? e.message : p.message);
+    arena_free(&arena);
+    return good && **end == '\0';
 }

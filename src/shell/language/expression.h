@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Values as people write them: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
+ * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
  *
- * An expression is parsed into a tree once, and evaluated as often as needed, also by several threads:
- * evaluation changes nothing in the tree. A chain is values joined by operators of one precedence, from the
- * left. An argument ends at a blank that no operator bridges ("1 - 2" is one value, "1 -2" are two).
+ * The parser makes a tree, which can be evaluated many times, and by several threads, since evaluation does
+ * not change the tree. Operators of one precedence make one node, a chain: its children are the operands, and
+ * each child but the first has the operator before it. An expression ends where a blank separates it from
+ * text that cannot continue it: "1 - 2" is one expression, and "1 -2" are two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
@@ -14,8 +15,8 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
-/* A name is given a meaning after parsing: whoever knows the names sets the kind to TREE_NUMBER or
- * TREE_SYMBOL. */
+/* The parser makes nodes TREE_NAME for names that the language does not know. Before evaluation, each of them
+ * is resolved: its kind becomes TREE_NUMBER or TREE_SYMBOL. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -48,76 +49,73 @@ struct function;
 
 struct tree {
     enum tree_kind kind;
-    enum tree_operator operator;     /* joins this child of a chain to those before it */
-    const char *operator_at;         /* its place in the text; of a power that of the exponent */
-    const char *at;                  /* the place in the text that an error is about */
-    struct quantity value;           /* of TREE_NUMBER */
-    const char *name, *key;          /* of a name, in the arena; key is what follows its dot, or NULL */
-    bool called;                     /* parentheses follow the name */
-    int count;                       /* children, at most EXPRESSION_ARGUMENTS but in a chain */
-    struct tree *child, *next;       /* the first child; the next child of the same parent */
-    const struct function *function; /* of TREE_FUNCTION */
-    int symbol, index;               /* of TREE_SYMBOL: what it is, which one, and what it refers to */
+    enum tree_operator op;     /* in a chain: the operator before this operand */
+    const char *op_at;         /* the place for errors of that operator; for '^' the exponent */
+    const char *at;            /* the place for errors of this node */
+    struct quantity value;     /* TREE_NUMBER: the number */
+    const char *name, *key;    /* TREE_NAME: for "ans.margin", "ans" and "margin"; the key may be NULL */
+    bool called;               /* TREE_NAME: arguments in parentheses follow the name */
+    int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
+    struct tree *child, *next; /* the first child; the next child of the same parent */
+    const struct function *function; /* TREE_FUNCTION: the function */
+    int symbol, index;               /* TREE_SYMBOL: for the use of the code that resolved the name */
     const void *refers;
 };
 
-/* The syntax of one expression. */
+/* The state of the parser. */
 struct parse {
-    const char *text; /* where it begins */
-    const char *end;  /* where it ends; after an error, the place of the error */
+    const char *text; /* the beginning of the expression */
+    const char *end;  /* the end of the expression; after an error, the place of the error */
     struct arena *arena;
-    const char *no_unit; /* letters that are no units after a blank, but names; NULL: none */
-    /* Parses "with NAME VALUE ..." at p->end, behind a value in parentheses; returns what then stands in the
-     * place of the value, or NULL after an error. NULL: there is no such form here. */
+    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
+    /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses, and returns a tree that
+     * replaces the value. Returns NULL after an error. May be NULL, where "with" is not supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
-    void *context;     /* of with */
-    int depth, nested; /* values within values; open parentheses */
-    int nodes;         /* of the tree so far */
+    void *context;     /* for `with` */
+    int depth, nested; /* the depth of recursion; the number of open parentheses */
+    int nodes;         /* the number of nodes so far */
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Parses the longest expression at parse->text. Returns NULL after an error: see message and end. */
+/* Parses the longest expression at parse->text. Returns NULL after an error, with parse->message. */
 struct tree *expression_parse(struct parse *parse);
 
-/* Sets the message of an error of syntax, and returns NULL. */
+/* Sets the message of a syntax error. Returns NULL. */
 struct tree *parse_fail(struct parse *parse, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* One evaluation of a tree. */
+/* The state of an evaluation. */
 struct evaluation {
-    /* Gives the value of a TREE_SYMBOL. Returns false with a message; without one, a problem is described
-     * elsewhere. */
+    /* Computes the value of a TREE_SYMBOL. Returns false after an error. The message is then empty if the
+     * function has reported the problem itself. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
-    void *context;   /* of symbol */
-    domq_real angle; /* what 1 is in radians where a bare number stands for an angle */
+    void *context;   /* for `symbol` */
+    domq_real angle; /* the unit, in radians, of numbers without a unit that stand for angles */
     const char *at;  /* after an error: its place in the text */
-    bool of_value;   /* the error is in the values: with others the same expression may have one */
-    bool named;      /* the message names the function that it is about */
+    bool of_value;   /* the error depends on values: the expression may have a value when they change */
+    bool is_named;   /* the message already names the function of 'let' in which the error is */
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Evaluates a tree without TREE_NAME. Returns false after an error: see message and at. */
+/* Evaluates a tree. Returns false after an error, with evaluation->message. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
 /*
- * Reads a whole text as an expression without names, as files have them. Returns false with a message after
- * an error, and where there is more text: *end, unless NULL, is then where.
+ * Parses and evaluates a text that must be one expression without names. Returns false after an error; the
+ * message is empty if there is more text after the expression. Writes the place of the error to *end.
  */
 bool expression_constant(const char *text, struct quantity *result, char message[EXPRESSION_MESSAGE],
                          const char **end);
 
-/* Set the message of an error in the line, or in its values; both are the value false. */
+/* Set the message of an evaluation, for an error in the line or in its values. Both macros are false. */
 void evaluation_message(struct evaluation *evaluation, bool of_value, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 #define evaluation_fail(e, ...)     (evaluation_message(e, false, __VA_ARGS__), false)
 #define evaluation_no_value(e, ...) (evaluation_message(e, true, __VA_ARGS__), false)
 
-/* Returns true for a finite number in a unit whose exponents do not overflow: what each step may give. */
-bool evaluation_finite(struct evaluation *evaluation, const char *at, const struct quantity *quantity);
+/* Returns the built-in function with this name, or NULL. Writes the number of its arguments to *arguments. */
+const struct function *function_find(const char *name, int *arguments);
 
-/* Returns the function of the language with this name and the number of its values, or NULL. */
-const struct function *function_find(const char *name, int *values);
-
-/* Lists for names.h the names that the language itself has. */
+/* The list of the built-in names, for names.h. */
 const char *expression_names(const void *context, int k);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/names.h"
 #include "io/escape.h"
-#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -10,40 +9,9 @@ int names_exact(names_list *list, const void *context, const char *text)
 {
     const char *name;
     for (int k = 0; (name = list(context, k)) != NULL; k++)
-        if (strcmp(name, text) == 0)
+        if (*name == *text && strcmp(name, text) == 0)
             return k;
     return -1;
-}
-
-/* Returns the slot of the index that has this name, or the empty one where it belongs. */
-static unsigned char *slot_of(struct names_index *index, const char *text)
-{
-    enum { OFFSET = 2166, PRIME = 16777619 }; /* of the hash of Fowler, Noll and Vo */
-    unsigned hash = OFFSET;
-    for (const char *c = text; *c; c++)
-        hash = (hash ^ (unsigned char)*c) * PRIME;
-    for (size_t k = (hash ^ hash >> 16) % NAMES_INDEXED;; k = (k + 1) % NAMES_INDEXED)
-        if (index->slot[k] == 0 || strcmp(index->list(NULL, index->slot[k] - 1), text) == 0)
-            return &index->slot[k];
-}
-
-static void index_make(struct names_index *index)
-{
-    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-    const char *name;
-    pthread_mutex_lock(&lock);
-    for (int k = 0; !index->made && (name = index->list(NULL, k)) != NULL; k++)
-        if (k < NAMES_INDEXED / 2 && *slot_of(index, name) == 0)
-            *slot_of(index, name) = (unsigned char)(k + 1);
-    index->made = true;
-    pthread_mutex_unlock(&lock);
-}
-
-int names_indexed(struct names_index *index, const char *text)
-{
-    if (!index->made)
-        index_make(index);
-    return *slot_of(index, text) - 1;
 }
 
 /* Returns how many edits lead from a to b: insert, delete, replace, swap two neighbours. For short words. */

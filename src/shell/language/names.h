@@ -1,55 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Names as people type them: exact, or an unambiguous beginning; else what they may have meant. */
+/* Looks names up in lists, as people type them: in full, by an unambiguous prefix, or with a typo. */
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Returns name k of a list; NULL after the last one. */
+/* A list of names: returns the name with index k, or NULL after the last name. */
 typedef const char *names_list(const void *context, int k);
+
+/* Returns the index of the name that equals the text, or -1. */
+int names_exact(names_list *list, const void *context, const char *text);
 
 enum { NAMES_MESSAGE = 256 };
 
-/* What names_find returns if there is no name; all are negative. */
+/* The results of names_find without a match; all of them are negative. */
 enum {
     NAMES_UNKNOWN = -1, /* no name is similar */
-    NAMES_CLOSE = -2,   /* the message says what was meant */
-    NAMES_SEVERAL = -3, /* the message says which names begin so */
+    NAMES_CLOSE = -2,   /* the message suggests a name that is spelled similarly */
+    NAMES_SEVERAL = -3, /* the text is a prefix of several names, which the message lists */
 };
 
 /*
- * Returns the index of the name that text is, or is the only beginning of; else one of the above, with a
- * message: "unknown command 'barier'; did you mean 'barrier'?".  `what` is the kind of name: "command".
+ * Returns the index of the name that equals the text, or of the only name with this prefix. Otherwise returns
+ * one of the results above, and writes a message: "unknown command 'barier'; did you mean 'barrier'?". The
+ * message calls a name `what`.
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);
 
-/* Returns the index of the exact name, or -1. */
-int names_exact(names_list *list, const void *context, const char *text);
-
-/*
- * An index of a list that does not change and needs no context, at most half as long as the index: begins
- * with the list alone, and is made at the first look-up, which may be that of any thread.
- */
-enum { NAMES_INDEXED = 256 };
-
-struct names_index {
-    names_list *list;
-    atomic_bool made;
-    unsigned char slot[NAMES_INDEXED]; /* 1 + the number of a name; 0: none */
-};
-
-/* Returns what names_exact does, without a walk through the list. */
-int names_indexed(struct names_index *index, const char *text);
-
-/* Returns the name in the list that is closest to text, if it is close; else NULL. */
+/* Returns the name whose spelling is closest to the text, or NULL if no name is similar. */
 const char *names_closest(names_list *list, const void *context, const char *text);
 
 enum { NAMES_SHOWN = 64 };
 
-/* Writes text as a message can quote it: nothing unprintable, nothing long. */
+/* Writes the text for a message: shortened, and with control characters escaped. */
 const char *names_shown(const char *text, char shown[NAMES_SHOWN]);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The syntax of expressions: operators by precedence, names, numbers with units. */
+/* Parses expressions by recursive descent. */
 #include "language/expression.h"
 #include "language/quad.h"
 #include "language/text.h"
@@ -32,7 +32,7 @@ static struct tree *node(struct parse *p, enum tree_kind kind, const char *at)
     return t;
 }
 
-/* Returns a node with one child. */
+/* Returns a node with one child, which is NULL after an error. */
 static struct tree *node_of(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
 {
     struct tree *t = child ? node(p, kind, at) : NULL;
@@ -43,17 +43,17 @@ static struct tree *node_of(struct parse *p, enum tree_kind kind, const char *at
     return t;
 }
 
-/* Joins a value to the last child of a chain. */
-static void join(struct tree *chain, struct tree *last, enum tree_operator operator, const char * at,
-                 struct tree *value)
+/* Appends an operator and its operand to a chain, after its last child. */
+static void append(struct tree *chain, struct tree *last, enum tree_operator op, const char *at,
+                   struct tree *value)
 {
-    value->operator= operator;
-    value->operator_at = at;
+    value->op = op;
+    value->op_at = at;
     last->next = value;
     chain->count++;
 }
 
-/* Returns true if this word is here, and no longer one. */
+/* Returns true if the text begins with the whole word. */
 static bool is_word(const char *at, const char *word)
 {
     size_t length = strlen(word);
@@ -62,16 +62,18 @@ static bool is_word(const char *at, const char *word)
 
 /* ---- Values ---- */
 
-static struct tree *chain(struct parse *p, enum tree_operator least);
+/* The levels of precedence, from the operators that bind most loosely. */
+enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
 
-/* Parses a unit after a value, with or without a blank before it; the value is a number, or in parentheses.
- */
+static struct tree *chain(struct parse *p, enum level least);
+
+/* Parses the unit, if there is one, after a number or a value in parentheses. */
 static struct tree *postfix_unit(struct parse *p, struct tree *value)
 {
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    if (c > p->end && p->no_unit && is_word(c, "feet")) /* the effect */
+    if (c > p->end && p->no_unit && is_word(c, "feet")) /* the effect of this name */
         return value;
     if (!name_start(*c))
         return value;
@@ -88,7 +90,7 @@ static struct tree *postfix_unit(struct parse *p, struct tree *value)
     if (!factor)
         return NULL;
     factor->value = unit;
-    join(chain, value, OPERATOR_TIMES, c, factor);
+    append(chain, value, OPERATOR_TIMES, c, factor);
     return chain;
 }
 
@@ -110,7 +112,7 @@ static struct tree *number(struct parse *p)
     return postfix_unit(p, t);
 }
 
-/* Parses "(a, b)" after a name; "()" has no values. */
+/* Parses the arguments of a name, as in "(a, b)" or "()". */
 static bool call(struct parse *p, struct tree *name)
 {
     struct tree **last = &name->child;
@@ -120,7 +122,7 @@ static bool call(struct parse *p, struct tree *name)
     while (*p->end != ')') {
         if (name->count == EXPRESSION_ARGUMENTS)
             return parse_fail(p, "too many values") != NULL;
-        struct tree *value = chain(p, OPERATOR_OR);
+        struct tree *value = chain(p, LEVEL_OR);
         if (!value)
             return false;
         *last = value;
@@ -187,7 +189,7 @@ static struct tree *in_parentheses(struct parse *p)
     const char *open = p->end++;
     p->nested++;
     p->end = skip_blanks(p->end);
-    struct tree *t = chain(p, OPERATOR_OR);
+    struct tree *t = chain(p, LEVEL_OR);
     p->end = t ? skip_blanks(p->end) : p->end;
     if (t && p->with && is_word(p->end, "with"))
         t = p->with(p, t);
@@ -219,73 +221,41 @@ static struct tree *primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* Returns the operator that begins with this character, and its length; equal: a '=' follows. */
-static enum tree_operator operator_of(char c, bool equal, size_t *length)
-{
-    *length = equal && strchr("<>=!", c) ? 2 : 1;
-    switch (c) {
-    case '<':
-        return equal ? OPERATOR_AT_MOST : OPERATOR_LESS;
-    case '>':
-        return equal ? OPERATOR_AT_LEAST : OPERATOR_MORE;
-    case '=':
-        return equal ? OPERATOR_EQUAL : OPERATOR_NONE;
-    case '!':
-        return equal ? OPERATOR_UNEQUAL : OPERATOR_NONE;
-    case '+':
-        return OPERATOR_PLUS;
-    case '-':
-        return OPERATOR_MINUS;
-    case '*':
-        return OPERATOR_TIMES;
-    case '/':
-        return OPERATOR_OVER;
-    case '^':
-        return OPERATOR_POWER;
-    default:
-        return OPERATOR_NONE;
-    }
-}
+/* A longer operator stands before its prefix. '^' is missing here, since the function factor parses it. */
+static const struct op {
+    const char *text;
+    enum tree_operator op;
+    enum level level;
+} operators[] = {
+    {"+", OPERATOR_PLUS, LEVEL_SUM},         {"-", OPERATOR_MINUS, LEVEL_SUM},
+    {"*", OPERATOR_TIMES, LEVEL_PRODUCT},    {"/", OPERATOR_OVER, LEVEL_PRODUCT},
+    {"<=", OPERATOR_AT_MOST, LEVEL_COMPARE}, {">=", OPERATOR_AT_LEAST, LEVEL_COMPARE},
+    {"==", OPERATOR_EQUAL, LEVEL_COMPARE},   {"!=", OPERATOR_UNEQUAL, LEVEL_COMPARE},
+    {"<", OPERATOR_LESS, LEVEL_COMPARE},     {">", OPERATOR_MORE, LEVEL_COMPARE},
+    {"and", OPERATOR_AND, LEVEL_AND},        {"or", OPERATOR_OR, LEVEL_OR},
+};
 
 /*
- * Returns the operator at this place, the end of a value and blanks, and its length. A bare '>' is the file
- * of an answer, so that it compares only in parentheses; "1 -2" are two values: an argument, and one that
- * begins with its sign.
+ * Returns the operator at a place after a value and blanks, or NULL. Outside of parentheses '>' is no
+ * operator, since it redirects the answer into a file. Nor is a sign that has a blank before it, but not
+ * after it: "1 -2" are two values.
  */
-static enum tree_operator operator_at(const struct parse *p, const char *at, size_t *length)
+static const struct op *op_at(const struct parse *p, const char *at)
 {
-    if (*at == 'a' || *at == 'o') {
-        enum tree_operator word = is_word(at, "and")  ? OPERATOR_AND
-                                  : is_word(at, "or") ? OPERATOR_OR
-                                                      : OPERATOR_NONE;
-        *length = word == OPERATOR_AND ? 3 : 2;
-        return word;
+    const struct op *op = NULL;
+    for (size_t k = 0; k < sizeof operators / sizeof *operators && !op; k++) {
+        const char *text = operators[k].text;
+        if (*at == *text && (name_start(*text) ? is_word(at, text) : strncmp(at, text, strlen(text)) == 0))
+            op = &operators[k];
     }
-    enum tree_operator operator= * at ? operator_of(*at, at[1] == '=', length) : OPERATOR_NONE;
-    bool sign = operator== OPERATOR_PLUS || operator== OPERATOR_MINUS;
-    bool file = operator== OPERATOR_MORE && p->nested == 0;
-    bool value = sign && at != p->end && skip_blanks(at + 1) == at + 1;
-    return file || value ? OPERATOR_NONE : operator;
+    if (!op)
+        return NULL;
+    bool is_sign = op->level == LEVEL_SUM && at != p->end && skip_blanks(at + 1) == at + 1;
+    bool redirects = op->op == OPERATOR_MORE && p->nested == 0;
+    return is_sign || redirects ? NULL : op;
 }
 
-/* Returns the first operator of those that bind as tightly as this one. */
-static enum tree_operator precedence(enum tree_operator operator)
-{
-    if (operator>= OPERATOR_LESS && operator<= OPERATOR_UNEQUAL)
-        return OPERATOR_LESS;
-    return operator== OPERATOR_MINUS ? OPERATOR_PLUS : operator== OPERATOR_OVER ? OPERATOR_TIMES : operator;
-}
-
-/* Returns the first of the operators that bind more tightly than this first one of its kind. */
-static enum tree_operator tighter(enum tree_operator kind)
-{
-    return kind == OPERATOR_LESS    ? OPERATOR_PLUS
-           : kind == OPERATOR_PLUS  ? OPERATOR_TIMES
-           : kind == OPERATOR_TIMES ? OPERATOR_POWER
-                                    : kind + 1;
-}
-
-/* Parses a sign, 'not', or a value with its power: -2^2 is -(2^2). */
+/* Parses a value with the operators before it, and with its exponent: -2^2 is -(2^2). */
 static struct tree *factor(struct parse *p)
 {
     const char *at = p->end;
@@ -299,7 +269,7 @@ static struct tree *factor(struct parse *p)
             t = node_of(p, TREE_MINUS, at, t);
     } else if (*at == 'n' && is_word(at, "not")) {
         p->end = skip_blanks(at + strlen("not"));
-        t = node_of(p, TREE_NOT, at, chain(p, OPERATOR_LESS));
+        t = node_of(p, TREE_NOT, at, chain(p, LEVEL_COMPARE));
     } else
         t = primary(p);
     const char *power = t ? skip_blanks(p->end) : "";
@@ -309,39 +279,37 @@ static struct tree *factor(struct parse *p)
         struct tree *exponent = factor(p), *base = t;
         t = exponent ? node_of(p, TREE_CHAIN, power, base) : NULL;
         if (t)
-            join(t, base, OPERATOR_POWER, exponent_at, exponent);
+            append(t, base, OPERATOR_POWER, exponent_at, exponent);
     }
     p->depth--;
     return t;
 }
 
-/* Parses values joined by operators that bind at least as tightly as this one. */
-static struct tree *chain(struct parse *p, enum tree_operator least)
+/* Parses values with operators between them that bind at least as tightly as the level `least`. */
+static struct tree *chain(struct parse *p, enum level least)
 {
-    size_t length = 0;
     struct tree *left = factor(p), *last = NULL;
-    enum tree_operator of =
-        OPERATOR_NONE; /* the kind of operators in the chain `left`; none: it is no such chain */
+    const struct op *before = NULL; /* the operator that the chain `left` ends with, if it is a chain */
     while (left) {
         const char *at = skip_blanks(p->end);
-        enum tree_operator operator= operator_at(p, at, &length), kind = precedence(operator);
-        if (operator== OPERATOR_NONE || kind<least)
+        const struct op *op = op_at(p, at);
+        if (!op || op->level < least)
             break;
-        if (kind == OPERATOR_LESS && of == kind) {
+        if (before && before->level == LEVEL_COMPARE && op->level == LEVEL_COMPARE) {
             p->end = at;
             return parse_fail(p, "two values are compared, and comparisons joined by 'and'");
         }
-        p->end = skip_blanks(at + length);
-        struct tree *right = chain(p, tighter(kind));
+        p->end = skip_blanks(at + strlen(op->text));
+        struct tree *right = chain(p, op->level + 1);
         if (!right)
             return NULL;
-        if (of != kind) {
+        if (!before || before->level != op->level) {
             last = left;
             left = node_of(p, TREE_CHAIN, left->at, left);
-            of = kind;
         }
+        before = op;
         if (left) {
-            join(left, last, operator, at, right);
+            append(left, last, op->op, at, right);
             last = right;
         }
     }
@@ -353,5 +321,5 @@ struct tree *expression_parse(struct parse *p)
     p->end = p->text;
     p->message[0] = '\0';
     p->depth = p->nested = p->nodes = 0;
-    return chain(p, OPERATOR_OR);
+    return chain(p, LEVEL_OR);
 }

@@ -222,8 +222,7 @@ const char *parameter_offered(const void *parameter, int k)
 
 const struct parameter *parameter_find(const char *name)
 {
-    static struct names_index index = {.list = parameter_names};
-    int k = names_indexed(&index, name);
+    int k = names_exact(parameter_names, NULL, name);
     return k < 0 ? NULL : &session_parameters[k];
 }
 
@@ -409,18 +408,6 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
                              p->words && !p->effect ? ", or one of its words" : "");
 }
 
-/* Returns how many digits a tolerance promises; keeps the last answer, since every command asks for it. */
-static int tol_digits(domq_real tol)
-{
-    static _Thread_local domq_real known;
-    static _Thread_local int digits;
-    if (digits == 0 || tol != known) {
-        digits = (int)fmax(floor(-log10((double)tol) + 1e-6), 1);
-        known = tol;
-    }
-    return digits;
-}
-
 struct answer_style state_style(const struct state *state)
 {
     struct answer_style style = state->settings.style;
@@ -428,7 +415,7 @@ struct answer_style state_style(const struct state *state)
     style.format = format_at(style.output);
     style.precision = state->scene.compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
-    style.tol_digits = tol_digits(state->scene.compute.tol);
+    style.tol_digits = (int)fmax(floor(-log10((double)state->scene.compute.tol) + 1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }
