@@ -231,7 +231,7 @@ FORCE:
 
 # Runs the quick tests: a twentieth of the sweeps' points, the short sessions, the unit tests.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
-QUICK_BATS := $(patsubst %,tests/shell/%.bats,pipe scenes precision draw walk)
+QUICK_BATS := $(patsubst %,tests/shell/%.bats,output count growth effects rows precision draw cycle)
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
 
 quick: export SWEEP_SIZE := 0.05
@@ -275,8 +275,8 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 # Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and keep rows, under
 # sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of the model that the tests run. With
 # -g1, which is lines alone, gcc takes half as long.
-SANITIZED := $(patsubst %,tests/shell/%.bats,prompt answers draw errors files hostile language prove rowfiles rows \
-  tolerance values)
+SANITIZED := $(patsubst %,tests/shell/%.bats,prompt assert complete draw effects errors escape expressions files fifo help lines \
+  mend names options placement prove rowfiles rows save settings tolerance undo units variables)
 sanitize: | $(FIRST)
 	@find $(B)/sanitize -name '*.gcda' -delete 2>/dev/null || :
 	@LDFLAGS=--coverage $(MAKE) --no-print-directory B=$(B)/sanitize BATS='$(SANITIZED)' HARD_BIN='$(patsubst %,$(B)/sanitize/hard/test_%,proof search sweep)' COVER=--coverage \

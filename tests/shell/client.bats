@@ -1,17 +1,71 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A program at the other end of the pipes: one line in, one object out; records of a session.
-# shellcheck disable=SC2154 # 'run' sets variables
+# A program at the other end of the pipes; log, tee and echo.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
+# A program that writes a command and waits for its answer: each of the table, and what replaces a line.
+# The timeout is for the failure alone.
+talk() { # READ-FROM WRITE-TO: descriptors
+    local call line
+    while IFS='|' read -r call _; do
+        printf '%s\n' "${call##*; }" >&"$2"
+        read -r -t 60 -u "$1" line || same "an answer of '${call##*; }'" something "$line"
+        printf 'print 7\n' >&"$2"
+        while [ "$line" != '{"command":"print","value":7,"unit":""}' ]; do
+            read -r -t 60 -u "$1" line || same "what follows '${call##*; }'" 'print 7' "$line"
+        done
+    done <<<"$commands"
+}
+
 setup() {
-    answers_at_all
-    cd "$BATS_TEST_TMPDIR" || false
+    begin
     mkdir bin
     ln -s "$DOMINO" bin/domino
     PATH=$PWD/bin:$PATH
-    examples=$BATS_TEST_DIRNAME/../../examples
+    examples=$root/examples
+}
+
+@test "a program that waits for each answer gets it: standard input" {
+    coproc CALCULATOR { "$DOMINO"; }
+    local in=${CALCULATOR[0]} out=${CALCULATOR[1]} process=$CALCULATOR_PID
+    echo 'set output json; effect row 4; effect placement 5 mm' >&"$out"
+    talk "$in" "$out"
+    echo quit >&"$out"
+    wait "$process"
+}
+
+@test "a program that waits for each answer gets it: a pipe with a name, by -f and by 'source'" {
+    mkfifo commands answers
+    local by
+    for by in '-f commands' '-e source\ commands'; do
+        eval "'$DOMINO' $by >answers &"
+        exec 6<answers 5>commands # in the order in which the program opens them
+        echo 'set output json; effect row 4; effect placement 5 mm' >&5
+        talk 6 5
+        exec 5>&- 6<&-
+        wait
+    done
+}
+
+@test "answers are not sent one by one if no reader waits" {
+    # dd counts what it is given at a time; a read takes one write or more of them.
+    for way in stdin file; do
+        printf 'print 12345\n%.0s' {1..20000} >"$BATS_TEST_TMPDIR/lines"
+        [ $way = stdin ] && ask=("$DOMINO") || ask=("$DOMINO" -f "$BATS_TEST_TMPDIR/lines")
+        "${ask[@]}" <"$BATS_TEST_TMPDIR/lines" | dd bs=1M of=/dev/null 2>"$BATS_TEST_TMPDIR/counted"
+        same "$way: bytes" "$((20000 * 7 - 1))" "$(sed -n 's/ bytes.*//p' "$BATS_TEST_TMPDIR/counted")"
+        awk -F + '/records in/ && $1 + $2 > 60 { print; exit 1 }' "$BATS_TEST_TMPDIR/counted"
+    done
+}
+
+@test "what was not run is left to the program that reads on" {
+    printf 'print 1\nquit\nthe rest\n' >lines
+    same 'quit' $'1\nthe rest' "$({ "$DOMINO"; cat; } <lines)"
+    same '-f -' $'1\nthe rest' "$({ "$DOMINO" -f -; cat; } <lines)"
+    printf 'print 1\nfoo\nthe rest\n' >lines
+    same 'an error' $'1\nthe rest' "$({ "$DOMINO" --bail 2>/dev/null; cat; } <lines)"
 }
 
 @test "clients in Python and in C ask line by line, and find the same separation" {
@@ -28,55 +82,6 @@ setup() {
     done
 }
 
-@test "json: an object for each command, each with its command, also for errors" {
-    while IFS='|' read -r line expected; do
-        got=$(printf '%s\n' 'set output json' "$line" | "$DOMINO" 2>err) || true
-        grep -qxE -- "$expected" <<<"$got" || same "$line" "$expected" "$got"
-        same "$line: one object" 1 "$(wc -l <<<"$got")"
-        python3 -c 'import json, sys; assert "command" in json.loads(sys.stdin.read())' <<<"$got"
-    done <<'END'
-rmax|\{"command":"rmax","s":0\.4,"r_max":.*\}
-set s 0.3|\{"command":"set"\}
-effect friction 0.2|\{"command":"effect"\}
-rmax > answer|\{"command":"rmax"\}
-quit|\{"command":"quit"\}
-foo|\{"command":null,"error":"unknown command 'foo'; .*","source":"stdin","line":2,"column":1\}
-theta1 9|\{"command":"theta1","error":"T = 9 rad is outside .*","source":"stdin","line":2,"column":8\}
-assert verdict|\{"command":"verdict","error":"there is no row; .*","source":"stdin","line":2,"column":null\}
-print "|\{"command":"print","error":".*\\".*","source":"stdin","line":2,"column":7\}
-source missing|\{"command":"source","error":"cannot read 'missing': .*"source".*\}
-print 1e400|\{"command":"print","value":null,"unit":"","reason":".*quad.*"\}
-print 1e-400|\{"command":"print","value":null,"unit":"","reason":".*nearer to 0.*"\}
-print 1e5000|\{"command":"print","error":".* is too large for a number","source".*\}
-help rmax|\{"command":"help","name":"rmax","kind":"command","usage":"rmax \[S\]",.*"keys":"s r_max ends_by r_max_exact r_max_paper".*\}
-help friction|\{"command":"help","name":"friction","kind":"effect","usage":"effect friction .*\}
-show s|\{"command":"show","name":"s","value":0\.4,.*\}
-complete set output j|\{"command":"complete","line":".*json"\}
-echo "a; b"|\{"command":"echo","text":"a; b"\}
-END
-    # An error is on standard error, too.
-    grep -q . <(echo 'foo' | "$DOMINO" 2>&1 >/dev/null)
-    same 'help in csv' "$(json help | wc -l)" "$("$DOMINO" -e 'set output csv; help' | tail -n +2 | wc -l)"
-    same 'apropos' "$("$DOMINO" -e 'apropos barrier' | grep -c '^[a-z]')" "$(json 'apropos barrier' | wc -l)"
-    # A file that is read answers for each of its commands, and for itself at its end.
-    printf 'fuel\nset s 0.3\n' >inner
-    same 'source' 'fuel set source' "$("$DOMINO" -e 'set output json; source inner' |
-        sed -E 's/^\{"command":"([a-z]*)".*/\1/' | paste -sd ' ' -)"
-    same 'and in its own file' 'fuel set' "$("$DOMINO" -e 'source inner > all.json' && sed -E 's/^\{"command":"([a-z]*)".*/\1/' all.json | paste -sd ' ' -)"
-}
-
-@test "csv: one head for answers with the same columns, again for others, and none if that is set" {
-    same 'a run' 's,r_max,ends_by 0.3 0.5 fuel,fuel_exact,fuel_paper 0.17 s,r_max,ends_by 0.3' \
-        "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5; fuel; pair 0.3' | sed -E 's/^(0\.[0-9]{2}).*/\1/; s/^(0\.[35])0*,.*/\1/; s/^(0\.[35]),.*/\1/' | sed -E 's/^(0\.[0-9]*),.*/\1/' | paste -sd ' ' -)"
-    same 'off' 2 "$("$DOMINO" -e 'set output csv; set header off; pair 0.3; fuel' | wc -l)"
-    same 'a file has its own' "$("$DOMINO" -e 'set output csv; fuel')" "$("$DOMINO" -e 'set output csv; fuel; fuel > a.csv' >/dev/null; cat a.csv)"
-    for _ in 1 2; do "$DOMINO" -e 'pair 0.3 >> b.csv'; done
-    "$DOMINO" -e 'fuel >> b.csv; pair 0.3 >> b.csv'
-    same 'appended' 's fuel s' "$(grep -o '^[a-z]*' b.csv | paste -sd ' ' -)"
-    same 'rows' 4 "$(grep -c '^0' b.csv)"
-    same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
-}
-
 # A study that would take minutes, after a quick answer.
 long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
 
@@ -91,22 +96,6 @@ long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
     same 'a pipe' 42 "$said"
     kill -KILL $!
     exec 5<&-
-}
-
-@test "a signal that ends a script leaves the answer of the rows that placement and budget have counted" {
-    for call in 'placement 9000000' 'budget 0.95 20000'; do
-        for wait in 0.3 1 3 9; do # how long it takes until there are some
-            "$DOMINO" -n -e "set output csv; effect row 13; effect placement 8 mm; $call; print 7" >out 2>err 3>&- &
-            sleep "$wait"
-            kill -TERM $!
-            wait $! && status=0 || status=$?
-            same "$call: ended by SIGTERM" 143 "$status"
-            same "$call: said" "-e:1: ${call%% *}: interrupted" "$(cat err)"
-            ! grep -q '^[0-9].*interrupted' out || break
-        done
-        same "$call: names and numbers" 2 "$(wc -l <out)"
-    done
-    [[ $(sed -n 2p out) =~ ^0\.95,[0-9.e-]+,.*,interrupted ]]
 }
 
 @test "with --interruptible SIGINT ends the command, and the program goes on; without it the program ends" {
@@ -144,17 +133,6 @@ END
     said=$(timeout 60 python3 interrupt.py --interruptible)
     [[ $said =~ ^interrupted(\ after\ [0-9]+\ of\ 9000000\ rows$'\n'interrupted)?$'\n'42$'\n'1$ ]] || same 'it goes on' 42 "$said"
     same 'as a script' '-2' "$(timeout 60 python3 interrupt.py | tail -n 1)"
-}
-
-@test "an answer that is about the train, while a row is on, says so to programs" {
-    for format in json csv; do
-        for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do
-            "$DOMINO" -e "effect row 5; set output $format; $call" | grep -q 'endless train' ||
-                same "$call in $format" note "$("$DOMINO" -e "effect row 5; set output $format; $call")"
-            same "$call without a row" '(nothing)' "$("$DOMINO" -e "set output $format; $call" | grep note || true)"
-        done
-        same "fall" '(nothing)' "$("$DOMINO" -e "effect row 5; set output $format; fall" | grep note || true)"
-    done
 }
 
 @test "log: a script of the commands, with answers as comments; tee: the answers alone" {
@@ -195,16 +173,4 @@ END
         echo 'set output csv; pool -'
         "$DOMINO" --shard 1/1 -e "$study"
     } | "$DOMINO")"
-}
-
-@test "a file that an answer around a command writes is not written by the command, too" {
-    printf 'rmax > out\nfuel\n' >script
-    run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
-    same message "script:1:8: rmax: cannot write 'out': this session is writing it already; choose another file" "$stderr"
-    printf 'rmax > other\nfuel\n' >script
-    "$DOMINO" -e 'source script > out'
-    same outer "$("$DOMINO" -e fuel)" "$(cat out)"
-    same inner "$("$DOMINO" -e rmax)" "$(cat other)"
-    "$DOMINO" -e 'rmax > out; fuel > out'
-    same 'one after the other' "$("$DOMINO" -e fuel)" "$(cat out)"
 }

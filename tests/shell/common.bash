@@ -73,10 +73,31 @@ bare() {
 keys() { bare | head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
+# A row in a csv file.
+# shellcheck disable=SC2034
+two_dominoes='height (mm), thickness (mm), gap (mm)
+48, 7, -
+48, 7, 20'
+
+# The folder of the sources. Nothing is written there.
+# shellcheck disable=SC2034
+root=${BATS_TEST_DIRNAME%/tests/*}
+
 # Checks before every test that there is a program that answers: without one, a test that something is not done
-# would pass.
-setup() { answers_at_all; }
+# would pass. Each test begins in an empty folder.
+setup() { begin; }
+begin() { answers_at_all && mkdir -p "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
 answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
+
+csv() { "$DOMINO" -e "set output csv; $1"; }
+completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
+inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
+mode() { find "$1" -prune -perm "$2"; }
+# No test may wait for ever.
+soon() { timeout 30 "$@"; }
+
+# Runs a scenario at a terminal: that of prompt.bats is in prompt.exp.
+prompt() { timeout 300 expect -f "${BATS_TEST_FILENAME%.bats}.exp" "$@" </dev/null; }
 
 # Fails if an expectation is blank: a program that prints nothing would meet it. To expect nothing, write
 # '(nothing)'.
@@ -137,6 +158,53 @@ wrong() { # COMMANDS PATTERN
     grep -qE -- "$2" <<<"$stderr" || same "$1" "$2" "$stderr"
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
+
+# Checks that commands fail with one line, which has the text.
+one_line() { # TEXT COMMANDS
+    run -1 "$DOMINO" --keep-going -e "$2"
+    same "$2: one line" 1 "${#lines[@]}"
+    [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
+}
+
+# Rows of VALUE|UNIT|EXPRESSION on stdin, where '-' is no unit: what print makes of them.
+all_worth() {
+    local value unit expression rows answers
+    mapfile -t rows
+    mapfile -t answers < <({ echo 'set output json'; printf 'print %s\n' "${rows[@]#*|*|}"; } | "$DOMINO")
+    same 'one answer each' "${#rows[@]}" "${#answers[@]}"
+    for i in "${!rows[@]}"; do
+        IFS='|' read -r value unit expression <<<"${rows[i]}"
+        close "$expression" "$value" "$(values value <<<"${answers[i]}")"
+        [ "$unit" != - ] || unit='(nothing)'
+        same "$expression: unit" "$unit" "$(values unit <<<"${answers[i]}")"
+    done
+}
+
+# Rows of COLUMN|COMMAND|MESSAGE on stdin, all in one session: one error each, in their order, and no answer.
+all_wrong() {
+    local column command message place rows errors i
+    mapfile -t rows
+    for i in "${rows[@]}"; do
+        command=${i#*|}
+        printf '%s\nreset\nset output json; show s\n' "${command%%|*}"
+    done >"$BATS_TEST_TMPDIR/rows"
+    run --separate-stderr "$DOMINO" <"$BATS_TEST_TMPDIR/rows"
+    same 'status' 1 "$status"
+    same 'the session goes on, and nothing else is on stdout' "${#rows[@]} 0.4" \
+        "$(values value <<<"$output" | uniq -c | sed 's/^ *//')"
+    same 'lines on stdout' "${#rows[@]}" "$(bare <<<"$output" | wc -l)"
+    mapfile -t errors <<<"$stderr"
+    same 'lines on stderr' "${#rows[@]}" "${#errors[@]}"
+    for i in "${!rows[@]}"; do
+        IFS='|' read -r column command message <<<"${rows[i]}"
+        place=stdin:$((3 * i + 1)):
+        if [ "$column" -gt 0 ]; then place=$place$column:; fi
+        same "$command: place" "$place" "${errors[i]%% *}"
+        expects "$command" "$message"
+        [[ ${errors[i]#* } =~ $message ]] || same "$command" "$message" "${errors[i]}"
+    done
+}
+wrong_at() { all_wrong <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE
 
 # The libraries that a program needs to link a library that was built for checkers.
 checked() {

@@ -1,14 +1,15 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures: their data, which is what is drawn; the kinds of files; errors.
+# Pictures of trains and rows: where dominoes stand, captions, files, and what cannot be drawn.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-csv() { "$DOMINO" -e "set output csv; $1"; }
-one_line() { # PART COMMANDS: fails with one line, that has the part
-    run -1 "$DOMINO" --keep-going -e "$2"
-    same "$2: one line" 1 "${#lines[@]}"
-    [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
+record="effect row \"$root/examples/record.csv\""
+
+@test "corners of a picture are 0 where only rounding errors are left" {
+    same tiny '(nothing)' "$("$DOMINO" -n -e 'set output csv; set header off; effect row 4; draw; draw at end' |
+        tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
 }
 
 @test "draw: csv has every domino, upright and where it stands, with its corners" {
@@ -31,7 +32,6 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
 }
 
 @test "draw: rounded edges touch the back of their leader; files show them as arcs, captions name the radius" {
-    cd "$BATS_TEST_TMPDIR"
     for scene in 'draw 0' 'draw 0.3' 'set r 1.2; effect friction 0.1; draw 0.1'; do
         "$DOMINO" -e "set output csv; set digits 17; set header off; effect edges 0.05; $scene" 2>forces.txt |
             awk -F, '$11 + 0 == $11 && $12 != "" { n++; x = $9 - $7; z = $10 - $8
@@ -77,7 +77,7 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
 }
 
 @test "draw and plot: each kind of file" {
-    dir=$BATS_TEST_TMPDIR
+    dir=$PWD
     for what in 'draw 0.3' 'draw forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal'; do
         "$DOMINO" -e "$what > $dir/a.svg; $what > $dir/b.png; $what > $dir/c.pdf; $what > $dir/d.txt"
         head -c 5 "$dir/a.svg" | grep -q '<?xml'
@@ -91,33 +91,8 @@ one_line() { # PART COMMANDS: fails with one line, that has the part
     for words in 'to scale' 'x \[h\]' '>next<' 'dots: contacts' 'arrows: the push'; do grep -q "$words" "$dir/a.svg"; done
 }
 
-# How many frames a gif has of each delay, in 1/100 s as little-endian hex.
-delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a-f]{2}[0-9a-f]{4}[0-9a-f]{2}00' | cut -c 9-12 | sort | uniq -c | awk '{ print $1, $2 }'; }
-
-@test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {
-    gif=$BATS_TEST_TMPDIR/a.gif
-    same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
-    same gif GIF89a "$(head -c 6 "$gif")"
-    same 'frames and their delay' '95 0400' "$(delays "$gif")"
-    csv 'animate a.gif' >"$BATS_TEST_TMPDIR/frames"
-    same rows 96 "$(wc -l <"$BATS_TEST_TMPDIR/frames")"
-    awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
-        { before = $1; n[$2]++ }
-        # 1 + sqrt(r) + r cycles, as many frames in each as it lasts; theta grows in each, up to theta_c.
-        END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' "$BATS_TEST_TMPDIR/frames"
-    awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
-        END { exit bad || pairs < 80 }' "$BATS_TEST_TMPDIR/frames"
-    "$DOMINO" -e "animate $gif 1"
-    same 'one cycle' '26 0400' "$(delays "$gif")"
-    same 'data instead, and no file' '(nothing)' "$(csv "animate $BATS_TEST_TMPDIR/b.gif" >/dev/null; ls "$BATS_TEST_TMPDIR" | grep 'b\.gif')"
-    # A train that stops is shown to its stop.
-    "$DOMINO" -e "set r 1.7; animate $gif"
-    same 'it stops' "$(json 'set r 1.7; barrier' | sed -n 's/.*stops at theta = \([0-9.]*\).*/\1/p' | cut -c 1-8)" \
-        "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
-}
-
 @test "what cannot be drawn: one line that says what would be right, and no file" {
-    dir=$BATS_TEST_TMPDIR
+    dir=$PWD
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
     one_line 'T is an angle, not a length' 'draw 10 mm'
@@ -154,7 +129,7 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
 }
 
 @test "without gnuplot: one line that says what to install; the data is there" {
-    dir=$BATS_TEST_TMPDIR
+    dir=$PWD
     mkdir "$dir/empty"
     for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
         run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "$what; print 1"
@@ -178,7 +153,200 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
     same 'plot energy' "$plain" "$(grep -v Produced "$BATS_TEST_TMPDIR/b.svg")"
 }
 
-@test "completion: what draw takes" {
-    same draw forces "$("$DOMINO" -e 'complete draw f')"
-    same 'draw T' forces "$("$DOMINO" -e 'complete draw 0.3 f')"
+@test "draw: the dominoes of the row in the svg are where the model has them, standing, at a time and at the end" {
+    while IFS='|' read -r count row what; do
+        "$DOMINO" -e "$row; $what > a.svg"
+        xmllint --noout a.svg
+        same "$row; $what" "$count" "$("$DOMINO" -e "set output json; $row; $what" | "$BATS_TEST_DIRNAME/polygons" a.svg)"
+    done <<END
+10|$record|draw
+10|$record|draw at 3.9 s
+10|$record|draw at domino 8
+10|$record|draw at end
+12|set r 1; effect row 12; effect push 5|draw at 0.2
+5|set r 1.4; effect row 5; effect friction 0.2; effect slope 1 deg|draw at domino 4
+200|set r 1; effect row 200|draw
+END
+}
+
+@test "draw: no text of the svg is written over another, and a height that repeats is written once" {
+    for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
+        "$DOMINO" -e "$row; draw > a.svg"
+        "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
+        [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
+        same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
+    done
+}
+
+@test "draw: data of the row stands as 'row' says, leans on the tape measure, and moves in time" {
+    "$DOMINO" -e "set output json; $record; row" >"$BATS_TEST_TMPDIR/row"
+    "$DOMINO" -e "set output json; $record; draw" >"$BATS_TEST_TMPDIR/draw"
+    python3 - "$BATS_TEST_TMPDIR/row" "$BATS_TEST_TMPDIR/draw" <<'END'
+import json, sys
+row, draw = ([r for r in map(json.loads, open(path)) if "i" in r or "gap" in r] for path in sys.argv[1:])
+at = 0
+assert len(row) == len(draw) == 10
+for k, (own, seen) in enumerate(zip(row, draw)):
+    at += own["gap"] if k else 0
+    assert seen["i"] == k + 1 and seen["theta"] == 0 and abs(seen["foot_back_x"] - at) < 1e-12
+    at += own["thickness"]
+    assert abs(seen["x"] - at) < 1e-12 and abs(seen["top_front_z"] - own["height"]) < 1e-12
+END
+    # When domino 8 is hit, domino 7 touches it: as far up as the cosine of its tilt says.
+    hit=$(csv "$record; fall" | awk -F, '$1 == 8 { print $3 }')
+    same 'a time or its domino' "$(csv "$record; draw at domino 8" | cut -d, -f 4 | cut -c 1-9)" \
+        "$(csv "$record; draw at $hit s" | cut -d, -f 4 | cut -c 1-9)"
+    csv "$record; draw at domino 8" | awk -F, '$1 == 7 { seventh = $4 } $1 == 8 { eighth = $4 } NR > 9 && $4 != 0 { bad = 1 }
+        END { exit bad || eighth != 0 || !(sin(seventh) * 1.9 - 0.64 < 1e-9 && sin(seventh) * 1.9 - 0.64 > -1e-9) }'
+    # Each tilt grows with time.
+    for t in 1 2 3 4 5 6 7; do csv "$record; draw at $t" | sed 1d | cut -d, -f 4 | paste -sd ' ' -; done |
+        awk '{ for (k = 1; k <= 10; k++) { if ($k < before[k]) bad = 1; moved += $k > before[k]; before[k] = $k } } END { exit bad || moved < 20 }'
+}
+
+@test "draw: captions say how the row ends, which domino is the weakest, and what falls" {
+    while IFS='|' read -r row what words; do
+        "$DOMINO" -e "$row; $what > a.svg; $what > b.txt"
+        for file in a.svg b.txt; do
+            grep -qF -- "$words" <(tr '\n' ' ' <"$file") || same "$row; $what" "$words" "$(cat "$file")"
+        done
+    done <<END
+$record|draw|10 dominoes, 24 cm to 5.5 m tall, on 8.85 m of floor.
+$record|draw|All 10 fall: the last lies 7.65 s after the first hit.
+$record|draw|Weakest: domino 8 (
+$record|draw at domino 8|3.348 s after the first hit: domino 8 falls, 2 still stand.
+$record|draw at -0.1|0.100 s before the first hit: domino 1 falls, 9 still stand.
+$record|draw at end|all lie.
+set r 1.6; effect row 12|draw|stops the row: it has 96 % of the energy that it needs.
+set r 1.6; effect row 12|draw at end|the row has ended at domino 2, 10 still stand.
+set s 0.9; set r 1.2; effect row 4|draw|The row ends at domino 1 (
+effect row 1; effect push 5|draw at end|it lies.
+END
+    share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
+    awk -v k="$(values kinetic <<<"$share")" -v b="$(values barrier <<<"$share")" 'BEGIN { p = 100 * k / b; exit !(p > 95.5 && p < 96.5) }'
+    # A picture is nothing but a picture.
+    for ending in svg png pdf; do
+        same "silent, $ending" '(nothing)' "$("$DOMINO" -e "$record; draw > a.$ending; draw train > b.$ending" 2>&1)"
+        "$DOMINO" -e "$record; draw 0.3 > c.$ending" 2>said
+        grep -q 'endless train' said
+        run -1 grep -qa 'endless train at these' c.$ending
+    done
+    xmllint --noout a.svg b.svg c.svg
+}
+
+@test "draw: 'train' is the endless train, with a row and without" {
+    plain=$("$DOMINO" -e 'draw 0.3')
+    same 'with a row' "$plain" "$("$DOMINO" -e 'effect row 5; draw train 0.3')"
+    same 'without' "$plain" "$("$DOMINO" -e 'draw train 0.3')"
+    differ 'the row' "$plain" "$("$DOMINO" -e 'effect row 5; draw')"
+    same forces "$("$DOMINO" -e 'draw forces')" "$("$DOMINO" -e 'effect row 5; draw train forces')"
+}
+
+@test "draw: the row in characters has every domino, fits the terminal, and needs no gnuplot" {
+    mkdir "$BATS_TEST_TMPDIR/empty"
+    run -0 env PATH="$BATS_TEST_TMPDIR/empty" "$DOMINO" -e "$record; draw"
+    [ "${#lines[@]}" -le 23 ]
+    awk 'length > 79 { exit 1 }' <<<"$output"
+    same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
+    for mark in 1 2 3 4 5 6 7 '\*' 9 0; do grep -q " *$mark" <<<"$(sed -n '4,/ 0 -/p' <<<"$output")"; done
+    grep -q '^domino  1 .* 10$' <<<"$output"
+    # To scale: domino 10 is 5.5 / 2.9 times as tall as domino 8, a line being 2 columns.
+    awk '/0000/ { tall++ } /\*\*\*/ { eighth++ } END { exit !(tall / eighth > 1.6 && tall / eighth < 2.2) }' <<<"$output"
+    differ 'it falls' "$output" "$("$DOMINO" -e "$record; draw at 4")"
+}
+
+@test "draw: on a terminal with UTF-8 the row is of braille, in colour, and has its size" {
+    terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_DIRNAME/terminal.py" 100 30 '62;22' "$DOMINO" -e "$record; draw at 5"; }
+    terminal >"$BATS_TEST_TMPDIR/seen"
+    grep -q $'\u28ff' "$BATS_TEST_TMPDIR/seen" || same braille 'a full cell' "$(cat "$BATS_TEST_TMPDIR/seen")"
+    grep -q $'\e\[' "$BATS_TEST_TMPDIR/seen"
+    grep -q 'Weakest: domino 8 (red)' "$BATS_TEST_TMPDIR/seen"
+    lines=$(wc -l <"$BATS_TEST_TMPDIR/seen")
+    [ "$lines" -le 29 ] && [ "$lines" -ge 15 ]
+    sed 's/\x1b\[[0-9;]*m//g; s/<asked>//' "$BATS_TEST_TMPDIR/seen" | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
+    terminal NO_COLOR=1 >"$BATS_TEST_TMPDIR/grey"
+    grep -q 'Weakest: domino 8 (filled)' "$BATS_TEST_TMPDIR/grey"
+    same 'no colour' 0 "$(grep -c $'\e\[[0-9]' "$BATS_TEST_TMPDIR/grey")"
+    terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
+}
+
+@test "draw: every domino of a row of 14 has its number and its height in the picture, or in the line that says which do not" {
+    local row sentence numbers
+    while IFS='|' read -r row sentence numbers; do
+        "$DOMINO" -e "$row; draw > a.svg"
+        "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
+        same "$row" "$sentence" "$(grep '^Too small' texts)"
+        for k in $numbers; do
+            grep -qx "$k" texts || same "$row" "domino $k" "$(cat texts)"
+        done
+    done <<'END'
+effect row 14|Too small for labels: domino 1 (4.8 cm), 3 to 6 (10.8 cm to 36.5 cm).|2 7 8 9 10 11 12 13 14
+set r 1.3; effect row 14|Too small for labels: domino 1 (4.8 cm), 3 and 4 (8.11 cm and 10.5 cm).|2 5 6 7 8 9 10 11 12 13 14
+set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
+END
+}
+
+@test "what cannot be drawn of a row: one line that says what works" {
+    one_line "'draw at' shows a moment of a row; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
+    one_line "the motion ends at 7.648 s; 'draw at end' shows that" "$record; draw at 8 s > a.svg"
+    one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last" "$record; draw at domino 11"
+    one_line 'there is no domino 0: this row has 10;' "$record; draw at domino 0"
+    one_line 'there is no domino 2.5: this row has 10;' "$record; draw at domino 2.5"
+    one_line "domino 5 is never hit: the row ends at domino 2; 'draw at end' shows that" 'set r 1.6; effect row 12; draw at domino 5'
+    one_line "the clock starts at 0 s, with the push; 'draw at 0' shows that moment" 'effect row 5; effect push 5; draw at -1'
+    one_line "the moment is a time in s, not a length; an example is 'draw at 2.5 s'" "$record; draw at 2 m"
+    one_line 'the moment is missing; usage: draw, draw at 2.5 s, ' "$record; draw at"
+    one_line "'never' is neither a value nor one of the words; usage: draw" "$record; draw at never"
+    one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
+    one_line "the number of the domino is missing, as in 'draw at domino 8'" "$record; draw at domino"
+    one_line "'a.mov' is not the name of an animation: use the ending .gif, .webm or .mp4" "$record; animate a.mov"
+    one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
+    one_line 'the rate is a number of frames in a second in 1 .. 50' "$record; animate a.gif rate 1000"
+    one_line 'at most 3000 are drawn; a larger speed' "$record; animate a.gif speed 0.01"
+    one_line "'speed' and 'rate' are of a row; first enter 'effect row N'" 'animate a.gif speed 2'
+    one_line "'quickly' is neither a value nor one of the words; usage: animate row.gif" "$record; animate a.gif quickly"
+    same 'nothing is left' '(nothing)' "$(ls)"
+}
+
+@test "a file with a picture holds the picture alone, also where a row is on and times are asked for" {
+    local row='effect row 5; set timing on' what size
+    for what in draw 'draw 0.3 forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal' \
+        'plot cost fuel'; do
+        "$DOMINO" -e "$row; $what > a.svg; $what > a.png; $what > a.pdf" >said 2>notes
+        same "$what: standard output" '(nothing)' "$(cat said)"
+        xmllint --noout a.svg
+        same "$what: the end of the svg" '</svg>' "$(grep . a.svg | tail -n 1)"
+        # Width and height, then bit depth, colour type; the last chunk is IEND with its checksum.
+        case $what in # a stage is as high as what stands on it
+        draw) size=0000050000000460 ;;
+        draw*) size=0000050000000372 ;;
+        *) size=000003c0000002d0 ;;
+        esac
+        same "$what: the first chunk of the png" $size "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
+        same "$what: the last chunk of the png" 0000000049454e44ae426082 "$(tail -c 12 a.png | od -An -tx1 | tr -d ' \n')"
+        same "$what: the end of the pdf" '%%EOF' "$(tail -n 1 a.pdf)"
+        if [[ $what = 'draw 0.3'* ]]; then
+            same "$what: the note is for people" 3 "$(grep -c "^(This is the endless train" notes)"
+        fi
+        rm a.*
+    done
+    "$DOMINO" -e "$row; animate a.gif 2" >said
+    same 'the end of the gif' '3b' "$(tail -c 1 a.gif | od -An -tx1 | tr -d ' \n')"
+    same 'the same picture' "$("$DOMINO" -e 'animate b.gif 2' && cksum <b.gif)" "$(cksum <a.gif)"
+    # Where people read the file, it has the note.
+    "$DOMINO" -e 'effect row 5; duration > a.txt; barrier > b.txt'
+    for what in a b; do grep -q '^(This is the endless train' $what.txt; done
+}
+
+@test "GNUTERM in the environment changes no picture" {
+    local expected gif
+    energy() { "$DOMINO" -e 'plot energy > e.svg' && grep -v Produced e.svg; }
+    expected=$(energy)
+    "$DOMINO" -e "animate $PWD/a.gif 1"
+    gif=$(cksum <"$PWD/a.gif")
+    for GNUTERM in x11 dumb png 'svg enhanced' 'no such terminal' ''; do
+        export GNUTERM
+        same "GNUTERM=$GNUTERM" "$expected" "$(energy)"
+        "$DOMINO" -e "animate $PWD/a.gif 1"
+        same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$PWD/a.gif")"
+    done
 }

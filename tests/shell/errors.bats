@@ -43,6 +43,17 @@ all_bad() {
     done
 }
 
+# What a stream says, with a last line that shows that the session goes on.
+junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
+    printf '\nset output json; show s\n' >>"$BATS_TEST_TMPDIR/junk"
+    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
+    same 'the session goes on' 0.4 "$(tail -n 1 <<<"$output" | values value)"
+    same stdout 1 "${#lines[@]}"
+    same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
+    [[ $stderr =~ $1 ]] || same message "$1" "$stderr"
+    [ "${#stderr}" -lt 300 ]
+}
+
 @test "unknown commands and parameters: named, with where to find the right ones" {
     all_bad <<'END'
 foo|1|^unknown command 'foo'.*'help'
@@ -236,10 +247,7 @@ set s 1e-6; set r 1e6; set q 100|fuel,barrier,duration|range of the precision.*(
 END
 }
 
-# ---- Where the error was ----
-
 @test "file:line counts every line, in each file, also in text with CRLF" {
-    cd "$BATS_TEST_TMPDIR"
     printf '# a comment\n\nfuel; foo; fuel\n  qux # baz' >one
     printf 'fuel\r\nfoo\r\n\r\nqux\r\n' >two
     run -1 --separate-stderr "$DOMINO" --keep-going -f one two -e 'foo' -
@@ -259,29 +267,6 @@ two:4:1: unknown command 'qux'
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'foo; set s 9; theta1; qux'
     same places '-e:1:1: -e:1:12: -e:1:21: -e:1:23:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     same stdout '(nothing)' "$output"
-}
-
-# ---- Input that is hardly text ----
-
-# What a stream says, with a last line that shows that the session goes on.
-junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
-    printf '\nset output json; show s\n' >>"$BATS_TEST_TMPDIR/junk"
-    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
-    same 'the session goes on' 0.4 "$(tail -n 1 <<<"$output" | values value)"
-    same stdout 1 "${#lines[@]}"
-    same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
-    [[ $stderr =~ $1 ]] || same message "$1" "$stderr"
-    [ "${#stderr}" -lt 300 ]
-}
-
-@test "nothing at all is no error" {
-    for text in '' ' ' ';' ' ; ;; ' '#' $'\n\n' $'\r\n' $'\t'; do
-        same "-e '$text'" '(nothing)' "$("$DOMINO" -e "$text" 2>&1)"
-        same "'$text'" '(nothing)' "$(printf '%s' "$text" | "$DOMINO" 2>&1)"
-        # And what follows it is run.
-        same "-e '$text', then an answer" 42 "$("$DOMINO" -e "$text" -e 'print 6*7' 2>&1)"
-        same "'$text', then an answer" 42 "$(printf '%s\nprint 6*7' "$text" | "$DOMINO" 2>&1)"
-    done
 }
 
 @test "a NUL byte in a line" {
@@ -324,34 +309,4 @@ junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
         grep -aq '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr"
         same 'all lines say where' '(nothing)' "$(grep -av '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr" || true)"
     done
-}
-
-@test "a file that cannot be read: its name and why; the other files run" {
-    cd "$BATS_TEST_TMPDIR"
-    echo 'set output json; show s' >good
-    ln -s loop loop
-    touch closed && chmod 000 closed
-    while IFS='|' read -r file why; do
-        if [ "$file" = closed ] && [ -r closed ]; then continue; fi # the superuser reads everything
-        for option in -f --; do
-            run -1 --separate-stderr "$DOMINO" --keep-going "$option" "$file" good
-            same "$file: the other" s "$(values name <<<"$output")"
-            same "$file: lines on stderr" 1 "$(wc -l <<<"$stderr")"
-            [[ $stderr =~ $file.*$why ]] || same "$file" "$why" "$stderr"
-        done
-        run -1 "$DOMINO" --bail "$file" good
-        same "$file: --bail" 1 "${#lines[@]}"
-    done <<'END'
-nonexistent|No such file
-good/file|Not a directory
-loop|symbolic links
-closed|Permission denied
-.|directory
-/|directory
-END
-}
-
-@test "a directory as FILE is an error that says so, without a line number" {
-    run -1 --separate-stderr "$DOMINO" --keep-going -f /
-    [[ $stderr =~ ^domino:\ cannot\ [a-z]+\ .?/.?:\ Is\ a\ directory$ ]] || same message 'cannot read /: Is a directory' "$stderr"
 }

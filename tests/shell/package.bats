@@ -1,14 +1,17 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What a stranger gets: the installed library, its manual page, the archive.
+# The installed library, its headers as compilers see them, the archive.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
 load common
 
-root=$BATS_TEST_DIRNAME/../..
 build=$(dirname "$DOMINO")
+
 soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\.[0-9]*\).*"/\1/p' "$root/include/domino.h")
 
 # The compiler on each of the public headers.
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
+
 header_quad() { cc -std=c17 "$@" -I"$root/include" -I"$build/include" -include domino_quad.h -x c /dev/null -E -P; }
 
 # As from a shell of its own: nothing of the 'make' that runs the tests.
@@ -38,16 +41,15 @@ build_with() { # shared|--static FLAGS...
 needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 
 @test "a stranger builds the example with pkg-config from what make install put there, and uninstall leaves nothing" {
-    dest=$BATS_TEST_TMPDIR/dest
+    dest=$PWD/dest
     mkdir -p "$dest/usr/lib" "$dest/usr/share/man/man3" # there before, and one of them not empty
     echo before >"$dest/usr/lib/other"
-    find "$dest" | sort >"$BATS_TEST_TMPDIR/before"
+    find "$dest" | sort >"$PWD/before"
     install_there
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
     for page in man1/domino.1 man3/libdomino.3 man7/domino-{effects,model,rows}.7; do [ -s "$dest/usr/share/man/$page" ]; done
 
-    cd "$BATS_TEST_TMPDIR" || false
     cp "$dest/usr/share/doc/domino/examples/rmax.c" .
     # As its first lines say; and without a shared library.
     for way in shared --static; do
@@ -71,7 +73,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 
     plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr # an upgrade
     plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
-    find "$dest" | sort | diff -u "$BATS_TEST_TMPDIR/before" -
+    find "$dest" | sort | diff -u "$PWD/before" -
 }
 
 @test "uninstall leaves an empty DESTDIR, and what others put there" {
@@ -88,9 +90,8 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 }
 
 @test "any PREFIX, with blanks too: programs find the shared library there, and the example in Python does" {
-    local prefix="$BATS_TEST_TMPDIR/my app"
+    local prefix="$PWD/my app"
     plain_make -C "$root" B="$build" install PREFIX="$prefix"
-    cd "$BATS_TEST_TMPDIR" || false
     export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
     # shellcheck disable=SC2046
     eval cc "'$prefix/share/doc/domino/examples/rmax.c'" -o rmax $(checked "$build/libdomino.a") "$(pkg-config --cflags --libs domino)"
@@ -249,37 +250,48 @@ C
     cmp "$archive" "$tree/.build/$name.tar.gz"
 }
 
-# ---- The man pages ----
-
-@test "domino-effects(7) has a section with an example that runs for each effect" {
-    page=$root/man/domino-effects.7
-    same effects "$("$DOMINO" -e 'complete effect ' | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
-    sed -n 's/^\.Dl //p' "$page" >"$BATS_TEST_TMPDIR/examples"
-    same examples "$(grep -c '^\.Ss ' "$page")" "$(wc -l <"$BATS_TEST_TMPDIR/examples")"
-    while IFS= read -r example; do
-        run -0 --separate-stderr "$DOMINO" -n --bail -e "$example"
-        expects "$example" "$output"
-        same "$example: errors" '(nothing)' "$stderr"
-    done <"$BATS_TEST_TMPDIR/examples"
+@test "domino.h shows no type wider than double" {
+    local text
+    for flags in '' -DDOM_NO_FLOAT128 -std=c17 -DDOMQ; do
+        text=$(preprocessed c domino.h ${flags:+"$flags"})
+        grep -q 'dom_limit_rmax' <<<"$text"
+        run ! grep -nE '__float128|_Float128|\bdomq_' <<<"$(grep -E 'dom' <<<"$text")"
+    done
 }
 
-@test "every name that libdomino(3) mentions, or begins, is one of the headers" {
-    cat "$root"/include/*.h "$build/include/domino_quad.h" >"$BATS_TEST_TMPDIR/headers"
-    grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >"$BATS_TEST_TMPDIR/names"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -gt 20 ]
-    while read -r name; do
-        grep -q "\b${name/domq_/dom_}" "$BATS_TEST_TMPDIR/headers" || { echo "$name"; false; }
-    done <"$BATS_TEST_TMPDIR/names"
+@test "domino_quad.h names its own functions domq_, and has those of domino.h" {
+    local text
+    text=$(preprocessed c domino_quad.h)
+    grep -q 'domq_limit_rmax' <<<"$text"
+    grep -q 'dom_limit_rmax' <<<"$text"
 }
 
-@test "the example in libdomino(3) is examples/rmax.c, and does what the page says" {
-    # The first line of the file is its licence.
-    sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\e/\\/g;p}' "$root/man/libdomino.3" >"$BATS_TEST_TMPDIR/rmax.c"
-    diff -u <(sed 1d "$root/examples/rmax.c") "$BATS_TEST_TMPDIR/rmax.c"
+@test "both headers compile in C and C++, and a program in C++ gets the answers" {
+    local source=$BATS_TEST_TMPDIR/both.cc
+    for header in domino.h domino_quad.h; do
+        echo "#include <$header>" | cc -std=c17 -Wall -Wextra -Wpedantic -Werror -fsyntax-only "${includes[@]}" -x c -
+    done
+    command -v g++ >/dev/null || skip "no compiler of C++"
+    cat >"$source" <<'END'
+#include <domino_quad.h>
+#include <cstdio>
+
+int main()
+{
+    dom_train train = dom_train_default();
+    dom_limit limit;
+    domq_train wide = domq_train_default();
+    domq_limit wide_limit;
+    if (dom_limit_rmax(&train, nullptr, &limit) != DOM_OK || domq_limit_rmax(&wide, nullptr, &wide_limit) != DOM_OK)
+        return 1;
+    std::printf("%.9g %.9g %g\n", limit.r_max, static_cast<double>(wide_limit.r_max), dom_dominoes(0.048, 112, 1.5));
+}
+END
     # shellcheck disable=SC2046
-    cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$BATS_TEST_TMPDIR/rmax.c" "$build/libdomino.a" \
-        $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread -o "$BATS_TEST_TMPDIR/rmax"
-    command=$(sed -n 's/^\.Dl \$ //p' "$root/man/libdomino.3")
-    output=$(cd "$BATS_TEST_TMPDIR" && sh -c "$command")
-    same "$command" "$(sed '1,/^\.Dl \$ /d' "$root/man/libdomino.3" | sed -n 's/^\.Dl //p')" "$output"
+    g++ -std=c++11 -Wall -Wextra -Werror "${includes[@]}" "$source" "$build/libdomino.a" $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread \
+        -o "$BATS_TEST_TMPDIR/both"
+    local expected
+    expected=$("$DOMINO" -e 'set output csv; rmax' | sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p')
+    [ -n "$expected" ]
+    [ "$("$BATS_TEST_TMPDIR/both")" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
 }

@@ -8,8 +8,6 @@ load common
 # A partner in a pty may come too late on a busy machine: each test has a second try.
 export BATS_TEST_RETRIES=1
 
-prompt() { timeout 300 expect -f "$BATS_TEST_DIRNAME/prompt.exp" "$@" </dev/null; }
-
 # All commands of the table at one prompt: the answers are those of -e, byte for byte.
 same_at_the_prompt() { # FORMAT
     local ask=("set output $1") all="set output $1" call
@@ -69,26 +67,6 @@ same_at_the_prompt() { # FORMAT
 @test "hundreds of lines typed ahead" { prompt many; }
 @test "no prompt unless input and output are terminals" { prompt no_prompt; }
 
-@test "history: from session to session, 0600, nothing twice in a row" { prompt history_sessions; }
-@test "history: DOMINO_HISTORY says where" { prompt history_override; }
-@test "history: an empty DOMINO_HISTORY means none" { prompt history_none; }
-@test "history: without XDG_STATE_HOME it is in the home folder" { prompt history_home; }
-@test "history: a signal and a lost terminal keep it" { prompt history_signal; }
-@test "history: two sessions at once" { prompt history_two; }
-@test "history: where it cannot be written, that is said" { prompt history_cannot; }
-@test "history and start-up file: neither in pipes" {
-    export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
-    export HOME=$BATS_TEST_TMPDIR DOMINO_HISTORY=$BATS_TEST_TMPDIR/own
-    mkdir -p "$XDG_CONFIG_HOME/domino"
-    echo 'set s 0.3' >"$XDG_CONFIG_HOME/domino/init.dom"
-    for way in -e stdin -f; do
-        run --separate-stderr session "$way" 'print s'
-        [ "$status" -eq 0 ]
-        same "$way" 0.4 "$output"
-    done
-    [ ! -e "$XDG_STATE_HOME" ]
-    [ ! -e "$DOMINO_HISTORY" ]
-}
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
 @test "start-up file: an error says where, and the session opens" { prompt init_error; }
 @test "inputrc: \$if Domino" { prompt inputrc; }
@@ -101,3 +79,13 @@ same_at_the_prompt() { # FORMAT
 @test "lines of 4000 letters" { prompt long_line; }
 @test "NUL bytes" { prompt nul; }
 @test "control characters" { prompt control; }
+@test "watch is for the prompt, and says so" {
+    wrong 'watch s 0.1 0.9: rmax' 'keys need the prompt on a terminal .* lists the answers'
+    wrong 'watch s 0.9 0.1: rmax' 'FROM is less than TO'
+    wrong 'watch s' "the form is 'watch s : rmax'"
+    wrong 'watch s 0.1 0.9:' "the answer is missing after ':'"
+}
+@test "^Z while gnuplot draws: the picture is finished, then the program stops" { prompt suspend_drawing; }
+@test "signals that end the program give the terminal back" {
+    for signal in USR1 ALRM QUIT XCPU VTALRM; do prompt end_signal "$signal"; done
+}

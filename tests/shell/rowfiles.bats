@@ -1,11 +1,102 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rows in files as people have them: names of columns, units, decimal commas; and gaps without a unit.
-# shellcheck disable=SC2154 # 'run' sets what it looks at
+# Rows in files as people have them: names of columns, units, decimal commas.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
+file() { cat >"$1"; }
+
+@test "rows from csv: the same row in every way of writing it" {
+    file plain.csv <<'END'
+height (m),thickness (m),gap (m),mass (kg)
+0.048,0.007,,0.008
+0.06,0.009,0.025,0.016
+0.08,0.012,0.03,0.04
+END
+    file units.csv <<'END'
+# made by hand
+"gap (mm)"; height (cm); mass (g); thickness (mm)
+
+-; 4.8; 8; 7
+25; 60 mm; 16; 9 # a comment
+30; 8; 40; 12
+END
+    printf '\xef\xbb\xbfheight (m)\tthickness (m)\tgap (m)\tmass (kg)\r\n0.048\t0.007\t0\t0.008\r\n0.06\t0.009\t0.025\t0.016\r\n0.08\t0.012\t0.03\t0.04' | file crlf.csv
+    plain=$(json "effect row plain.csv; effect push 8; verdict; fall")
+    same 'the row' 'all fall 3' "$(head -n 1 <<<"$plain" | values verdict) $(head -n 1 <<<"$plain" | values domino)"
+    for name in units crlf; do
+        other=$(json "effect row $name.csv; effect push 8; verdict; fall")
+        same "$name: verdict" "$(values verdict <<<"$plain")" "$(values verdict <<<"$other")"
+        falls=0
+        while read -r a b; do
+            close "$name" "$a" "$b"
+            falls=$((falls + 1))
+        done < <(paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other"))
+        same "$name: falls" 3 "$falls"
+    done
+    # 'row' in csv is such a file.
+    "$DOMINO" -e "effect row plain.csv; set output csv; row > again.csv"
+    same again "$plain" "$(json "effect row again.csv; effect push 8; verdict; fall")"
+    "$DOMINO" -e "set q 3; effect row 4; set output csv; row > train.csv"
+    same 'row of a train' "$(json 'set q 3; effect row 4; verdict' | cut -c 1-60)" \
+        "$(json "effect row train.csv; verdict" | cut -c 1-60)"
+}
+
+@test "rows from csv: what is wrong, with file, line and column; nothing half loaded" {
+    while IFS='|' read -r name text pattern; do
+        printf '%b' "$text" | file "$name.csv"
+        wrong "effect row $name.csv" "$name\\.csv:$pattern"
+        same "$name: nothing is loaded" 'there is no row' \
+            "$("$DOMINO" --keep-going -e "effect row $name.csv; fall" 2>&1 | grep -o 'there is no row')"
+    done <<'END'
+hight|hight,thickness,gap\n1,1,1\n|1:1: unknown column 'hight'; did you mean 'height'\?
+missing|height (m),thickness (m)\n1,1\n|1:[0-9]+: the column 'gap' is missing
+few|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1\n|3:[0-9]+: too few cells: 2
+many|height (m),thickness (m),gap (m)\n1,0.1,0,3\n|2:[0-9]+: too many cells
+empty|height (m),thickness (m),gap (m)\n1,,0\n|2:3: thickness is missing
+gap|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1,-0.2\n|3:7: gap = -0.2 m is negative
+zero|height (m),thickness (m),gap (m)\n0,0.1,0\n|2:1: height = 0
+comma|height (m);thickness (m);gap (m)\n1,5x;0.1;0\n|2:4: height at 'x': 'x' is not a unit
+unit|height (m),thickness (m),gap (m)\n1 s,0.1,0\n|2:1: height: this is a time
+word|height (m),thickness (m),gap (m)\nx,0.1,0\n|2:1: height
+nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no dominoes
+both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density are given; leave
+END
+    wrong "effect row none.csv" "cannot read '.*none.csv': No such file"
+    wrong "effect row $BATS_TEST_TMPDIR" 'cannot read'
+}
+
+@test "a file beside the script is found from anywhere; a safe session reads none" {
+    cd / || false
+    "$DOMINO" -f "$root/examples/record.dom" | grep -q 'All 10 fall'
+    run --separate-stderr "$DOMINO" --safe -e "effect row $root/examples/record.csv"
+    [ "$status" -eq 1 ]
+    grep -q 'safe session' <<<"$stderr"
+}
+
+@test "a length or a mass without a unit is an error that shows what it would mean" {
+    while IFS='|' read -r name text pattern; do
+        printf '%b' "$text" | file "$name.csv"
+        wrong "effect row $name.csv" "$name\\.csv:$pattern"
+    done <<'END'
+height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell$
+gap|height (mm),thickness (mm),gap\n48,7,-\n48,7,20\n|3:6: gap has no unit: '20' would be 20 m; write 'gap \(mm\)' in the first line, or '20 mm' in the cell$
+cell|height,thickness (mm),gap (mm)\n48 mm,7,-\n4*12,7,20\n|3:1: height has no unit: '4\*12' would be
+mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit: '10' would be 10 kg; write 'mass \(g\)' in the first line$
+density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would be 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
+width|height (mm);thickness (mm);gap (mm);width\n48;7;-;24\n|2:8: width has no unit: '24' would be 24 m;
+END
+    # Units in every cell will do, and 0 is 0 in any unit.
+    printf 'domino,height,thickness,gap,relative\n1,48 mm,7 mm,0,1\n2,4.8 cm,0.7 cm,0,2\n3,48 mm,7 mm,2 cm,1' | file cells.csv
+    same cells '0.048 0.048 0.048' "$(json 'effect row cells.csv; row' | values height | paste -sd ' ')"
+    # What 'row' writes has its units, with masses and without.
+    for scene in 'effect row 4' 'set mass 0.01; effect row 4' 'effect row cells.csv'; do
+        "$DOMINO" -e "$scene; set output csv; row > again.csv"
+        head -n 1 again.csv | grep -qE '^domino,height \(m\),thickness \(m\),gap \(m\),(mass \(kg\)|relative)$'
+        same "$scene" "$(json "$scene; row" | values gap)" "$(json 'effect row again.csv; row' | values gap)"
+    done
+}
 
 @test "names of columns: synonyms in any case, with units in brackets of either kind" {
     printf 'height (mm), thickness (mm), gap (mm), mass (g)\n48, 7.5, -, 10\n50, 7.5, 20, 12\n' >plain.csv
@@ -54,17 +145,6 @@ setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
     # As many cells as can be read in the first line, and a row with more of them.
     { printf 'height (mm),thickness (mm),gap (mm)%s\n' "$(printf ',x%s' {4..64})" && printf '48,7,-%s,é\n' "$(printf ',%s' {4..64})"; } >most.csv
     wrong 'effect row most.csv' 'most.csv:2:185: too many cells: 65, but the first line has 64'
-}
-
-@test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {
-    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write 'place 2 3 mm'"
-    wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
-    same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
-    same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"
-    "$DOMINO" -e 'effect row 3; place 2 3 m; place 3 0.03; save scene.dom; row > saved.csv'
-    "$DOMINO" -e 'source scene.dom; row > read.csv; effect row saved.csv; row > again.csv'
-    same_file saved.csv read.csv
-    same_file saved.csv again.csv
 }
 
 @test "masses in pounds, ounces and tonnes" {
@@ -117,11 +197,11 @@ END
     grep -qxF 'With the top of domino 2 off by 1.7 mm backwards to 1.03 cm forwards all would fall; it is off by 3 mm backwards now.' <<<"$said"
 }
 
-@test "s and d as lengths are divided by h" {
-    same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
-    same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"
-    same 'as an argument' "$(json 'rmax 0.5')" "$(json 'rmax 24 mm')"
-    same 'in a grid' "$(json 'sweep s 0.25, 0.5 : rmax')" "$(json 'sweep s 12 mm, 24 mm : rmax')"
-    wrong 'set s 2 ms' 's is a plain number, not a time'
-    wrong 'set r 2 cm' 'r is a plain number, not a length'
+@test "row > out.csv, effect row out.csv: the same row, digit for digit" {
+    for scene in 'effect row 7' 'set q hollow; effect row 4; set mass 1; place 3 25 mm' 'set errors on; effect row 3'; do
+        "$DOMINO" -e "$scene; row > out.csv; effect row out.csv; row > again.csv"
+        same_file out.csv again.csv
+        same "$scene: falls alike" "$("$DOMINO" -e "$scene; set errors off; fall")" \
+            "$("$DOMINO" -e 'effect row out.csv; fall')"
+    done
 }

@@ -1,12 +1,45 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rows as people type them: what stops and by how much, files with and without units, what 'on' takes, and a push.
+# Rows: verdicts, what stops them, rowmax, gaps.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-file() { cat >"$BATS_TEST_TMPDIR/$1"; }
+file() { cat >"$1"; }
 
-setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
+@test "rows of the model: one, the verdicts of each end, thousands, taller than the Earth" {
+    same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
+    same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
+    same leans leans "$(json 'set s 0.05; set r 1; effect row 3; verdict' | values verdict)"
+    same misses misses "$(json 'effect row 3; effect push 9; place 2 60 mm; verdict' | values verdict)"
+    file low.csv <<'END'
+height (m),thickness (m),gap (m)
+0.1,0.015,
+0.05,0.0075,0.02
+END
+    wrong "effect row low.csv; effect push 9; fall" 'its upper edge passes above the next domino'
+    same thousands 'all fall 10000' "$(json 'set r 1; set s 0.3; effect row 10000; effect push 5; verdict' |
+        sed -E 's/.*"verdict":"([^"]*)","domino":([0-9]*).*/\1 \2/')"
+    # 0.048 m 2^40 is 5e7 km: the numbers are large, and right.
+    close tall "$(awk 'BEGIN { printf "%.17g", 0.048 * 2 ^ 40 }')" \
+        "$(json 'set q 3; set s 0.35; set r 1.9; set r 2; set s 0.42; effect row 41; row' | tail -n 1 | values height)"
+}
+
+@test "rowmax tends to rmax as the row grows longer" {
+    train=$(json 'set q hollow; rmax' | values r_max)
+    row=$(json 'set q hollow; effect row 60; effect push 20; rowmax' | values r_max)
+    close 'of the train' 2.06377177270466132 "$train"
+    within rowmax "$train" "$row" 'd > -5e-10 && d < 5e-7'
+}
+
+@test "rowmax of a row that stops at r = 1, and of one that falls at no growth" {
+    scene='set q 2; set d 0.4; set s 0.5180007117763072; effect slope 0.01'
+    same 'as the pair' "$(json "$scene; pair" | values r_max | cut -c1-12)" "$(json "$scene; effect row 2; rowmax" | values r_max | cut -c1-12)"
+    said=$("$DOMINO" -e "$scene; effect row 2; rowmax")
+    grep -qxF "All fall from r = 1.12268 on; with a smaller growth the row ends earlier: 'set r 1; fall'." <<<"$said"
+    same none "at no growth from 1 to 2.5 do all dominoes fall; 'set r 1; fall' shows why" \
+        "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
+}
 
 @test "a row that stops lacks energy for its highest barrier, which comes after a domino has detached" {
     file tops.csv <<'END'
@@ -48,31 +81,6 @@ END
     "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'
 }
 
-@test "placement with an effect that no row can have reads nothing that was not written" { # under UBSan
-    wrong 'effect edges 0.2; effect row 4; effect placement 1 mm; placement 20' 'radius'
-    wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
-}
-
-@test "pool: an interval of two million rows" {
-    # Made by awk, as a loop of bats takes half a minute.
-    awk 'BEGIN {
-        print "sigma,heights,seed,scene,dominoes,of,first,rows,fall,unknown,stops"
-        for (i = 0; i < 20000; i++) {
-            fall = i < 13952 ? 73 : 72
-            printf "0.005,0,1,xcc917d87,4,2000000,%d,100,%d,0,2:%d\n", 100 * i + 1, fall, 100 - fall
-        }
-    }' | file blocks.csv
-    pool=$(json 'pool blocks.csv')
-    same pool '2000000 1453952 0.72635798 0.72759336' "$(printf '%.0f %.0f %.8f %.8f' "$(values rows <<<"$pool")" \
-        "$(values fall <<<"$pool")" "$(values low <<<"$pool")" "$(values high <<<"$pool")")"
-}
-
-@test "count: a bit more than a power takes one more" {
-    same more '31 2147483648' "$(json 'set h 1 m; count 1073741824.00001 m 2' |
-        { read -r answer; echo "$(values dominoes <<<"$answer") $(values last_height <<<"$answer")"; })"
-    same power 30 "$(json 'set h 1 m; count 1073741824 m 2' | values dominoes)"
-}
-
 @test "a file that gives no row leaves none in force, and says so" {
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 20\n' | file good.csv
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7\n' | file short.csv
@@ -92,69 +100,6 @@ END
     [ "$status" -eq 0 ] && [ -z "$stderr" ]
 }
 
-@test "a length or a mass without a unit is an error that shows what it would mean" {
-    while IFS='|' read -r name text pattern; do
-        printf '%b' "$text" | file "$name.csv"
-        wrong "effect row $name.csv" "$name\\.csv:$pattern"
-    done <<'END'
-height|height,thickness (mm),gap (mm)\n48,7,-\n|2:1: height has no unit: '48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell$
-gap|height (mm),thickness (mm),gap\n48,7,-\n48,7,20\n|3:6: gap has no unit: '20' would be 20 m; write 'gap \(mm\)' in the first line, or '20 mm' in the cell$
-cell|height,thickness (mm),gap (mm)\n48 mm,7,-\n4*12,7,20\n|3:1: height has no unit: '4\*12' would be
-mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit: '10' would be 10 kg; write 'mass \(g\)' in the first line$
-density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would be 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
-width|height (mm);thickness (mm);gap (mm);width\n48;7;-;24\n|2:8: width has no unit: '24' would be 24 m;
-END
-    # Units in every cell will do, and 0 is 0 in any unit.
-    printf 'domino,height,thickness,gap,relative\n1,48 mm,7 mm,0,1\n2,4.8 cm,0.7 cm,0,2\n3,48 mm,7 mm,2 cm,1' | file cells.csv
-    same cells '0.048 0.048 0.048' "$(json 'effect row cells.csv; row' | values height | paste -sd ' ')"
-    # What 'row' writes has its units, with masses and without.
-    for scene in 'effect row 4' 'set mass 0.01; effect row 4' 'effect row cells.csv'; do
-        "$DOMINO" -e "$scene; set output csv; row > again.csv"
-        head -n 1 again.csv | grep -qE '^domino,height \(m\),thickness \(m\),gap \(m\),(mass \(kg\)|relative)$'
-        same "$scene" "$(json "$scene; row" | values gap)" "$(json 'effect row again.csv; row' | values gap)"
-    done
-}
-
-@test "'on' says what it took, to people alone" {
-    while IFS='|' read -r command line; do
-        same "$command" "$line" "$("$DOMINO" -e "$command" | tail -n 1)"
-        same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
-        same "$command: json" '(nothing)' "$(json "$command")"
-    done <<'END'
-effect row on|row is on now with N = 20: the number of dominoes. 'effect row N|FILE' sets another.
-effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'effect friction MU' sets another.
-effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'effect friction MU' sets another.
-effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'effect push OMEGA' sets another.
-END
-    same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
-}
-
-@test "mend offers a window for a gap out of reach, also where it is many heights" {
-    for gap in '60 mm' '5 m'; do
-        said=$("$DOMINO" -e "set r 1; effect row 5; place 2 $gap; mend" | tail -n 1)
-        same "$gap" "All fall with gaps between 1.036 cm and 4.8 cm: 'place 2 3.545 cm' leaves room for errors of 1.3 cm." "$said"
-    done
-    same 'its end' 'all fall' "$(json 'set r 1; effect row 5; place 2 1.036 cm; verdict' | values verdict)"
-    differ 'just beyond' 'all fall' "$(json 'set r 1; effect row 5; place 2 1.035 cm; verdict' | values verdict)"
-    said=$("$DOMINO" -e 'set r 1; effect row 5; place 4 60 mm; mend' | tail -n 1)
-    same 'down to 0' "All fall with gaps up to 4.8 cm: 'place 4 3.2 cm' leaves room for errors of 1.6 cm." "$said"
-}
-
-@test "mend reports first that the row needs a push, and how large" {
-    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 5\n48, 7, 20\n' | file leans.csv
-    mend=$("$DOMINO" -e 'effect row leans.csv; mend')
-    sed -n 1p <<<"$mend" | grep -q '^The row needs a push: its first domino touches the second before it tips over\.$'
-    push=$(sed -En "2s/^With 'effect push ([0-9.]+)' all fall\.$/\1/p" <<<"$mend")
-    grep -q '^Without another push, the smallest change: widen the gap before domino 2' <<<"$mend"
-    same 'that push' 'all fall' "$(json "effect row leans.csv; effect push $push; verdict" | values verdict)"
-    less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
-    same 'a weaker one' stops "$(json "effect row leans.csv; effect push $less; verdict" | values verdict)"
-    "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^The row needs a stronger push: '
-    # Where a gap is what is wrong, no push is spoken of.
-    run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
-    run ! grep -qi push <<<"$output"
-}
-
 @test "sentences say 'both' of two, keep the digits before the point, and write m g s with blanks" {
     local push='set s 0.05; set r 1; effect row 3; effect push 1000'
     [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last lies '* ]]
@@ -165,7 +110,13 @@ END
     "$DOMINO" -n -e step | grep -q ' m g s; all push'
 }
 
-@test "corners of a picture are 0 where only rounding errors are left" {
-    same tiny '(nothing)' "$("$DOMINO" -n -e 'set output csv; set header off; effect row 4; draw; draw at end' |
-        tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
+@test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {
+    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write 'place 2 3 mm'"
+    wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
+    same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
+    same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"
+    "$DOMINO" -e 'effect row 3; place 2 3 m; place 3 0.03; save scene.dom; row > saved.csv'
+    "$DOMINO" -e 'source scene.dom; row > read.csv; effect row saved.csv; row > again.csv'
+    same_file saved.csv read.csv
+    same_file saved.csv again.csv
 }

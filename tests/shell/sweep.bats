@@ -1,13 +1,9 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sweeps, on any number of threads and in any number of parts; studies in parts; the scripts for clusters.
+# Sweeps, on any number of threads and in any number of parts; the scripts for clusters.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
-
-root=$BATS_TEST_DIRNAME/../..
-
-csv() { "$DOMINO" -e "set output csv; $1"; }
 
 # The same, and no row.
 wrong_line() { # COMMANDS PATTERN
@@ -15,7 +11,6 @@ wrong_line() { # COMMANDS PATTERN
     [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
 }
 
-# Sweeps of every kind: what is answered, in one row or several, words, gaps, effects, units, precisions.
 sweeps='sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
 sweep s 0.02 0.98 200 : barrier
 sweep q hollow, massive s 0.001 1 40 log : launch
@@ -244,60 +239,6 @@ END
     run -2 --separate-stderr "$DOMINO" -e rmax --shard
 }
 
-# ---- Studies in parts ----
-
-study='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
-
-parts() { # PARTS ROWS
-    for part in $(seq "$1"); do "$DOMINO" --shard "$part/$1" -e "set output csv; $study; placement $2"; done
-}
-
-@test "placement in parts: the same blocks whatever their number; pool answers as the whole study" {
-    parts 1 530 >"$BATS_TEST_TMPDIR/whole"
-    same blocks 7 "$(wc -l <"$BATS_TEST_TMPDIR/whole")"
-    for n in 2 3 7; do
-        parts "$n" 530 >"$BATS_TEST_TMPDIR/parts"
-        cmp "$BATS_TEST_TMPDIR/whole" "$BATS_TEST_TMPDIR/parts"
-    done
-    same '3 threads' "$(cat "$BATS_TEST_TMPDIR/whole")" \
-        "$("$DOMINO" --shard 1/1 -e "set threads 3; set output csv; $study; placement 530")"
-    for format in csv json table; do
-        same "$format" "$("$DOMINO" -e "set output $format; $study; placement 530")" \
-            "$("$DOMINO" -e "set output $format; pool $BATS_TEST_TMPDIR/parts")"
-    done
-    same 'any order, standard input' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
-        "$(sort "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
-    same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
-        "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
-    # Row number i is the same in any study: the first hundred of 530 are those of 100.
-    same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
-}
-
-@test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
-    parts 3 400 >"$BATS_TEST_TMPDIR/all"
-    grep -v ',101,100,' "$BATS_TEST_TMPDIR/all" >"$BATS_TEST_TMPDIR/less"
-    same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
-        "$(json "pool $BATS_TEST_TMPDIR/less" | grep -o '"reason".*')"
-    same 'of fewer' 300 "$(json "pool $BATS_TEST_TMPDIR/less" | values rows)"
-    pool_fails() { # PATTERN < blocks
-        cat >"$BATS_TEST_TMPDIR/blocks"
-        wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
-    }
-    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
-    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
-    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
-    pool_fails 'has no blocks of a study' </dev/null
-    pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
-    sed '2s/,100,/,x,/' "$BATS_TEST_TMPDIR/all" | pool_fails ":2:[0-9]+: rows at 'x'"
-    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 is negative'
-    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: the counts of this block do not add up'
-    wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
-    run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
-    grep -q 'safe session' <<<"$stderr"
-}
-
-# ---- The scripts for clusters ----
-
 @test "examples/cluster: GNU parallel gives the whole sweep and the whole study" {
     "$root/examples/cluster/parallel.sh" 5 "$BATS_TEST_TMPDIR"
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - "$BATS_TEST_TMPDIR/sweep.csv"
@@ -306,7 +247,6 @@ parts() { # PARTS ROWS
 }
 
 @test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {
-    cd "$BATS_TEST_TMPDIR"
     for SLURM_ARRAY_TASK_ID in $(seq 11); do
         export SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT=11
         sh "$root/examples/cluster/slurm.sh" "$root/examples/cluster/sweep.dom"
@@ -322,8 +262,6 @@ parts() { # PARTS ROWS
     SLURM_ARRAY_TASK_ID=12 run ! sh "$root/examples/cluster/slurm.sh" "$root/examples/cluster/sweep.dom"
     same 'no part' 0 "$(find . -name 'part-*.csv' | wc -l)"
 }
-
-# ---- ^C ----
 
 @test "^C ends a script in the middle of a sweep; on a terminal see prompt.bats" {
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'

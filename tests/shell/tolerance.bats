@@ -1,13 +1,9 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# How far each domino of a row may be off, and how precisely the gaps must be placed.
-# shellcheck disable=SC2154 # 'run' sets what it looks at
+# Tolerance: how far each domino of a row may be off.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
-
-setup() { answers_at_all && cd "$BATS_TEST_TMPDIR" || false; }
-
-# ---- tolerance ----
 
 scene='effect row 6; effect push 6; effect friction 0.1'
 
@@ -80,20 +76,4 @@ verdicts() { # COMMANDS...
     low=$(json 'effect row 3; place 2 4 m; tolerance' | values gap_low | sed -n 2p)
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     wrong tolerance 'there is no row'
-}
-
-# ---- budget ----
-
-@test "budget: finds sigma without an effect, and says how many rows fall with it" {
-    said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
-    grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
-    same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
-    # The interval is that of the study with this sigma.
-    answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')
-    same low 92 "$(values low <<<"$answer" | awk '{ print int(100 * $1) }')"
-    same high 98 "$(values high <<<"$answer" | awk '{ print int(100 * $1) + 1 }')"
-    same 'gaps of the effect are not used' "$(json 'effect row 13; budget 0.95 50')" \
-        "$(json 'effect row 13; effect placement 9 mm; budget 0.95 50')"
-    differ 'its heights are' "$(json 'effect row 13; budget 0.95 50')" \
-        "$(json 'effect row 13; effect placement 9 mm 0.02; budget 0.95 50')"
 }

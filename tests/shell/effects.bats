@@ -1,14 +1,23 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Scenes: effects on and off, rows from files, what saves them, random errors, the floor.
+# Effects: on, off, their values, what they need; friction, slope, edges, walls, the floor.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-root=$BATS_TEST_DIRNAME/../..
-
-# A file of the test's own.
-file() { # NAME < text
-    cat >"$BATS_TEST_TMPDIR/$1"
+# Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
+columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
+    awk -v what="$1" -v filled=" $2 " '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
+        NR > 1 {
+            rows++
+            for (key in at) {
+                before = at[key] > 1 ? substr($0, at[key] - 1, 1) : " "
+                here = substr($0, at[key], 1)
+                if (before != " " || (index(filled, " " key " ") && (here == " " || here == ""))) { print what ", " key ": " $0; bad = 1 }
+            }
+        }
+        END { exit bad || rows == 0 }'
 }
 
 @test "effects are off, and entered 0 times; each alone enters its own code" {
@@ -124,7 +133,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: trains with friction, a slope or rounded edges have no proof' "$(json 'effect edges 0.01; prove rmax' | values reason)"
-    cd "$BATS_TEST_TMPDIR" || false
     printf 'height (mm),thickness (mm),gap (mm),radius (mm)\n48,7,,0.5\n60,8,20,0\n72,9,25,0.4\n' >radii.csv
     fall=$("$DOMINO" -e 'effect edges 0.01; effect row radii.csv; row > again.csv; set output json; fall')
     close 'written and read' "$(values falls <<<"$fall" | tail -n 1)" "$(json 'effect edges 0.01; effect row again.csv; fall' | values falls | tail -n 1)" 1e-14
@@ -133,18 +141,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same radii '0.0005 0 0.0004' "$(json 'effect edges 0.01; effect row again.csv; row' | values radius | paste -sd ' ' -)"
     for name in float double quad; do
         same "$name" 'all fall' "$(json "set q hollow; set precision $name; effect edges 0.01; effect row 5; verdict" | values verdict)"
-    done
-}
-
-@test "the ledger closes with friction at every event" {
-    for parameters in 'set s 0.4' 'set s 0.3; set r 1.2' 'set q hollow; set s 0.5; set r 1.8' 'set s 0.6; set r 1.4'; do
-        json "$parameters; effect friction 0.2; step; step; step; step; step" | while IFS= read -r row; do
-            for key in before lost gained rubbed kinetic; do
-                printf '%s ' "$(values "$key" <<<"$row")"
-            done
-            echo
-        done | awk '{ open = $1 - $2 + $3 - $4 - $5; if (NF != 5 || !(open <= 1e-9 * $1 && open >= -1e-9 * $1) || $4 < 0) { print; bad = 1 } }
-            END { exit bad || NR < 3 }'
     done
 }
 
@@ -207,157 +203,6 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same scene "$before" "$after"
 }
 
-@test "rows from csv: the same row in every way of writing it" {
-    file plain.csv <<'END'
-height (m),thickness (m),gap (m),mass (kg)
-0.048,0.007,,0.008
-0.06,0.009,0.025,0.016
-0.08,0.012,0.03,0.04
-END
-    file units.csv <<'END'
-# made by hand
-"gap (mm)"; height (cm); mass (g); thickness (mm)
-
--; 4.8; 8; 7
-25; 60 mm; 16; 9 # a comment
-30; 8; 40; 12
-END
-    printf '\xef\xbb\xbfheight (m)\tthickness (m)\tgap (m)\tmass (kg)\r\n0.048\t0.007\t0\t0.008\r\n0.06\t0.009\t0.025\t0.016\r\n0.08\t0.012\t0.03\t0.04' | file crlf.csv
-    plain=$(json "effect row $BATS_TEST_TMPDIR/plain.csv; effect push 8; verdict; fall")
-    same 'the row' 'all fall 3' "$(head -n 1 <<<"$plain" | values verdict) $(head -n 1 <<<"$plain" | values domino)"
-    for name in units crlf; do
-        other=$(json "effect row $BATS_TEST_TMPDIR/$name.csv; effect push 8; verdict; fall")
-        same "$name: verdict" "$(values verdict <<<"$plain")" "$(values verdict <<<"$other")"
-        falls=0
-        while read -r a b; do
-            close "$name" "$a" "$b"
-            falls=$((falls + 1))
-        done < <(paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other"))
-        same "$name: falls" 3 "$falls"
-    done
-    # 'row' in csv is such a file.
-    "$DOMINO" -e "effect row $BATS_TEST_TMPDIR/plain.csv; set output csv; row > $BATS_TEST_TMPDIR/again.csv"
-    same again "$plain" "$(json "effect row $BATS_TEST_TMPDIR/again.csv; effect push 8; verdict; fall")"
-    "$DOMINO" -e "set q 3; effect row 4; set output csv; row > $BATS_TEST_TMPDIR/train.csv"
-    same 'row of a train' "$(json 'set q 3; effect row 4; verdict' | cut -c 1-60)" \
-        "$(json "effect row $BATS_TEST_TMPDIR/train.csv; verdict" | cut -c 1-60)"
-}
-
-@test "rows from csv: what is wrong, with file, line and column; nothing half loaded" {
-    while IFS='|' read -r name text pattern; do
-        printf '%b' "$text" | file "$name.csv"
-        wrong "effect row $BATS_TEST_TMPDIR/$name.csv" "$name\\.csv:$pattern"
-        same "$name: nothing is loaded" 'there is no row' \
-            "$("$DOMINO" --keep-going -e "effect row $BATS_TEST_TMPDIR/$name.csv; fall" 2>&1 | grep -o 'there is no row')"
-    done <<'END'
-hight|hight,thickness,gap\n1,1,1\n|1:1: unknown column 'hight'; did you mean 'height'\?
-missing|height (m),thickness (m)\n1,1\n|1:[0-9]+: the column 'gap' is missing
-few|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1\n|3:[0-9]+: too few cells: 2
-many|height (m),thickness (m),gap (m)\n1,0.1,0,3\n|2:[0-9]+: too many cells
-empty|height (m),thickness (m),gap (m)\n1,,0\n|2:3: thickness is missing
-gap|height (m),thickness (m),gap (m)\n1,0.1,0\n1,0.1,-0.2\n|3:7: gap = -0.2 m is negative
-zero|height (m),thickness (m),gap (m)\n0,0.1,0\n|2:1: height = 0
-comma|height (m);thickness (m);gap (m)\n1,5x;0.1;0\n|2:4: height at 'x': 'x' is not a unit
-unit|height (m),thickness (m),gap (m)\n1 s,0.1,0\n|2:1: height: this is a time
-word|height (m),thickness (m),gap (m)\nx,0.1,0\n|2:1: height
-nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no dominoes
-both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density are given; leave
-END
-    wrong "effect row $BATS_TEST_TMPDIR/none.csv" "cannot read '.*none.csv': No such file"
-    wrong "effect row $BATS_TEST_TMPDIR" 'cannot read'
-}
-
-@test "a file beside the script is found from anywhere; a safe session reads none" {
-    cd / || false
-    "$DOMINO" -f "$root/examples/record.dom" | grep -q 'All 10 fall'
-    run --separate-stderr "$DOMINO" --safe -e "effect row $root/examples/record.csv"
-    [ "$status" -eq 1 ]
-    grep -q 'safe session' <<<"$stderr"
-}
-
-@test "a saved session and the row beside it can be moved together, and find each other from anywhere" {
-    cd "$BATS_TEST_TMPDIR" || false
-    mkdir -p here/rows other
-    for height in 48 24; do
-        printf '%s\n' 'height (mm), thickness (mm), gap (mm)' "$height, 7, -" "$height, 7, 20" >row$height.csv
-    done
-    cp row48.csv here/row.csv && cp row48.csv here/rows/below.csv && cp row24.csv other/row.csv
-    "$DOMINO" -e 'effect row here/row.csv; save here/beside.dom; save other/elsewhere.dom' \
-        -e 'effect row here/rows/below.csv; save here/below.dom'
-    (cd here && "$DOMINO" -e 'effect row row.csv; save bare.dom')
-    mv here there
-    for name in beside below bare; do
-        for from in . there other /; do
-            same "$name from $from" '0.048 0.048' \
-                "$(there=$PWD/there && cd "$from" && json "source $there/$name.dom; set output json; row" | values height | paste -sd ' ' -)"
-        done
-    done
-    wrong 'source other/elsewhere.dom' "cannot read '$PWD/here/row.csv': No such file"
-    same 'to a device' "effect row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'effect row')"
-}
-
-@test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
-    scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
-    verdict=$(json "$scene; verdict")
-    same stops 'stops 8' "$(values verdict <<<"$verdict") $(values domino <<<"$verdict")"
-    close short_by "$(json "$scene; fall" | tail -n 1 | values margin | tr -d -)" "$(values short_by <<<"$verdict")"
-    mend=$(json "$scene; mend" | head -n 1)
-    domino=$(values domino <<<"$mend") to=$(values to <<<"$mend") change=$(values change <<<"$mend")
-    same saved 'all fall' "$(json "$scene; place $domino $to; verdict" | values verdict)"
-    [[ $change == *[1-9]* ]]
-    less=$(awk -v to="$to" -v change="$change" 'BEGIN { printf "%.17g", to - 1e-4 * change }')
-    same 'a bit less does not' stops "$(json "$scene; place $domino $less; verdict" | values verdict)"
-}
-
-@test "rows of the model: one, the verdicts of each end, thousands, taller than the Earth" {
-    same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
-    same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
-    same leans leans "$(json 'set s 0.05; set r 1; effect row 3; verdict' | values verdict)"
-    same misses misses "$(json 'effect row 3; effect push 9; place 2 60 mm; verdict' | values verdict)"
-    file low.csv <<'END'
-height (m),thickness (m),gap (m)
-0.1,0.015,
-0.05,0.0075,0.02
-END
-    wrong "effect row $BATS_TEST_TMPDIR/low.csv; effect push 9; fall" 'its upper edge passes above the next domino'
-    same thousands 'all fall 10000' "$(json 'set r 1; set s 0.3; effect row 10000; effect push 5; verdict' |
-        sed -E 's/.*"verdict":"([^"]*)","domino":([0-9]*).*/\1 \2/')"
-    # 0.048 m 2^40 is 5e7 km: the numbers are large, and right.
-    close tall "$(awk 'BEGIN { printf "%.17g", 0.048 * 2 ^ 40 }')" \
-        "$(json 'set q 3; set s 0.35; set r 1.9; set r 2; set s 0.42; effect row 41; row' | tail -n 1 | values height)"
-}
-
-@test "rowmax tends to rmax as the row grows longer" {
-    train=$(json 'set q hollow; rmax' | values r_max)
-    row=$(json 'set q hollow; effect row 60; effect push 20; rowmax' | values r_max)
-    close 'of the train' 2.06377177270466132 "$train"
-    within rowmax "$train" "$row" 'd > -5e-10 && d < 5e-7'
-}
-
-@test "rowmax of a row that stops at r = 1, and of one that falls at no growth" {
-    scene='set q 2; set d 0.4; set s 0.5180007117763072; effect slope 0.01'
-    same 'as the pair' "$(json "$scene; pair" | values r_max | cut -c1-12)" "$(json "$scene; effect row 2; rowmax" | values r_max | cut -c1-12)"
-    said=$("$DOMINO" -e "$scene; effect row 2; rowmax")
-    grep -qxF "All fall from r = 1.12268 on; with a smaller growth the row ends earlier: 'set r 1; fall'." <<<"$said"
-    same none "at no growth from 1 to 2.5 do all dominoes fall; 'set r 1; fall' shows why" \
-        "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
-}
-
-@test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {
-    scene='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
-    one=$(json "$scene; set threads 1; placement 400")
-    for threads in 2 3 7 0; do same "$threads threads" "$one" "$(json "$scene; set threads $threads; placement 400")"; done
-    differ 'another seed' "$one" "$(json "$scene; set seed 2; placement 400")"
-    # Nothing goes wrong without errors: all of 200 fall, with the exact interval 0.025^(1/200) .. 1.
-    exact=$(json 'effect row 5; effect placement 0; placement 200')
-    same all '200 1' "$(values fall <<<"$exact") $(values high <<<"$exact")"
-    close low "$(awk 'BEGIN { printf "%.15g", exp(log(0.025) / 200) }')" "$(values low <<<"$exact")"
-    # And the budget: at its sigma the share falls, within the interval.
-    sigma=$(json "$scene; budget 0.8 400" | values sigma)
-    share=$(json "$scene; effect placement $sigma m; placement 400" | values probability)
-    within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.0125'
-}
-
 @test "the floor: what the struck domino needs, with the centre of percussion; and its verdict" {
     # |1/2 - (1 + d^2)/(3 a)| / (d/2), a = sqrt(1/r^2 - s^2), where the head is the worst.
     close struck "$(awk 'BEGIN { d = 7 / 48; a = sqrt(1 - 0.16); x = 0.5 - (1 + d * d) / (3 * a); printf "%.17g", (x < 0 ? -x : x) / (d / 2) }')" \
@@ -386,8 +231,8 @@ END
     same growth "$(json 'rmax; set fuel paper; rmax')" "$(json 'effect walls 1 mm; rmax; set fuel paper; rmax')"
     same proof "$(json 'prove rmax 0.4' | sed 's/"seconds.*//')" "$(json 'effect walls 1 mm; prove rmax 0.4' | sed 's/"seconds.*//')"
     # Boards of 10 mm, 0.6 g/cm^3: the block of 200 x 60 x 100 mm, less the hollow of 180 x 40 x 80 mm.
-    printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n200, 60, -, 0.6, 100\n300, 60, 80, 0.6, 120\n' >"$BATS_TEST_TMPDIR/boxes.csv"
-    local row="effect row $BATS_TEST_TMPDIR/boxes.csv"
+    printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n200, 60, -, 0.6, 100\n300, 60, 80, 0.6, 120\n' >"boxes.csv"
+    local row="effect row boxes.csv"
     close 'mass of a box' "$(awk 'BEGIN { print 0.6 * (20 * 6 * 10 - 18 * 4 * 8) / 1000 }')" "$(json "$row; effect walls 10 mm; row" | values mass | head -1)"
     close 'with its width' "$(awk 'BEGIN { print 0.6 * (30 * 6 * 12 - 28 * 4 * 10) / 1000 }')" "$(json "$row; effect walls 10 mm; row" | values mass | tail -1)"
     close 'mass of a block' 0.72 "$(json "$row; row" | values mass | head -1)"
@@ -405,16 +250,33 @@ END
     wrong 'effect walls 3 deg' 'enter it without a unit, or as a length'
 }
 
-@test "save keeps the scene, and source brings it back" {
-    scene="effect friction 0.3; effect row $root/examples/record.csv; effect push 3; place 8 0.75; effect placement 2 mm 0.01; effect floor 0.5"
-    differ 'a scene' "$(json 'effect row 5; fall; verdict')" "$(json "$scene; fall; verdict")"
-    same saved "$(json "$scene; fall; verdict")" "$(json "$scene; save $BATS_TEST_TMPDIR/scene.dom; reset; source $BATS_TEST_TMPDIR/scene.dom; fall; verdict")"
-    grep -qx 'effect friction 0.3' "$BATS_TEST_TMPDIR/scene.dom"
-    grep -qx 'effect placement 0.002 0.01' "$BATS_TEST_TMPDIR/scene.dom"
+@test "'on' says what it took, to people alone" {
+    while IFS='|' read -r command line; do
+        same "$command" "$line" "$("$DOMINO" -e "$command" | tail -n 1)"
+        same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
+        same "$command: json" '(nothing)' "$(json "$command")"
+    done <<'END'
+effect row on|row is on now with N = 20: the number of dominoes. 'effect row N|FILE' sets another.
+effect friction on|friction is on now with MU = 0.2: the friction coefficient. 'effect friction MU' sets another.
+effect friction 0.3; effect friction on|friction is on with MU = 0.3: the friction coefficient. 'effect friction MU' sets another.
+effect row 5; effect push on|push is on now with OMEGA = 5 rad/s: the angular velocity of the first domino. 'effect push OMEGA' sets another.
+END
+    same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }
 
-@test "the help of each effect has its source" {
-    for name in friction row push placement floor; do
-        "$DOMINO" -e "help $name" | grep -q '^Source: '
+@test "effects: every column is in line, however long the settings are" {
+    count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
+    for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
+        # The heads of numbers end where the numbers do.
+        "$DOMINO" -e "$scene; effects" | sed '/^Times are/,$d' | awk -v count="$count" '
+            NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
+            NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
+            END { exit bad || rows != count }'
     done
+    # The method that each effect needs, and that of the scene, which the plan names too.
+    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.* its effects, now ([a-z]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
+    same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
+    same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"
+    same engine 'engine,rigid-body engine' "$(methods 'effect row 2; effect push 9; effect feet 0.5')"
+    same 'of each' 'motion balance balance balance balance balance balance balance engine engine' "$("$DOMINO" -e 'set output json; effects' | values method | paste -sd ' ' -)"
 }

@@ -1,0 +1,123 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Animations of trains and rows.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# A gnuplot that keeps the script which it gets.
+keep_scripts() {
+    mkdir "$BATS_TEST_TMPDIR/bin"
+    printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$BATS_TEST_TMPDIR" "$(command -v gnuplot)" \
+        >"$BATS_TEST_TMPDIR/bin/gnuplot"
+    chmod +x "$BATS_TEST_TMPDIR/bin/gnuplot"
+    PATH=$BATS_TEST_TMPDIR/bin:$PATH
+}
+
+# How many frames a gif has of each delay, in 1/100 s as little-endian hex.
+delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a-f]{2}[0-9a-f]{4}[0-9a-f]{2}00' | cut -c 9-12 | sort | uniq -c | awk '{ print $1, $2 }'; }
+
+record="effect row \"$root/examples/record.csv\""
+
+@test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {
+    gif=$BATS_TEST_TMPDIR/a.gif
+    same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
+    same gif GIF89a "$(head -c 6 "$gif")"
+    same 'frames and their delay' '95 0400' "$(delays "$gif")"
+    csv 'animate a.gif' >"$BATS_TEST_TMPDIR/frames"
+    same rows 96 "$(wc -l <"$BATS_TEST_TMPDIR/frames")"
+    awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
+        { before = $1; n[$2]++ }
+        # 1 + sqrt(r) + r cycles, as many frames in each as it lasts; theta grows in each, up to theta_c.
+        END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' "$BATS_TEST_TMPDIR/frames"
+    awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
+        END { exit bad || pairs < 80 }' "$BATS_TEST_TMPDIR/frames"
+    "$DOMINO" -e "animate $gif 1"
+    same 'one cycle' '26 0400' "$(delays "$gif")"
+    same 'data instead, and no file' '(nothing)' "$(csv "animate $BATS_TEST_TMPDIR/b.gif" >/dev/null; ls "$BATS_TEST_TMPDIR" | grep 'b\.gif')"
+    # A train that stops is shown to its stop.
+    "$DOMINO" -e "set r 1.7; animate $gif"
+    same 'it stops' "$(json 'set r 1.7; barrier' | sed -n 's/.*stops at theta = \([0-9.]*\).*/\1/p' | cut -c 1-8)" \
+        "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
+}
+
+@test "animate: the row in real time from before the first hit to the end, held for a second" {
+    same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
+    read -r width height frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
+    same 'one delay of a tenth of a second' '10 ' "$delay $rest"
+    [ "$width" -eq 640 ] && [ "$height" -ge 170 ] && [ "$(stat -c %s a.gif)" -lt 300000 ]
+    csv "$record; animate a.gif rate 10" >data
+    same keys 'time,domino,theta' "$(head -n 1 data)"
+    same 'a frame each row, and ten more' "$frames" "$(($(wc -l <data) - 1 + 10))"
+    # Equally far apart, up to the end, which is that of 'fall'.
+    awk -F, -v end="$(json "$record; verdict" | values seconds)" 'NR == 2 && !($1 < 0) { bad = 1 }
+        NR > 3 && before < end - 0.1 { d = $1 - before - 0.1; if (d > 1e-9 || d < -1e-9) bad = 1 }
+        NR > 2 && $2 < domino { bad = 1 } { before = $1; domino = $2 }
+        END { d = before / end - 1; exit bad || domino != 10 || d > 1e-9 || d < -1e-9 }' data
+    # A push starts the clock; half as fast takes twice as many frames.
+    set_push='set r 1; effect row 12; effect push 6'
+    same 'from the push' 0 "$(csv "$set_push; animate a.gif" | sed -n '2s/,.*//p')"
+    "$DOMINO" -e "$set_push; animate a.gif speed 0.5; animate b.gif speed 0.25"
+    read -r _ _ fast _ <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
+    read -r _ _ slow _ <<<"$("$BATS_TEST_DIRNAME/gif" b.gif)"
+    awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
+    # Also a row that stops, and one whose view follows the front.
+    "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
+    "$BATS_TEST_DIRNAME/gif" a.gif
+    "$BATS_TEST_DIRNAME/gif" b.gif
+    same 'the train, with a row on' "$(csv 'animate a.gif 2')" "$(csv 'effect row 3; animate a.gif train 2')"
+}
+
+@test "animate: .webm and .mp4 by ffmpeg, which gets every frame as a png" {
+    mkdir bin none
+    ln -s "$(command -v gnuplot)" none/gnuplot
+    cat >bin/ffmpeg <<'END'
+#!/bin/sh
+echo "$@" >"$FRAMES.said"
+cat >"$FRAMES"
+echo made
+END
+    chmod +x bin/ffmpeg
+    for ending in webm mp4; do
+        FRAMES=$PWD/frames PATH=$PWD/bin:$PATH "$DOMINO" -e "set r 1; effect row 5; effect push 6; animate a.$ending rate 20"
+        same "$ending" made "$(cat a.$ending)"
+        grep -q -- '-framerate 100/5 .*-f '"$ending"' file:/proc/self/fd/1' frames.said
+        frames=$(grep -aoc 'IHDR' frames)
+        same 'a png each frame' "$(csv 'set r 1; effect row 5; effect push 6; animate a.gif rate 20' | sed 1d | wc -l)" \
+            "$(($(grep -ao 'IEND' frames | wc -l) - 20))"
+        rm a.$ending
+        run -1 env PATH="$PWD/none" "$DOMINO" --keep-going -e "effect row 5; animate a.$ending"
+        [[ $output == *".$ending needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif"* ]]
+    done
+    printf '#!/bin/sh\ncat >/dev/null\necho "Unknown encoder" >&2\nexit 1\n' >bin/ffmpeg
+    run -1 env PATH="$PWD/bin:$PATH" "$DOMINO" --keep-going -e 'effect row 5; animate a.mp4 speed 10'
+    [[ $output == *"ffmpeg did not make 'a.mp4': Unknown encoder"* ]]
+    [ ! -e a.mp4 ]
+}
+
+@test "the gallery has what examples/pictures.dom draws, and is small" {
+    "$DOMINO" -f "$root/examples/pictures.dom" >/dev/null
+    same pictures "$(ls "$root/examples/pictures")" "$(ls)"
+    for picture in *; do
+        [ "$(stat -c %s "$root/examples/pictures/$picture")" -lt 300000 ]
+    done
+    for picture in *.svg; do xmllint --noout "$root/examples/pictures/$picture"; done
+    for picture in *.gif; do same "$picture" "$("$BATS_TEST_DIRNAME/gif" "$root/examples/pictures/$picture")" "$("$BATS_TEST_DIRNAME/gif" "$picture")"; done
+}
+
+@test "animate: the number of the head stands on the head in every frame of every cycle" {
+    keep_scripts
+    local scene
+    for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
+        "$DOMINO" -e "$scene; animate $BATS_TEST_TMPDIR/a.gif"
+        # A frame has one domino of the head's part, after the data of which its number comes: between its feet.
+        awk '/^\$part2/ { heads++; n = 0; next } /^END/ { n = -1 } n >= 0 && NF == 2 { x[n++] = $1 }
+            /^set label .0. at/ {
+                labels++
+                split($5, at, ",")
+                if (!(at[1] < x[0] && at[1] > x[3])) outside++
+            }
+            END { if (heads < 26 || labels != heads || outside) { print heads, labels, outside + 0; exit 1 } }' \
+            "$BATS_TEST_TMPDIR/script"
+    done
+}

@@ -1,0 +1,182 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completion: what may follow on a line, by the command complete.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "'complete LINE' takes the whole line, and nothing of it is run" {
+    run -0 --separate-stderr "$DOMINO" -e 'complete fuel; th'
+    same "';'" "$("$DOMINO" -e 'complete th')" "$output"
+    same "';': stderr" '(nothing)' "$stderr"
+    same "'set'" output "$("$DOMINO" -e 'complete thetac; set ou' 2>&1)"
+    same "'quit'" "$("$DOMINO" -e 'complete q')"$'\n'1 "$("$DOMINO" -e 'complete fuel; q' -e 'print 1' | grep .)"
+}
+
+@test "complete: commands, parameters, topics, words, names of expressions, files" {
+    all=$("$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' | paste -sd ' ' -)
+    parameters=$(json show | values name | paste -sd ' ' -)
+    effects=$(completed 'effect ')
+    [ "$(wc -w <<<"$effects")" -ge 5 ]
+    [ "$(wc -w <<<"$all")" -ge 22 ]
+    while IFS='|' read -r line expected; do
+        same "complete $line" "$expected" "$(completed "$line")"
+    done <<END
+|$all
+th|thetac theta1
+bar|barrier
+zzz|(nothing)
+set |$parameters $effects
+show |$parameters $effects
+reset |$parameters $effects
+set friction |off on
+effect floor |off on
+set placement 0.1 |m mm cm km in ft yd
+set ou|output
+set d|d density digits
+show t|tol threads timing
+set ti|timing
+set output |table csv json
+set output j|json
+set fuel |exact paper
+set angle |rad deg
+set timing |off on
+set q |hollow solid
+set q h|hollow
+help b|barrier back best budget bounce
+help dig|digits
+theta1 at|atan( atan2(
+rmax 0.9*rm|0.9*rmax
+rmax (rm|(rmax
+count |h
+count 112 |r rmax pair m mm cm km in ft yd
+count 112 m |r rmax pair
+set h 48 |m mm cm km in ft yd
+set h 48m|48m 48mm
+set mass 10 |kg g t lb oz
+set s 0.3 |mm cm in
+curve 0.1 0.9 |mm cm in
+theta1 |thetac where
+sweep s |(nothing)
+sweep fuel |exact paper
+sweep h 40 mm 60 mm 3 den|density
+count 2*sq|2*sqrt(
+print an|ans
+0.9*rm|0.9*rmax
+r = 0.9*rm|0.9*rmax
+rmax.r_max_e|rmax.r_max_exact
+foo |(nothing)
+fuel |(nothing)
+END
+    # In an expression: parameters with a number, commands with a value, functions; nothing else.
+    names=" $(completed 'print ') "
+    for name in s r d q tol h g rmax barrier 'count(' ans 'sin(' 'sqrt(' pi; do
+        [[ $names == *" $name "* ]] || same 'print' "$name" "$names"
+    done
+    for name in output angle timing chain curve set help quit; do
+        [[ $names != *" $name "* ]] || same 'print' "no $name" "$names"
+    done
+    for call in 'theta1 2*' 'count 1 + ' 'rmax (' 'curve 0.1 0.9*'; do
+        same "$call" "$names" " $(completed "$call" | sed 's/[^ ]*[*(]\([a-z]\)/\1/g') "
+    done
+    # Everything that is offered there has a value, or is a function.
+    [ "$(wc -w <<<"$names")" -ge 40 ]
+    for name in $names; do
+        [[ $name != *\( ]] || continue
+        run --separate-stderr json "effect row 4; effect placement 5 mm; rmax; print $name"
+        [ "$status" -eq 0 ] || same "$name" 'a value' "$stderr"
+    done
+}
+
+@test "complete: nothing is offered twice" {
+    while IFS='|' read -r line word; do
+        offered=$("$DOMINO" -e "complete $line")
+        same "'$line' offers $word once" 1 "$(grep -cx "$word" <<<"$offered")"
+        same "'$line'" '(nothing)' "$(sort <<<"$offered" | uniq -d)"
+    done <<'END'
+|barrier
+help |barrier
+set |output
+print |sqrt(
+help fu|fuel
+print |pi
+END
+}
+
+@test "complete: keys after a dot" {
+    same 'rmax.' 'rmax.s rmax.r_max rmax.r_max_exact rmax.r_max_paper' "$(completed 'print rmax.' | sed 's/ rmax\.ends_by//')"
+    same 'barrier.m' 'barrier.margin' "$(completed 'print barrier.m')"
+    same 'no functions' '(nothing)' "$("$DOMINO" -e 'complete print rmax.' | grep -x 'rmax\.sin')"
+}
+
+@test "complete: files, where files belong" {
+    touch alpha.dom beta.dom
+    mkdir alps
+    for line in 'source ' 'save ' 'fuel > ' 'fuel >> ' 'rmax 0.3 > '; do
+        same "$line" 'alpha.dom alps beta.dom' "$("$DOMINO" -e "complete $line" | sed 's,/$,,' | sort | paste -sd ' ' -)"
+        same "${line}b" 'beta.dom' "$(completed "${line}b")"
+    done
+    touch alps/gamma.dom
+    same 'in a directory' 'alps/gamma.dom' "$(completed 'source alps/')"
+    same 'no match' '(nothing)' "$(completed 'source zzz')"
+    same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
+}
+
+@test "completion: what draw takes" {
+    same draw forces "$("$DOMINO" -e 'complete draw f')"
+    same 'draw T' forces "$("$DOMINO" -e 'complete draw 0.3 f')"
+}
+
+@test "completion and help: the words of draw and animate, and no word twice" {
+    complete() { "$DOMINO" -e "complete $1" | sort | paste -sd ' ' -; }
+    same draw 'at forces train' "$(complete 'draw ')"
+    same 'draw at' 'domino end' "$(complete 'draw at ')"
+    same 'draw forces' '(nothing)' "$(complete 'draw forces ')"
+    same 'draw train' forces "$(complete 'draw train ')"
+    same 'animate a.gif' 'rate speed train' "$(complete 'animate a.gif ')"
+    same 'animate a.gif speed 2' 'rate' "$(complete 'animate a.gif speed 2 r')"
+    "$DOMINO" -e 'help animate' | tr '\n' ' ' | grep -q 'at most 9 can be seen *together at r = 1.5'
+    one_line 'N is an integer in 1 .. 9, ' 'animate a.gif 10'
+}
+
+@test "completion: what plot takes" {
+    same plot 'chain cost energy fall gaps growth inertia marginal omega placement speed sweep' \
+        "$("$DOMINO" -e 'complete plot ' | sort | paste -sd ' ' -)"
+    same 'plot growth' paper "$("$DOMINO" -e 'complete plot growth ')"
+    same 'plot sweep' friction "$("$DOMINO" -e 'complete plot sweep fr')"
+    same 'plot sweep :' rmax "$("$DOMINO" -e 'complete plot sweep s 0.1 0.3 3 : rm')"
+    for line in 'plot fall ' 'plot growth paper ' 'plot cost rmax ' 'plot placement '; do
+        same "$line" '(nothing)' "$("$DOMINO" -e "complete $line")"
+    done
+}
+
+@test "completion: what cost and plot take" {
+    same cost 'barrier duration fuel launch pair rmax' "$("$DOMINO" -e 'complete cost ' | sort | paste -sd ' ' -)"
+    same plot cost "$("$DOMINO" -e 'complete plot co')"
+    same 'plot cost' rmax "$("$DOMINO" -e 'complete plot cost r')"
+    same precision 'double float quad' "$("$DOMINO" -e 'complete set precision ' | sort | paste -sd ' ' -)"
+}
+
+@test "what completion offers after a word is no error there" {
+    local line word refused=''
+    same 'draw' 'at train forces' "$("$DOMINO" -e 'complete draw ' | paste -sd ' ' -)"
+    same 'a lone answer is not written for s' '(nothing)' "$("$DOMINO" -e 'complete set s ')"
+    same 'but for a beginning' best "$("$DOMINO" -e 'complete set s b')"
+    same 'after a plain number' rate "$("$DOMINO" -e 'complete animate a.gif speed 2 r')"
+    same 'plot cost' 'fuel launch barrier duration rmax pair' "$("$DOMINO" -e 'complete plot cost ' | paste -sd ' ' -)"
+    same 'an abbreviation' 'rmax' "$("$DOMINO" -e 'complete plot co r')"
+    for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
+        'plot gr' 'plot sweep' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
+        'effect friction 0.2' 'effect row 5' 'set q' 'set output' 'set output csv' reset 'reset s' show; do
+        for word in $("$DOMINO" -e "complete $line "); do
+            run --separate-stderr "$DOMINO" -e "set output csv; set r 1.4; $line $word > /dev/null"
+            case $stderr in
+            *'too many'* | *'said twice'* | *'takes no name'* | *unknown* | *' is no '*) refused+=" '$line $word'" ;;
+            esac
+        done
+    done
+    same 'offered, then refused' '(nothing)' "$refused"
+    for line in 'draw forces' 'draw 0.3 forces' 'plot growth paper' 'plot energy' 'plot energy r' 'reset s'; do
+        same "complete $line" '(nothing)' "$("$DOMINO" -e "complete $line ")"
+    done
+}

@@ -1,0 +1,87 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What accuracy costs: cost and its picture.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "cost: a row for each method, precision and tolerance, and the lesson in words" {
+    run -0 "$DOMINO" -e 'cost rmax'
+    for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
+    [[ ${lines[-1]} =~ ^A\ proof\ of\ 12\ digits\ takes\ [0-9.e+]+\ times\ our\ time\ without\ one\.$ ]]
+    [[ ${lines[-2]} =~ ^12\ digits\ cost\ [0-9.e+]+\ times\ what\ 3\ digits\ cost\;\ quad\ costs\ [0-9.e+]+\ times\ double\.$ ]]
+    grep -q "^To 6 digits the paper's recipe takes [0-9.e+]* times our time\.$" <<<"$output"
+    grep -q '^To 6 digits the solvers of GSL take [0-9.e+]* times our time\.$' <<<"$output"
+}
+
+@test "cost: errors are as small as asked, for every method that answers; ours goes down to 1e-33" {
+    for command in rmax barrier duration launch fuel pair; do
+        "$DOMINO" -e "set output csv; cost $command" >"$BATS_TEST_TMPDIR/cost"
+        same "$command" method,precision,tol,error,dominoes,passes,time,times "$(head -n 1 "$BATS_TEST_TMPDIR/cost")"
+        awk -F, -v command="$command" 'NR > 1 {
+            if ($1 == "GSL" && $4 == "") next # where its solver gives up
+            # Steps of half sqrt(tol), in the recipe of the paper, make errors of that order; a double and a float have their roundings.
+            room = $1 == "paper" ? 20 * $3 : $3
+            if ($1 == "proved") $5 = 1 # its passes are chains of any length
+            floor = $1 == "proved" ? 1e-13 : $2 == "float" ? 3e-6 : $2 == "double" ? 1e-14 : 1e-31
+            if (!($4 <= room + floor && $5 >= 1 && $6 >= 1 && $7 > 0 && $8 >= 1)) { print command ": " $0; bad = 1 }
+            if ($1 == "ours" && $2 == "quad" && $3 == 1e-33) finest = 1
+            rows++
+        } END { exit bad || !finest || rows < 20 }' "$BATS_TEST_TMPDIR/cost"
+        # More digits, more work. The number of dominoes may fall by one, where a series takes another order.
+        awk -F, '$1 == "ours" && $2 == "quad" { if ($5 < before - 1) bad = 1; before = $5; passes = $6; rows++
+            if (rows == 1) { first = $5; few = $6 } } END { exit bad || rows < 3 || before < first || passes < few - (few > 20) * few / 3 }' \
+            "$BATS_TEST_TMPDIR/cost"
+    done
+}
+
+@test "cost: what has no tolerance, or no answer, is an error in one line" {
+    run -1 "$DOMINO" --keep-going -e 'cost thetac'
+    same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
+    run -1 "$DOMINO" --keep-going -e 'cost brier'
+    [[ $output == *"did you mean 'barrier'?"* ]]
+    run -1 "$DOMINO" --keep-going -e 'cost'
+    [[ $output == *'COMMAND is missing; usage: cost COMMAND'* ]]
+    for state in 'set s 0.001; cost duration' 'set s 0.001; cost rmax' 'set r 1.7; cost duration'; do
+        run -1 "$DOMINO" --keep-going -e "$state"
+        same "$state" 1 "${#lines[@]}"
+        [[ $output == *'there is no answer to measure here'* ]]
+    done
+    run -1 "$DOMINO" --keep-going -e 'set r 9; cost launch'
+    [[ $output == *'r s = 3.6 > 1'* ]]
+}
+
+@test "plot cost: text in a pipe, and each kind of file" {
+    run -0 "$DOMINO" -e 'plot cost launch'
+    for words in 'What accuracy costs' 'time of one answer' 'this program, quad' 'recipe'; do
+        grep -q "$words" <<<"$output"
+    done
+    dir=$BATS_TEST_TMPDIR
+    "$DOMINO" -e "plot cost launch > $dir/a.svg; plot cost launch > $dir/b.png; plot cost launch > $dir/c.pdf
+plot cost launch > $dir/d.txt"
+    head -c 5 "$dir/a.svg" | grep -q '<?xml'
+    grep -q 'this program, double' "$dir/a.svg"
+    same png '89504e470d0a1a0a' "$(head -c 8 "$dir/b.png" | od -An -tx1 | tr -d ' \n')"
+    same pdf '%PDF-' "$(head -c 5 "$dir/c.pdf")"
+    grep -q 'time of one answer' "$dir/d.txt"
+    same 'csv has the data' method,precision,tol,error,dominoes,passes,time,times \
+        "$("$DOMINO" -e 'set output csv; plot cost launch' | head -n 1)"
+}
+
+@test "plot: endings, folders and a missing gnuplot are one line, and no file is left" {
+    dir=$BATS_TEST_TMPDIR
+    run -1 "$DOMINO" --keep-going -e "plot cost launch > $dir/a.jpg"
+    same 'one line' 1 "${#lines[@]}"
+    [[ $output == *'use .svg, .png, .pdf or .txt'* ]]
+    run -1 "$DOMINO" --keep-going -e "plot cost launch > $dir/none/a.svg"
+    same 'one line' 1 "${#lines[@]}"
+    mkdir "$dir/empty"
+    run -1 env PATH="$dir/empty" "$DOMINO" --keep-going -e "plot cost launch > $dir/a.svg; print 1"
+    [[ ${lines[0]} == *"pictures need gnuplot, which is not installed: 'apt install gnuplot-nox'"* ]]
+    same 'the session goes on' 1 "${lines[1]}"
+    same 'nothing is left' '(nothing)' "$(find "$dir" -maxdepth 1 -type f -name 'a.*')"
+    run -1 "$DOMINO" --keep-going -e 'plot cst launch'
+    [[ $output == *"did you mean 'cost'?"* ]]
+    run -1 "$DOMINO" --keep-going --safe -e "plot cost launch > $dir/a.svg"
+    [[ $output == *'a safe session cannot read or write files'* ]]
+}

@@ -1,0 +1,113 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Design: a row for a wish.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+wood='set q hollow; effect friction 0.3'
+
+# The published cases were searched in steps of 0.02 in s: 0.46, 0.48, 0.54, the first with feet of 12.0 m.
+@test "design: rows from 48 mm to 8 m, with friction 0.3" {
+    while read -r q safety s r steps feet; do
+        answer=$(json "$wood; set q $q; design 8 m safety $safety")
+        within "s $q $safety" "$s" "$(values s <<<"$answer")" 'd > -0.02 && d < 0.021'
+        close "r $q $safety" "$r" "$(values r <<<"$answer")" 5e-4
+        same "steps $q $safety" "$steps" "$(values steps <<<"$answer")"
+        within "feet $q $safety" "$feet" "$(values feet <<<"$answer")" 'd > -0.02 && d < 0.021'
+        within "safety $q $safety" "$safety" "$(values safety <<<"$answer")" 'o >= e'
+        within "train $q $safety" "$safety" "$(values train <<<"$answer")" 'o >= e'
+    done <<'END'
+hollow 2 0.46 1.668 10 12.03
+hollow 3 0.48 1.592 11 13.39
+massive 2 0.54 1.482 13 16.77
+END
+}
+
+@test "design: the train's numbers are those of barrier, the row's those of fall" {
+    json "$wood; design 8 m; barrier; verdict" >answers
+    close train "$(awk -v k="$(values kinetic <answers)" -v b="$(values barrier <answers)" 'BEGIN { printf "%.12g", k / b }')" \
+        "$(values train <answers)" 1e-9
+    close safety "$(awk -v s="$(values spare <answers)" 'BEGIN { printf "%.12g", s + 1 }')" "$(values safety <answers)" 1e-9
+    same weakest "$(sed -n 's/.*"verdict".*"weakest":\([0-9]*\).*/\1/p' answers)" "$(values weakest <answers | head -n 1)"
+    same fall 'all fall' "$(values verdict <answers | tail -n 1)"
+    close seconds "$(values seconds <answers | tail -n 1)" "$(values seconds <answers | head -n 1)" 1e-9
+}
+
+@test "design: its row is the session's, and in a file that effect row reads" {
+    "$DOMINO" -e "$wood; design 8 m hall 20 m > hall.csv; fall > typed.csv; show s > s.json"
+    same head 'domino,height (m),thickness (m),gap (m),relative' "$(head -n 1 hall.csv)"
+    same last 12,8 "$(tail -n 1 hall.csv | cut -d , -f 1,2)"
+    "$DOMINO" -e "$wood; effect row hall.csv; fall > read.csv"
+    cut -d , -f 1-6 typed.csv | sed 's/\([0-9]\.[0-9]\{7\}\)[0-9]*/\1/g' >typed
+    cut -d , -f 1-6 read.csv | sed 's/\([0-9]\.[0-9]\{7\}\)[0-9]*/\1/g' >read
+    same_file typed read
+    close s "$(values value <s.json)" "$(sed -n 3p hall.csv | awk -F , '{ printf "%.12g", $4 / $2 }')"
+    # As long as the hall, and no gap is wider than it must be for that.
+    awk -F , 'NR > 1 { sum += $3 + $4; last = $2 } END { exit !(sum + last <= 20 && sum + last > 19.97) }' hall.csv
+    same off 1 "$("$DOMINO" -e "$wood; design 8; effect row off; verdict" 2>&1 | grep -c 'there is no row')"
+    # In an expression, and at the points of a sweep, the scene stays as it is.
+    same expression '10 0.4' "$(json "$wood; print design(8); print s" | values value | paste -sd ' ')"
+    same sweep '10 11 0.4' "$(json "$wood; sweep friction 0.3, 0.4 : design 8" | values steps | paste -sd ' ') $(
+        json "$wood; sweep friction 0.3, 0.4 : design 8; print s" | values value)"
+}
+
+@test "design: people get a list to saw and to place by, with masses where they are known" {
+    run -0 "$DOMINO" -e "$wood; set mass 0.01; design 8 m"
+    grep -qE '^domino +height +thickness +gap +at +mass +surface$' <<<"$output"
+    grep -qE '^ +11 +8 +1\.167 +3\.752 +11\.05 ' <<<"$output"
+    grep -qE '^mass +433\.6' <<<"$output"
+    run -0 "$DOMINO" -e "$wood; set q massive; design 8 m"
+    grep -qE '^domino +height +thickness +gap +at +relative +volume$' <<<"$output"
+}
+
+@test "design: what does not fit, and the number that would" {
+    run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
+    same hall "infeasible: the shortest row with safety 2 is 19.59 m long with its last domino fallen; 'hall 19.6 m' would do." "$output"
+    same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
+    same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
+    close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6
+    run -0 "$DOMINO" -e "set q hollow; effect friction 5; design 8 m"
+    grep -qE '^infeasible: not even equal dominoes .* with a friction up to 2\.93 safety 2 is possible\.$' <<<"$output"
+    within 'less friction' 2 "$(json 'set q hollow; effect friction 2.92; effect row 2; effect push 9; design 4.8001 cm' | values train)" 'o >= e && o < 2.2'
+    run -0 "$DOMINO" -e "set q hollow; effect friction 3; design 8 m"
+    below=$(sed -n 's/.*a safety below \([0-9.]*\) .*/\1/p' <<<"$output")
+    within 'below' 1.617 "$below" 'd < 1e-3 && d > -1e-3'
+    run -0 "$DOMINO" -e "$wood; effect row 2; effect push 0.5; design 8 m"
+    push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)' before.*/\1/p" <<<"$output")
+    same "push $push" 10 "$(json "$wood; effect row 2; effect push $push; design 8 m" | values steps)"
+    # No file takes the place of a row.
+    run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
+    [ ! -e hall.csv ]
+}
+
+@test "design: where the engine runs rows, its verdict of the row is yes" {
+    scene='set h 5 cm; set q hollow; set d 0.2; effect friction 0.3; effect slope 0.5 deg; effect row 5'
+    answer=$(json "$scene; effect feet 0.4; design 9 m; verdict")
+    same verdict 'all fall' "$(values verdict <<<"$answer")"
+    close seconds "$(values seconds <<<"$answer" | tail -n 1)" "$(values seconds <<<"$answer" | head -n 1)" 1e-4
+    within 'a domino more' "$(json "$scene; design 9 m" | values steps)" "$(values steps <<<"$answer" | head -n 1)" 'o > e && o < e + 4'
+    run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
+    grep -q 'by the model, in which feet are hinges\. All fall in the rigid-body engine, too, which runs rows since feet is on\.' <<<"$output"
+    run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
+    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which runs rows since feet is on; a stronger push may help: 'effect push 1[0-9]' before\.$" <<<"$output"
+    wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
+}
+
+@test "design: with friction and rounded edges there is a row, too; a number that there is none of is null" {
+    answer=$(json 'set q hollow; set d 0.2208; effect friction 0.142; effect edges 0.0203; design 5 m safety 3; verdict')
+    same rounded 'all fall' "$(values verdict <<<"$answer")"
+    same 'no barrier' 'null null null' "$(json 'design 8 m safety 1000' | while read -r a; do
+        echo "$(values safety <<<"$a") $(values weakest <<<"$a") $(values train <<<"$a")"; done)"
+}
+
+@test "design: wrong wishes are one line each" {
+    wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
+    wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
+    wrong 'design 8 m safety 1' "safety 1 is not above 1.*'safety 2'"
+    wrong 'design 8 m safety 2 m' 'the safety is a number, such as 2'
+    wrong 'design 8 m safty 2' "did you mean 'safety'"
+    wrong 'design 8 m hall' "the value of 'hall' is missing"
+    wrong 'design 8 m minimise time' "'minimise dominoes', 'minimise length' or 'minimise mass'"
+    wrong 'design' 'H is missing; usage: design H \[WISHES\]'
+}

@@ -1,0 +1,93 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The README and the man pages.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+digits() {
+    sed -E -e 's/([0-9]\.[0-9]{12})[0-9]+/\1/g' -e '${/^$/d}'
+}
+
+build=$(dirname "$DOMINO")
+
+@test "domino-effects(7) has a section with an example that runs for each effect" {
+    page=$root/man/domino-effects.7
+    same effects "$("$DOMINO" -e 'complete effect ' | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
+    sed -n 's/^\.Dl //p' "$page" >"$BATS_TEST_TMPDIR/examples"
+    same examples "$(grep -c '^\.Ss ' "$page")" "$(wc -l <"$BATS_TEST_TMPDIR/examples")"
+    while IFS= read -r example; do
+        run -0 --separate-stderr "$DOMINO" -n --bail -e "$example"
+        expects "$example" "$output"
+        same "$example: errors" '(nothing)' "$stderr"
+    done <"$BATS_TEST_TMPDIR/examples"
+}
+
+@test "every name that libdomino(3) mentions, or begins, is one of the headers" {
+    cat "$root"/include/*.h "$build/include/domino_quad.h" >"$BATS_TEST_TMPDIR/headers"
+    grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >"$BATS_TEST_TMPDIR/names"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -gt 20 ]
+    while read -r name; do
+        grep -q "\b${name/domq_/dom_}" "$BATS_TEST_TMPDIR/headers" || { echo "$name"; false; }
+    done <"$BATS_TEST_TMPDIR/names"
+}
+
+@test "the example in libdomino(3) is examples/rmax.c, and does what the page says" {
+    # The first line of the file is its licence.
+    sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\e/\\/g;p}' "$root/man/libdomino.3" >"$BATS_TEST_TMPDIR/rmax.c"
+    diff -u <(sed 1d "$root/examples/rmax.c") "$BATS_TEST_TMPDIR/rmax.c"
+    # shellcheck disable=SC2046
+    cc -std=c99 -Wall -Wextra -Wpedantic -Werror -I"$root/include" "$BATS_TEST_TMPDIR/rmax.c" "$build/libdomino.a" \
+        $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread -o "$BATS_TEST_TMPDIR/rmax"
+    command=$(sed -n 's/^\.Dl \$ //p' "$root/man/libdomino.3")
+    output=$(cd "$BATS_TEST_TMPDIR" && sh -c "$command")
+    same "$command" "$(sed '1,/^\.Dl \$ /d' "$root/man/libdomino.3" | sed -n 's/^\.Dl //p')" "$output"
+}
+
+@test "domino(1) has every option and environment variable" {
+    page=$root/man/domino.1
+    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u >"$BATS_TEST_TMPDIR/options"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/options")" -ge 7 ]
+    while read -r option; do
+        grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
+    done <"$BATS_TEST_TMPDIR/options"
+    grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell | sed 's/.*"\(.*\)".*/\1/' | sort -u \
+        >"$BATS_TEST_TMPDIR/environment"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/environment")" -ge 5 ]
+    while read -r name; do
+        grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
+    done <"$BATS_TEST_TMPDIR/environment"
+}
+
+@test "the sessions of the README and the man pages are what the program prints" {
+    # The last digits of the 17 may differ with the C library's sine.
+    PATH=$(dirname "$DOMINO"):$PATH
+    commands=0
+    for text in "$root/README.md" "$root"/man/*.[0-9]; do
+        "$root/tests/sessions" "$text" >"$BATS_TEST_TMPDIR/now"
+        if [ "${GOLDEN:-}" = write ]; then cp "$BATS_TEST_TMPDIR/now" "$text"; fi
+        digits <"$text" >"$BATS_TEST_TMPDIR/said"
+        digits <"$BATS_TEST_TMPDIR/now" >"$BATS_TEST_TMPDIR/says"
+        same_file "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
+        commands=$((commands + $(grep -cE '^\$ (domino|for) ' "$text" || :)))
+    done
+    [ "$commands" -ge 5 ]
+}
+
+@test "the README is read to its end: at most 180 lines, and its picture is there, and small" {
+    [ "$(wc -l <"$root/README.md")" -le 180 ]
+    pictures=$(grep -oE '\(examples/pictures/[^)]*\)' "$root/README.md" | tr -d '()')
+    expects pictures "$pictures"
+    for picture in $pictures; do
+        [ "$(wc -c <"$root/$picture")" -lt 300000 ]
+        same "$picture" GIF89a "$(head -c 6 "$root/$picture")"
+    done
+    # Links lead to files.
+    for link in $(grep -oE '\]\([a-z][^:)]*\)' "$root/README.md" | tr -d ']()'); do
+        [ -e "$root/$link" ] || { echo "$link"; false; }
+    done
+}
+
+@test "each equation is cited with the number that the paper prints, and the table lists the files" {
+    same equations '(nothing)' "$("$root/tests/equations")"
+}

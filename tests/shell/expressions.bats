@@ -1,0 +1,421 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Expressions: arithmetic, functions, names, answers in them, comparisons; where a value ends, and what is wrong
+# with one.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
+all_print() {
+    local line answer
+    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
+}
+
+# Prints TEXT COUNT times: twice as much in each step, since a million of printf take their time.
+repeat() { # TEXT COUNT
+    awk -v text="$1" -v n="$2" 'BEGIN {
+        for (many = text; n > 0; many = many many) { if (n % 2) printf "%s", many; n = int(n / 2) } }'
+}
+
+@test "numbers, precedence, signs, powers and parentheses" {
+    all_worth <<'END'
+1|-|1
+0.5|-|.5
+5|-|5.
+1500|-|1.5e3
+0.0025|-|2.5E-3
+5.5|-|.5 + 5.
+14|-|2 + 3 * 4
+20|-|(2 + 3) * 4
+14|-|2 * ( 3 + 4 )
+19.5|-|(2+3)*4-1/2
+3|-|8 - 3 - 2
+0.25|-|1/2/2
+9|-|6/2*3
+1|-|6/(2*3)
+50|-|2+3*4^2
+-4|-|-2^2
+4|-|(-2)^2
+512|-|2^3^2
+64|-|(2^3)^2
+0.5|-|2^-1
+0.25|-|2 ^ -2
+1.4142135623730951|-|2^0.5
+-6|-|2*-3
+-2|-|-(2)
+1|-|--1
+5|-|2--3
+-1|-|+-+1
+1|-|((((1))))
+0.14583333333333334|-|0.7/4.8
+0.3|-|0.1+0.2
+7e-17|-|7/1e17
+END
+}
+
+@test "functions and pi" {
+    all_worth <<'END'
+3.1415926535897931|-|pi
+0.17453292519943295|-|pi/18
+1|-|sin(pi/2)
+1|-|sin(90 deg)
+0.5|-|cos(60 deg)
+1|-|tan(45 deg)
+1.5707963267948966|rad|asin(1)
+1.0471975511965979|rad|acos(0.5)
+0.78539816339744828|rad|atan(1)
+2.3561944901923448|rad|atan2(1, -1)
+2.3561944901923448|rad|atan2(1 m,-1 m)
+2.7182818284590451|-|exp(1)
+2|-|ln(exp(2))
+2|-|log(exp(2))
+3|-|log10(1000)
+3|-|sqrt(9)
+2|m|sqrt(4 m^2)
+3|-|abs(-3)
+3|m|abs(-3 m)
+-3|-|floor(-2.5)
+-2|-|ceil(-2.5)
+3|-|round(2.7)
+5|-|hypot(3, 4)
+5|m|hypot( 3 m , 4 m )
+1|-|min(1,2)
+2|-|max(1,2)
+0.01|m|min(1 cm, 2 cm)
+0.5|-|sin( asin( 0.5 ) )
+4|-|max(1,2)*min(3,2)
+END
+}
+
+@test "where a value ends: '1 - 0.5' is one, '0.1 -0.5' are two" {
+    all_worth <<'END'
+0.5|-|1 - 0.5
+0.5|-|1-0.5
+0.5|-|1- 0.5
+1.5|-|1 + 0.5
+0.5|-|1 /2
+2|-|1 *2
+END
+    all_wrong <<'END'
+12|theta1 0.1 -0.5|^theta1: '-0.5' is one argument too many
+9|print 1 -0.5|^print: '-0.5' is one argument too many
+9|print 1 +0.5|^print: '\+0.5' is one argument too many
+9|print 1 2|^print: '2' is one argument too many
+9|print 2 pi|^print: 'pi' is one argument too many
+9|print 2 (3)|^print: '\(3\)' is one argument too many
+END
+    same 'one argument' "$(json 'count 111')" "$(json 'count 112 - 1')"
+    same 'two arguments' "$(json 'count 112 2')" "$(json 'count 112 +2')"
+    same 'two words of an expression' "$(json 'curve 0.05 0.3 3')" "$(json 'curve 0.1 - 0.05 0.3 3')"
+}
+
+@test "parameters, commands and answers are names" {
+    all_worth <<'END'
+0.4|-|s
+0.048|m|h
+9.81|m s^-2|g
+4|-|q
+0.6|-|r * s
+20.833333333333333|m^-1|1/h
+END
+    # Each against what the command itself answers.
+    while IFS='|' read -r expression command key unit; do
+        all_worth <<<"$(json "$command" | values "$key")|${unit}|$expression"
+    done <<'END'
+thetac|thetac|theta_c|rad
+thetac.theta_u|thetac|theta_u|rad
+theta1(0.1)|theta1 0.1|theta_1|rad
+theta1(10 deg)|theta1 10 deg|theta_1|rad
+theta1(0.1).slope|theta1 0.1|slope|-
+energy(0.1)|energy 0.1|dH|-
+energy(0.1).J|energy 0.1|J|-
+fuel|fuel|fuel|-
+fuel.fuel_paper|fuel|fuel_paper|-
+launch|launch|omega0sq|-
+launch.omega0|launch|omega0|s^-1 rad
+omega(0.1)|omega 0.1|omega|s^-1 rad
+barrier|barrier|barrier|-
+barrier.margin|barrier|margin|-
+duration|duration|duration|-
+duration.seconds|duration|seconds|s
+duration.speed|duration|speed|m s^-1
+rmax|rmax|r_max|-
+rmax(0.3)|rmax 0.3|r_max|-
+rmax(s/2)|rmax 0.2|r_max|-
+rmax(0.3).r_max_paper|rmax 0.3|r_max_paper|-
+pair|pair|r_max|-
+pair(0.3)|pair 0.3|r_max|-
+best.s|best|s|-
+best.r_max|best|r_max|-
+count(112)|count 112|dominoes|-
+count(112 m, 2)|count 112 2|dominoes|-
+count(112, 2).exact|count 112 2|exact|-
+count(112, 2).last_height|count 112 2|last_height|m
+END
+    close 'nested' "$(json 'rmax 0.2' | values r_max)" "$(json 'print rmax(rmax(0.3)/rmax(0.3)/5)' | values value)"
+    close 'set r rmax' "$(json rmax | values r_max)" "$(json 'set r rmax; show r' | values value)"
+    close 'set r 0.99*rmax' "$(json 'print 0.99*rmax' | values value)" "$(json 'set r 0.99*rmax; show r' | values value)"
+    same 'the train just goes on' 'goes on' "$(json 'set r 0.999*rmax; barrier' | values verdict)"
+    same 'and just stops' 'stops' "$(json 'set r 1.001*rmax; barrier' | values verdict)"
+    same 'theta1 thetac' "$(json "theta1 $(json thetac | values theta_c)")" "$(json 'theta1 thetac')"
+}
+
+@test "ans is the last answer, ans.KEY a number of it" {
+    while IFS='|' read -r commands expression command key; do
+        expected=$(json "$command" | values "$key")
+        close "$commands; $expression" "$expected" \
+            "$(json "$commands; print $expression" | tail -n 1 | values value)"
+    done <<'END'
+rmax|ans|rmax|r_max
+rmax|ans.r_max|rmax|r_max
+rmax|ans.s|rmax|s
+rmax 0.3|ans.r_max_paper|rmax 0.3|r_max_paper
+barrier|ans.margin|barrier|margin
+count 112|ans|count 112|dominoes
+count 112|ans.exact|count 112|exact
+theta1 10 deg|ans.theta|theta1 10 deg|theta
+thetac; set s 0.3|ans|thetac|theta_c
+rmax; foo|ans|rmax|r_max
+rmax; theta1 9|ans|rmax|r_max
+rmax; print pair(0.3)|ans|pair 0.3|r_max
+rmax; print pair(0.3)|ans.r_max|rmax|r_max
+rmax 0.3; set s 0.4 + 0*rmax|ans|rmax 0.3|r_max
+fuel > /dev/null|ans|fuel|fuel
+END
+    same 'as an argument' "$(json "set s 0.3; rmax $(json fuel | values fuel)")" \
+        "$(json 'fuel; set s 0.3; rmax ans' | tail -n 1)"
+    same 'an angle' "$(json 'theta1 theta1(0.1)/2' | tail -n 1)" "$(json 'theta1 0.1; theta1 ans/2' | tail -n 1)"
+    # What has no value is not worth anything.
+    run -1 --separate-stderr json 'set s 0.001; rmax; set r ans'
+    [[ $stderr =~ ^-e:1:.*'does not exist' ]] || same 'no growth' 'does not exist' "$stderr"
+}
+
+@test "where an expression is wrong: the column, also after letters of several bytes" {
+    all_wrong <<'END'
+7|print foo|^print:.*'foo' has no value
+11|print 1 + foo|^print:.*'foo' has no value
+11|print π + foo|^print:.*'foo' has no value
+13|print π×2 − foo|^print:.*'foo' has no value
+7|print é|^print:.*'é'
+11|print 2 × é|^print:.*'é'
+19|fuel > /dev/null; foo|^unknown command 'foo'
+10|θ1 0.1 > foo bar|^theta1: only one word
+7|θ1 0.1é|^theta1:.*'é'
+11|print 1 + |^print:.*missing at the end
+7|print *2|^print:.*'\*2'.*missing|^print:.*missing.*'\*2'
+11|print 2 * )|^print:.*missing
+7|print (1+2|^print:.*'\(' is never closed
+9|print 1*(2*(3)|^print:.*'\(' is never closed
+8|print 1)|^print:.*'\)'
+8|print 2q|^print:.*'q' is not a unit
+8|print 3foo|^print:.*'foo' is not a unit
+10|print 0.4.1|^print:.*'.1'
+8|print 1,5|^print:.*',5'
+8|print 1/0|^print:.*division by zero
+12|print 1 + 1/(2-2)|^print:.*division by zero
+7|print sqrt(-1)|^print:.*sqrt
+7|print ln(0)|^print:.*finite
+7|print asin(2)|^print:.*finite
+9|print 10^5000|^print:.*finite
+11|print (-8)^0.5|^print:.*finite
+7|print 1e5000|^print:.*too large
+11|print 1 + 1e-5000|^print:.*too small
+7|print sin()|^print:.*sin takes 1 value
+7|print sin(1,2)|^print:.*sin takes 1 value
+7|print atan2(1)|^print:.*atan2 takes 2 values
+7|print rmax(1,2)|^print:.*2 values for 'rmax \[S\]'
+7|print theta1|^print:.*0 values for 'theta1 T'
+12|print rmax(foo)|^print:.*'foo' has no value
+7|print output|^print:.*'output' has no value
+7|print set|^print:.*'set' has no value
+7|print chain|^print:.*'chain' has no value
+7|print nan|^print:.*'nan' has no value
+7|print inf|^print:.*'inf' has no value
+7|print 0x10|^print:.*decimal number
+7|print "1"|^print:.*'"1"'
+7|print rmax.foo|^print:.*unknown key of rmax 'foo'
+7|print rmax.ends_by|^print:.*rmax.ends_by is the word 'barrier'
+7|print pair(0.1)|^print:.*does not exist here: 'pair' says why
+11|print 2 + thetac.theta_leave|^print:.*does not exist here: 'thetac' says why
+END
+    wrong_at 7 'print ans' '^print:.*no earlier answer'
+    wrong_at 7 'print ans.r_max' '^print:.*no earlier answer'
+}
+
+@test "a ',' with no value after it" {
+    all_wrong <<'END'
+17|print rmax(0.3, )|^print:.*missing
+13|print sin(1,)|^print:.*missing
+11|print sin(,1)|^print:.*missing
+END
+}
+
+@test "what is neither a comment nor an argument is not skipped" {
+    # A comment begins at a blank, or at the beginning.
+    wrong_at 8 'print 2#3' "^print:.*'#3'"
+    wrong_at 10 'set s 0.3#4' "^set:.*'#4'"
+    same 'a comment' 2 "$(json 'print 2 #3; print 4' | values value)"
+}
+
+@test "what makes no sense deep down or a megabyte long: one line, no crash" {
+    deep() { # BEGIN REPEATED COUNT END
+        printf '%s' "$1" >"$BATS_TEST_TMPDIR/deep"
+        repeat "$2" "$3" >>"$BATS_TEST_TMPDIR/deep"
+        printf '%s\nset output json; show s\n' "$4" >>"$BATS_TEST_TMPDIR/deep"
+        run --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/deep"
+        same "$1$2...: status" "${5:-1}" "$status"
+        same "$1$2...: the session goes on" 0.4 "$(tail -n 1 <<<"$output" | values value)"
+        [ "${5:-1}" -eq 0 ] || same "$1$2...: lines on stderr" 1 "$(wc -l <<<"$stderr")"
+        [ "${#stderr}" -lt 400 ] || same "$1$2...: length" '< 400' "${#stderr}"
+    }
+    deep 'print ' '(' 10000 1
+    deep 'print ' '(' 10000 "1$(repeat ')' 10000)"
+    for text in '(' '-' '2^' 'sin(' 'rmax(' 'a' '9' '.' 'θ' '1-(' ')' '1,' '1 ' '"' 'ans.' '*' '/' '1e'; do
+        deep 'print ' "$text" 10000 1
+        deep 'print ' "$text" 1000000 ''
+    done
+    deep 'set s ' 'é' 1000000 ''
+    deep 'theta1 ' '1 m' 1000000 ''
+    deep 'fuel > ' 'a' 1000000 ''
+    deep 'save ' 'a' 1000000 ''
+    deep 'help ' 'a' 1000000 ''
+    deep 'apropos ' 'a' 1000000 ''
+    deep '' 'θ' 1000000 ''
+    # What is long, but right.
+    deep 'print ' '1+' 100000 1 0
+    deep 'print 1' ' ' 1000000 '' 0
+    deep 'print 0.5' '0' 1000000 '' 0
+    deep 'complete ' 'a' 1000000 '' 0
+    deep 'complete set s ' '(' 1000000 '' 0
+    close 'a sum of a hundred thousand' 100001 \
+        "$({ echo 'set output json'; printf 'print '; repeat 1+ 100000; echo 1; } |
+            "$DOMINO" | values value)"
+}
+
+@test "a NUL byte in an expression" {
+    printf 'set output json\nprint 1\0002\nprint 3\n' >"$BATS_TEST_TMPDIR/nul"
+    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/nul"
+    same 'the other line' 3 "$(values value <<<"$output")"
+    same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
+    [[ $stderr =~ nul:2:.*NUL ]] || same message NUL "$stderr"
+}
+
+@test "a line that is an expression is evaluated" {
+    all_print <<'END'
+2+2|4
+2 + 2|4
+sin(30 deg)|0.5
+ln(112/0.048)/ln(1.5)|19.1263
+-1|-1
+(2+3)*4|20
+.5|0.5
+pi|3.14159
+r^2|2.25
+rmax(0.3)|1.51445
+rmax * 2|3.28846
+rmax/2|0.822115
+rmax - 1|0.644229
+fuel.fuel_paper|0.592292
+2+2 # four|4
+rmax 0.3; ans.s|0.3
+2+2; ans*3|12
+112 m; ans/2|56 m
+END
+}
+
+@test "comparisons, and, or, not, if: 1 is true, 0 is not" {
+    local line
+    for line in 'print 2 == 2' 'r == 1.5' 'r==1.5' '1 < 2 and 2 <= 2' '(2 > 1)' 'not 0' '(not 1 > 2) or 0' '1 m != 2 m' 'thetac < 90 deg' \
+        'print if(rmax >= 1.5, 1, 0)' 'if(0, 1/0, 1)' '1 or 1/0 < 0' '2 >= 1 + 1' 'rmax(0.4) < 1.7 and not rmax(0.4) <= 1.6' '(rmax > 1.6)'; do
+        same "$line" 1 "$("$DOMINO" -n -e "$line")"
+    done
+    for line in 'r == 2' '2 < 1 or 3 < 2' 'not 2' '(1 > 2 and 1/0)' 'if(1 < 2, 0, 1)' '0 and 1/0'; do
+        same "$line" 0 "$("$DOMINO" -n -e "$line")"
+    done
+    wrong 'print 1 < 2 < 3' "comparisons joined by 'and'"
+    wrong 'print 1 m < 2' 'a length and a plain number are not compared'
+    wrong 'if(1 m, 1, 0)' 'a length is no condition'
+    wrong 'if(1, 2)' 'if takes a condition and two values'
+    wrong 'let and = 1' "'and' is a word of the language"
+}
+
+@test "with: what holds for one answer, and nothing else changes" {
+    local alone
+    alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
+    same 'command' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q hollow d 0.1')"
+    same 'in parentheses' "$alone" "$("$DOMINO" -n -e 'print (rmax(0.4) with d 0.1 q hollow)')"
+    same 'with =' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q = hollow d = 1/10')"
+    same 'in a function' "$alone" "$("$DOMINO" -n -e 'let f(x) = (rmax(x) with q 3 d x/4); f(0.4)')"
+    same 'sweep' "$("$DOMINO" -n -e 'set output csv; set q hollow; sweep s 0.2 0.4 3 : rmax')" \
+        "$("$DOMINO" -n -e 'set output csv; sweep s 0.2 0.4 3 : rmax with q hollow')"
+    same 'solve' "$("$DOMINO" -n -e 'set output csv; set q hollow; solve s 0.1 0.9 : rmax = 2')" \
+        "$("$DOMINO" -n -e 'set output csv; solve s 0.1 0.9 : rmax with q hollow = 2')"
+    same 'a row' "$("$DOMINO" -n -e 'effect row 5; effect push 3; print verdict.seconds')" \
+        "$("$DOMINO" -n -e 'print verdict.seconds with row 5 push 3')"
+    same 'precision' "$("$DOMINO" -n -e 'set output csv; set precision quad; rmax')" \
+        "$("$DOMINO" -n -e 'set output csv; rmax with precision quad')"
+    same 'the session stays' "$("$DOMINO" -n -e 'set output csv; show; rmax')" \
+        "$("$DOMINO" -n -e 'rmax with q hollow friction 0.2 row 5 > /dev/null; set output csv; show; rmax')"
+    same 'assert' '(nothing)' "$("$DOMINO" -n -e 'assert barrier with r 1.2 > /dev/null')"
+    wrong 'assert barrier with r 1.9' 'not true'
+    wrong 'rmax with' "'with' takes parameters and effects"
+    wrong 'rmax with q' 'the value of q after .with. is missing'
+    wrong 'rmax with digits 3' "'digits' is a setting of the calculator"
+    wrong 'rmax with push 3' "'effect push' needs a row"
+    wrong 'rmax with s 2' 's = 2 is out of range'
+    wrong 'set s 0.3 with r 2' "'with' goes behind a command that only answers"
+}
+
+@test "each command with a principal column stands for that column, each other one for nothing" {
+    local name key list=''
+    for name in $("$DOMINO" -e 'complete '); do
+        key=$("$DOMINO" -e "help $name" | sed -n "s/^In an expression '$name' stands for its \(.*\)\.\$/\1/p")
+        if [ -n "$key" ]; then
+            list+=" $name.$key"
+        else
+            run -1 --separate-stderr "$DOMINO" --keep-going -e "print $name"
+            [[ $stderr == *"'$name"*"' has no value"* ]] || same "print $name" "'$name' has no value" "$stderr"
+        fi
+    done
+    same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
+        `' barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s count.dominoes'`
+        `' verdict.seconds rowmax.r_max design.steps placement.probability budget.sigma slip.motion' "$list"
+    for name in thetac.theta_c 'theta1(0.1).theta_1' 'energy(0.1).dH' fuel.fuel launch.omega0sq 'omega(0.1).omega' \
+        barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s 'count(112).dominoes' \
+        verdict.seconds rowmax.r_max 'placement(50).probability' 'budget(0.9, 50).sigma' slip.motion; do
+        same "$name" 0 "$("$DOMINO" -e "effect row 4; effect placement 5 mm; print $name - ${name%.*}" | cut -d ' ' -f 1)"
+    done
+}
+
+@test "every command as a function, with 0 to 4 values: a value or one line, also in a safe session" {
+    local name arguments way names
+    names=$("$DOMINO" -e complete)
+    [ "$(wc -l <<<"$names")" -gt 40 ]
+    for name in $names; do
+        echo 'set tol 0.001' >calls.dom # what takes long is not what is asked for here
+        for arguments in '' '()' '(1)' '(0.5, 2)' '(1, 1, 1)' '(1, 2, 3, 4)' '.s' '(-1)' '(1 m)' '(1e30)' '(1e-30)'; do
+            echo "print $name$arguments" >>calls.dom
+        done
+        echo 'print 41 + 1' >>calls.dom
+        for way in --no-init --safe; do
+            run --separate-stderr timeout 60 "$DOMINO" --keep-going "$way" calls.dom
+            [ "$status" -le 1 ] || same "$way $name" '0 or 1' "$status"
+            same "$way $name: goes on" 42 "${lines[-1]}"
+            same "$way $name: one line each" '(nothing)' "$(grep -v '^calls.dom:[0-9:]* ' <<<"$stderr" || true)"
+        done
+    done
+}
+
+@test "what takes a file or a word has no value in an expression" {
+    wrong 'print pool(1)' "'pool FILE' has no value in an expression"
+    wrong 'set s pool' "'pool FILE' has no value in an expression"
+    wrong 'count pool(1)' "'pool FILE' has no value in an expression"
+    same completion '(nothing)' "$("$DOMINO" -e 'complete print po')"
+    same help '(nothing)' "$("$DOMINO" -e 'help pool' | grep 'In an expression' || true)"
+    for line in 'set s pool(1)' 'sweep s 0.1 0.2 2 : pool x' 'pool x' 'save x' 'source x' 'show > x' 'effect row x.csv' \
+        'animate x.gif'; do
+        run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$line"
+        same "$line: nothing is written" '(nothing)' "$(ls)"
+    done
+}

@@ -1,0 +1,113 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# FIFOs, pipes and devices as files, and descriptors that are closed.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "^C ends the wait for the writer of a FIFO: source" { prompt interrupt_fifo 'source %s'; }
+
+@test "^C ends the wait for the writer of a FIFO: effect row" { prompt interrupt_fifo 'effect row %s'; }
+
+@test "^C ends the wait for the writer of a FIFO: pool" { prompt interrupt_fifo 'pool %s'; }
+
+@test "^C ends the wait for the reader of a FIFO: >" { prompt interrupt_fifo 'fuel > %s'; }
+
+@test "^C ends the wait for the reader of a FIFO: >>" { prompt interrupt_fifo 'fuel >> %s'; }
+
+@test "^C ends the wait for the reader of a FIFO: save" { prompt interrupt_fifo 'save %s'; }
+
+@test "^C ends the wait for a writer that writes nothing" {
+    prompt interrupt_partner '3>' 'source %s' 'source: interrupted'
+}
+
+@test "^C ends the wait for a reader that reads nothing" {
+    # More than a FIFO holds, at once.
+    for _ in {1..40}; do echo help; done >"$BATS_TEST_TMPDIR/script"
+    prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" 'cannot write [^\n]*canceled'
+}
+
+@test "^C ends a command that reads the terminal" {
+    prompt interrupt_terminal 'pool -'
+    prompt interrupt_terminal 'source /dev/tty'
+}
+
+@test "SIGTERM and SIGHUP end a session that waits for a FIFO" {
+    prompt end_fifo TERM 'source %s'
+    rm "$BATS_TEST_TMPDIR/fifo"
+    prompt end_fifo HUP 'save %s'
+}
+
+@test "a FIFO as the start-up file is reported, and the session opens" { prompt startup_fifo; }
+
+@test "FIFOs, pipes and devices are read and written as files are" {
+    answer=$("$DOMINO" -e fuel)
+    mkfifo fifo
+    echo 'fuel' >fifo &
+    same 'source FIFO' "$answer" "$(soon "$DOMINO" -e 'source fifo')"
+    echo 'fuel' >fifo &
+    same '-f FIFO' "$answer" "$(soon "$DOMINO" -f fifo)"
+    same 'source <()' "$answer" "$(soon bash -c '"$DOMINO" -e "source $1"' bash <(echo fuel))"
+    same '<()' "$answer" "$(soon "$DOMINO" <(echo fuel))"
+    same 'nothing in <()' '(nothing)' "$(soon "$DOMINO" <(true))"
+    "$DOMINO" -e 'set output csv; effect row 4; row > row.csv'
+    same 'effect row <()' "$("$DOMINO" -e 'effect row row.csv; verdict')" \
+        "$(soon bash -c '"$DOMINO" -e "effect row $1; verdict"' bash <(cat row.csv))"
+    same 'effect row /dev/stdin' "$("$DOMINO" -e 'effect row row.csv; verdict')" \
+        "$(soon "$DOMINO" -e 'effect row /dev/stdin; verdict' <row.csv)"
+    same 'source /dev/stdin' "$answer" "$(echo fuel | soon "$DOMINO" -e 'source /dev/stdin')"
+    for to in '>' '>>'; do
+        cat fifo >got &
+        soon "$DOMINO" -e "fuel $to fifo"
+        wait $!
+        same "$to FIFO" "$answer" "$(cat got)"
+    done
+    cat fifo >got &
+    soon "$DOMINO" -e 'set output csv; curve 0.1 0.9 20000 > fifo' # more than a pipe holds
+    wait $!
+    same '> FIFO, long' 20001 "$(wc -l <got)"
+    soon "$DOMINO" -e 'fuel > /dev/null; save /dev/null; fuel >> /dev/null; source /dev/null'
+    same 'and no file besides' 'fifo got row.csv' "$(echo *)"
+    [ -p fifo ]
+}
+
+@test "a FIFO's writer has its answer before it writes the next command" {
+    mkfifo ask answer
+    soon "$DOMINO" -f ask >answer 3>&- &
+    exec 5<answer 4>ask
+    for k in 1 2; do
+        echo "print 41 + $k" >&4
+        read -r -t 20 said <&5
+        [ -n "$said" ] || read -r -t 20 said <&5 # a blank line parts answers
+        same "answer $k" "$((41 + k))" "$said"
+    done
+    exec 4>&- 5<&-
+    wait
+}
+
+@test "the command in '> >(...)' reads the answer" {
+    answer=$("$DOMINO" -e fuel)
+    mkfifo over
+    # shellcheck disable=SC2016 # the inner shell expands it
+    soon bash -c '"$DOMINO" -e "fuel > $1"; exec 3>&-' bash >(cat >got; echo >over)
+    soon cat over >/dev/null
+    same '>()' "$answer" "$(cat got)"
+}
+
+@test "where standard streams are closed, no file takes their place" {
+    answer=$("$DOMINO" -e fuel)
+    for closed in '<&-' '2>&-' '<&- 2>&-'; do
+        rm -f out
+        eval '"$DOMINO" -e "set timing on; fuel > out; foo"' "$closed" || true
+        same "$closed: the file" "$answer" "$(grep -v '^time' out)"
+        same "$closed: the timing" 0 "$(grep -c '^time' out || true)"
+        same "$closed: standard output" "$answer" "$(eval '"$DOMINO" -e fuel' "$closed")"
+    done
+    run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel > out; fuel" >&-'
+    same 'no standard output' 'domino: cannot write the output: Bad file descriptor' "$stderr"
+    same 'the file' "$answer" "$(cat out)"
+    run -1 --separate-stderr bash -c '"$DOMINO" <&-'
+    same 'no standard input' 'stdin:0: cannot read the next line: Bad file descriptor' "$stderr"
+    run -1 bash -c '"$DOMINO" -e "fuel > out; foo; fuel" <&- >&- 2>&-'
+    same 'none of the three' "$answer" "$(cat out)"
+}

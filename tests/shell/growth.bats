@@ -1,0 +1,128 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The largest growth: rmax, pair, best, curve; answers that are a physical "no".
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# The rows of a table of known values, without its head.
+reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; }
+
+@test "reference/rmax.csv: rmax with both fuels" {
+    # Once as the parameter, once as the argument.
+    mapfile -t answers < <(reference rmax | while IFS=, read -r s q d fuel _; do
+        echo "set output json; set q $q; set d $d; set fuel $fuel; set s $s; rmax; reset s; rmax $s"
+    done | "$DOMINO" | grep -F r_max)
+    same answers 84 "${#answers[@]}"
+    rows=0
+    while IFS=, read -r s q d fuel r_max ends_by; do
+        what="s $s, q $q, d $d, $fuel"
+        for answer in "${answers[@]:rows:2}"; do
+            close "$what: s" "$s" "$(values s <<<"$answer")"
+            close "$what" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
+            close "$what" "${r_max:-(nothing)}" "$(values "r_max_$fuel" <<<"$answer")"
+            same "$what" "$ends_by" "$(values ends_by <<<"$answer")"
+        done
+        rows=$((rows + 2))
+    done < <(reference rmax)
+    same rows 84 "$rows"
+}
+
+@test "reference/pair.csv: pair" {
+    mapfile -t answers < <(reference pair | while IFS=, read -r s q _; do echo "set output json; set q $q; pair $s"; done |
+        "$DOMINO" | grep -F r_max)
+    rows=0
+    while IFS=, read -r s q r_max ends_by; do
+        answer=${answers[rows]}
+        close "s $s, q $q: s" "$s" "$(values s <<<"$answer")"
+        close "s $s, q $q" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
+        same "s $s, q $q" "$ends_by" "$(values ends_by <<<"$answer")"
+        rows=$((rows + 1))
+    done < <(reference pair)
+    same rows 18 "$rows"
+}
+
+@test "best: hollow and solid, exact and paper, to six decimals" {
+    while read -r q fuel s r_max; do
+        answer=$(json "set q $q; set fuel $fuel; best")
+        same "$q $fuel: s" "$s" "$(printf %.6f "$(values s <<<"$answer")")"
+        same "$q $fuel: r_max" "$r_max" "$(printf %.6f "$(values r_max <<<"$answer")")"
+    done <<END
+hollow exact 0.443615 2.172869
+hollow paper 0.432413 2.202558
+massive exact 0.533651 1.810436
+massive paper 0.520419 1.831348
+END
+}
+
+@test "curve: the separations are evenly spaced, its values are those of rmax and pair" {
+    json 'set q hollow; curve 0.3 0.5 3' >"$BATS_TEST_TMPDIR/rows"
+    same rows 3 "$(wc -l <"$BATS_TEST_TMPDIR/rows")"
+    for i in 1 2 3; do
+        row=$(sed -n "${i}p" "$BATS_TEST_TMPDIR/rows")
+        s=$(values s <<<"$row")
+        close "s of row $i" "0.$((i + 2))" "$s"
+        answer=$(json "set q hollow; rmax $s; pair $s; set fuel paper; rmax $s")
+        same exact "$(values r_max <<<"$answer" | sed -n 1p)" "$(values exact <<<"$row")"
+        same pair "$(values r_max <<<"$answer" | sed -n 2p)" "$(values pair <<<"$row")"
+        same paper "$(values r_max <<<"$answer" | sed -n 3p)" "$(values paper <<<"$row")"
+        close reach "$(awk "BEGIN { printf \"%.17g\", 1 / $s }")" "$(values reach <<<"$row")"
+    done
+    same 'one row' 0.5 "$(json 'curve 0.5 0.5 1' | values s)"
+    same 'to the very end' 0.9 "$(json 'curve 0.1 0.9 7' | values s | tail -n 1)"
+}
+
+@test "rmax says why exact and paper differ, and only where they do" {
+    "$DOMINO" -e rmax | grep -q '^They differ since'
+    same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
+    "$DOMINO" -e 'rmax 0.9' | grep -q '^Both end by the reach'
+    same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
+}
+
+@test "no fuel, no growth, stopped: null with a reason, status 0, nothing on stderr" {
+    while IFS='|' read -r calls nulls reason; do
+        run --separate-stderr json "$calls"
+        same "$calls: status" 0 "$status"
+        same "$calls: stderr" '(nothing)' "$stderr"
+        row=$(tail -n 1 <<<"$output")
+        for key in $nulls; do same "$calls: $key" null "$(values "$key" <<<"$row")"; done
+        grep -q "\"reason\":\"[^\"]*${reason}[^\"]*\"}$" <<<"$row" || same "$calls" "$reason" "$row"
+        # People read the same.
+        expects "$calls" "$reason"
+        "$DOMINO" -e "$calls" | grep -q "$reason"
+    done <<END
+set s 0.001; fuel||fuel P is not positive.*s is too small
+set s 0.05; fuel||this growth r .*fuel P is not positive
+set s 0.001; launch|omega0sq omega0 kinetic|fuel P is not positive
+set s 0.001; omega 0|omegasq omega|fuel P is not positive
+set s 0.001; barrier|kinetic margin|fuel P is not positive
+set s 0.001; duration|duration seconds speed|fuel P is not positive
+set s 0.001; set fuel paper; launch|omega0sq omega0 kinetic|fuel P is not positive
+rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*no energy free
+pair 0.1|r_max|no growth possible
+set d 1; best|s r_max|no growth possible
+set r 1.8; duration|duration seconds speed|below the barrier
+set r 1.8; omega 0.2|omegasq omega|below the barrier
+set r 1.8; barrier||too little energy, and stops at theta.*below the barrier
+END
+}
+
+@test "a physical no: verdict and what ends the growth" {
+    same verdict 'no fuel' "$(json 'set s 0.001; barrier' | values verdict)"
+    same verdict 'stops' "$(json 'set r 1.8; barrier' | values verdict)"
+    same verdict 'goes on' "$(json 'barrier' | values verdict)"
+    same none none "$(json 'rmax 0.001' | values ends_by)"
+    same none none "$(json 'pair 0.1' | values ends_by)"
+    same reach reach "$(json 'rmax 0.9' | values ends_by)"
+    same 'a hole in a curve' 'null 1.6442290' \
+        "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
+}
+
+@test "fuel paper: the figures of the paper" {
+    answer=$(json 'set q hollow; rmax; set fuel paper; rmax; fuel; show fuel')
+    close 'exact' '2.06377177270466131' "$(values r_max <<<"$answer" | head -n 1)"
+    close 'paper' '2.16858351495697886' "$(values r_max <<<"$answer" | tail -n 1)"
+    close 'both show exact' '2.06377177270466131' "$(values r_max_exact <<<"$answer" | tail -n 1)"
+    same 'fuel in use' "$(values fuel_paper <<<"$answer")" "$(values fuel <<<"$answer" | head -n 1)"
+    same 'its word' paper "$(values value <<<"$answer")"
+}

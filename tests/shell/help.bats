@@ -1,0 +1,236 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Help and apropos.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "help lists every command, and explains each with its keys" {
+    list=$("$DOMINO" -e help)
+    while IFS='|' read -r call expected; do
+        name=${call##*; }
+        name=${name%% *}
+        grep -q "^  $name " <<<"$list" || same help "$name" "$list"
+        text=$("$DOMINO" -e "help $name")
+        as=$(sed -n "s/^It answers as '\([a-z]*\)' does.*/\1/p" <<<"$text")
+        [ -z "$as" ] || text=$("$DOMINO" -e "help $as")
+        for key in ${expected% reason}; do
+            grep -q "^  $key " <<<"$text" || same "help $name" "$key" "$text"
+        done
+    done <<<"$commands"
+    for name in set show reset print save source exit quit help apropos complete; do grep -q "^  $name " <<<"$list"; done
+}
+
+@test "lesson: in a pipe it shows the tutorial without waiting, and in a file the rest of the file" {
+    golden=$BATS_TEST_DIRNAME/golden/tutorial.out
+    same steps 10 "$(grep -c '^---- ' "$golden")"
+    for way in -e stdin; do
+        session "$way" 'set s 0.3; lesson; print s' | diff <(cat "$golden"; echo 0.3) - || same "$way" 'the tutorial' ''
+    done
+    printf '%s\n' 'set s 0.3' lesson '# Two dominoes.' '#' '#  pair' 'pair.s; foo' >own.dom
+    run -1 --separate-stderr "$DOMINO" --safe -f own.dom
+    same 'own file' $'Two dominoes.\n\n pair\ndomino> pair.s; foo\n0.4' "$output"
+    same 'an error' "unknown command 'foo'; 'help' lists the commands" "$stderr"
+    run -1 "$DOMINO" -e 'set output json; lesson'
+    [[ $output == *"a lesson is for people; 'set output table' comes first"* ]]
+}
+
+@test "the help of each effect has its source" {
+    for name in friction row push placement floor; do
+        "$DOMINO" -e "help $name" | grep -q '^Source: '
+    done
+}
+
+@test "apropos: what mentions a word, in any case; or an error" {
+    while IFS='|' read -r word found; do
+        answer=$("$DOMINO" -e "apropos $word")
+        expects "apropos $word" "$answer"
+        for name in $found; do
+            grep -Eq "^(set )?$name( |\$)" <<<"$answer" || same "apropos $word" "$name" "$answer"
+        done
+        same "apropos ${word^^}" "$answer" "$("$DOMINO" -e "apropos ${word^^}")"
+    done <<'END'
+fuel|fuel
+barrier|barrier rmax
+hollow|q
+json|output
+separation|rmax pair best curve s
+seconds|duration
+significant|digits
+leave|quit thetac
+c7|fuel
+END
+    all_wrong <<'END'
+0|apropos zzzz|^apropos: .*'zzzz'
+END
+}
+
+@test "apropos without a word: its usage" {
+    wrong_at 8 apropos '^apropos: WORD is missing; usage: apropos WORD'
+}
+
+@test "help NAME for every command and parameter; its example is what the program prints" {
+    "$DOMINO" -e help | sed -n 's/^  \([a-z0-9]*\) .*/\1/p' >"$PWD/names"
+    [ "$(wc -l <names)" -ge 22 ]
+    examples=0
+    names=$(paste -sd ' ' "$PWD/names")
+    help=$("$DOMINO" -e help)
+    # Whatever the session has been set to, the example is that of a fresh one, and changes nothing.
+    changed='set s 0.3; set digits 4; set fuel paper; set angle deg'
+    "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.txt"/' names | paste -sd ';' -)" -e show >shows
+    same 'help changes nothing' "$(head -n "$(($(wc -l <shows) / 2))" shows)" "$(tail -n "$(($(wc -l <shows) / 2))" shows)"
+    shown() { awk '/^Example: / { on = 1; getline; next } /^See also: / { on = 0 } on' "$@"; }
+    while read -r name; do
+        run -0 --separate-stderr "$DOMINO" -e "help $name"
+        same "help $name: stderr" '(nothing)' "$stderr"
+        usage=$(awk -v name="$name" '$1 == name { sub(/^  /, ""); sub(/  +.*/, ""); print; exit }' <<<"$help")
+        [[ ${lines[0]} == "$usage"* ]] || same "help $name: its usage" "$usage" "${lines[0]}"
+        example=$(sed -n 's/^Example: //p' <<<"$output")
+        [ -n "$example" ] || continue
+        examples=$((examples + 1))
+        same "help $name: $example" "$("$DOMINO" -e "$example")" "$(shown <<<"$output")"
+        same "help $name elsewhere" "$(shown <<<"$output")" "$(shown "$name.txt")"
+        # Each that it sends to is there.
+        while read -r other; do
+            [[ " $names " == *" $other "* ]] || same "help $name: see also" "a command" "$other"
+        done < <(sed -n 's/^See also: //p' <<<"$output" | tr ' ' '\n')
+    done <"$PWD/names"
+    [ "$examples" -ge 25 ]
+    seen=0
+    json show | values name >"$PWD/parameters"
+    while read -r name; do
+        # 'fuel' is a command, too.
+        if grep -qx "$name" "$PWD/names"; then continue; fi
+        seen=$((seen + 1))
+        run -0 --separate-stderr "$DOMINO" -e "help $name"
+        range=$(json "show $name" | values range)
+        meaning=$(json "show $name" | values meaning)
+        expects "help $name: meaning" "$meaning"
+        for words in "$meaning" "$range" default "set $name"; do
+            [[ $output == *"$words"* ]] || same "help $name" "$words" "$output"
+        done
+    done <"$PWD/parameters"
+    [ "$seen" -ge 12 ]
+    # 'help set' shows all of them as they are now.
+    answer=$("$DOMINO" -e 'set s 0.3; set fuel paper; help set')
+    while read -r name; do
+        grep -q "^ *$name " <<<"$answer" || same 'help set' "$name" "$answer"
+    done <"$PWD/parameters"
+    grep -q '^ *s  *0\.3 ' <<<"$answer"
+    grep -q '^ *fuel  *paper ' <<<"$answer"
+}
+
+@test "help fuel, a command and a parameter, describes both" {
+    answer=$("$DOMINO" -e 'help fuel')
+    for words in 'It answers' 'set fuel' 'exact|paper'; do
+        [[ $answer == *"$words"* ]] || same 'help fuel' "$words" "$answer"
+    done
+}
+
+@test "help answers for the words that people use: one topic is explained, several are listed" {
+    while IFS='|' read -r word topic; do
+        same "$word" "$("$DOMINO" -e "help $topic")" "$("$DOMINO" -e "help $word")"
+        same "$word, json" "$(json "help $topic")" "$(json "help $word")"
+    done <<'END'
+growth|r
+train|r
+gap|s
+separation|s
+thickness|d
+solid|q
+hollow|q
+tower|count
+END
+    same speed 'omega fall cost timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
+    same 'speed, json' 'omega fall cost timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
+    # Each word of the README's table has an answer that mentions it.
+    sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >"$BATS_TEST_TMPDIR/words"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/words")" -ge 6 ]
+    while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <"$BATS_TEST_TMPDIR/words"
+}
+
+@test "every column of every answer has a meaning" {
+    local pages=0
+    for command in $("$DOMINO" -e 'complete '); do
+        "$DOMINO" --keep-going -e "help $command" 2>/dev/null >"$BATS_TEST_TMPDIR/page" || true
+        pages=$((pages + 1))
+        same "$command" '(nothing)' "$(sed -n '/^It answers/,/^[A-Z]* *$/p' "$BATS_TEST_TMPDIR/page" |
+            sed -n '2,$p' | awk '/^  [a-z]/ && NF < 2 || /^  [a-zA-Z_0-9]+ +[^ ]+ *$/')"
+    done
+    [ "$pages" -ge 40 ]
+}
+
+@test "help: on every page keys, units and meanings begin below each other" {
+    local topic pages=0
+    for topic in $("$DOMINO" -e 'complete help '); do
+        "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >"$BATS_TEST_TMPDIR/page"
+        [ -s "$BATS_TEST_TMPDIR/page" ] || continue
+        pages=$((pages + 1))
+        # The unit begins after the longest key, the meaning after the longest unit; rows without a unit have the meaning there.
+        awk -v topic="$topic" '
+            { if (length($1) > key) key = length($1) }
+            NF > 1 { line[++n] = $0 }
+            END {
+                unit = 2 + (key > 12 ? key : 12) + 2
+                for (k = 1; k <= n; k++)
+                    if (substr(line[k], unit, 1) == " ") {
+                        match(substr(line[k], unit), /[^ ]/)
+                        if (meaning && RSTART != meaning) { print topic ": " line[k]; exit 1 }
+                        meaning = RSTART
+                    }
+                meaning = meaning ? unit + meaning - 1 : unit + 7
+                for (k = 1; k <= n; k++)
+                    if (substr(line[k], unit - 1, 1) != " " || substr(line[k], meaning - 1, 1) != " " ||
+                        (length(line[k]) >= meaning && substr(line[k], meaning, 1) == " ")) { print topic ": " line[k]; exit 1 }
+            }' "$BATS_TEST_TMPDIR/page"
+    done
+    [ "$pages" -ge 30 ]
+}
+
+@test "help and apropos: every summary begins in one column" {
+    "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >"$BATS_TEST_TMPDIR/list"
+    "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>"$BATS_TEST_TMPDIR/list"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/list")" -gt 80 ]
+    same 'out of line' '(nothing)' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
+    same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
+}
+
+@test "help begins with ten lines to type, all of which work in this order" {
+    "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >"$BATS_TEST_TMPDIR/lines"
+    same lines 10 "$(wc -l <"$BATS_TEST_TMPDIR/lines")"
+    same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
+    same 'the last' quit "$(sed -n '$s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
+    run --separate-stderr "$DOMINO" --bail - <"$BATS_TEST_TMPDIR/lines"
+    same 'what went wrong' '(nothing)' "$stderr"
+    for words in '20 dominoes' 1.64423 1.51445 '^   \[h\] ' '^    12 ' '^rmax \[S\]: '; do
+        grep -q -- "$words" <<<"$output" || same 'the answers' "$words" "$output"
+    done
+}
+
+@test "apropos finds what people say, first what is about it" {
+    while read -r word wanted; do
+        same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
+    done <<'END'
+quiz count
+tower count
+picture draw
+image plot
+spacing set s
+feet slip
+undo reset
+script source
+slope effect slope
+probability placement
+graph curve
+movie animate
+Domtoren count
+solid set q
+massive set q
+sandpaper effect friction
+speed duration
+degrees set angle
+END
+    same 'first what is about it' 'effect slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
+    wrong 'apropos money' "^-e:1: apropos: nothing is about 'money'; try another word, such as"
+    for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Lines: comments, blanks, ends of lines, quotes, letters beyond ASCII; how a session ends.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "standard input: no prompt, no echo, no banner" {
+    same 'nothing' '(nothing)' "$(printf 'set s 0.3\nset r 1.2\n\n# only this\n' | "$DOMINO" 2>&1)"
+    same 'empty' '(nothing)' "$("$DOMINO" </dev/null 2>&1)"
+    same 'a known answer' 42 "$(printf 'set s 0.3\n\nprint 6*7\n# only this\n' | "$DOMINO" 2>&1)"
+    same 'only the answer' "$(json fuel)" "$(printf 'set output json\nfuel\n' | "$DOMINO" 2>&1)"
+}
+
+@test "comments, blank lines, ';', CRLF, tabs and a missing final newline change nothing" {
+    expected=$(json 'set s 0.3; fuel')
+    differ 's counts' "$(json fuel)" "$expected"
+    while IFS= read -r text; do
+        # shellcheck disable=SC2059 # the text is a format: \n, \r, \t
+        same "$text" "$expected" "$(printf "$text" | "$DOMINO" 2>&1)"
+    done <<'END'
+set output json\nset s 0.3\nfuel\n
+set output json\nset s 0.3\nfuel
+set output json\r\nset s 0.3\r\nfuel\r\n
+set output json\r\n\r\nset s 0.3\r\nfuel
+\n\n  \n\t\nset output json\n\nset s 0.3\n\n\nfuel\n\n
+# set s 9; quit\nset output json # json; quit\n#\nset s 0.3 #\nfuel #\n#fuel
+;;set output json;set s 0.3;;fuel;
+ set  output\tjson ; set s 0.3 ; \t fuel ; # ; fuel
+END
+}
+
+@test "'quit' in the middle ends the session, in every way" {
+    for way in -e stdin -f '#!'; do
+        run -0 --separate-stderr session "$way" $'set output json\nfuel; quit; foo\nfoo'
+        same "$way" "$(json fuel)" "$output"
+        same "$way" '(nothing)' "$stderr"
+    done
+    same 'several -e' 42 "$("$DOMINO" -e 'print 6*7' -e quit -e fuel -f /nonexistent 2>&1)"
+}
+
+@test "the field's letters are accepted, wherever they are typed" {
+    all_worth <<'END'
+3.1415926535897931|-|π
+0.43633231299858238|rad|25°
+-1|-|−1
+6|-|2 × 3
+6|-|2·3
+1.5|-|3÷2
+9|-|3²
+2|-|5 − 3
+9.81|m s^-2|9.81 m/s²
+END
+    same 'θ1' "$(json 'theta1 0.1')" "$(json 'θ1 0.1')"
+    same 'θc' "$(json thetac)" "$(json 'θc')"
+    same '°' "$(json 'theta1 10 deg')" "$(json 'theta1 10°')"
+    same 'a blank that does not break' "$(json 'theta1 0.1')" "$(json $'theta1\u00a00.1')"
+    printf '\357\273\277set output json\r\nset s 0.3\r\nfuel' >"$BATS_TEST_TMPDIR/bom"
+    same 'byte order mark, CRLF, no last newline' "$(json 'set s 0.3; fuel')" "$("$DOMINO" "$BATS_TEST_TMPDIR/bom" 2>&1)"
+}
+
+@test "a line goes on below after a backslash" {
+    printf '2 + \\\n3 + \\  \n4\nset s \\\n  0.3; print s\n1 # no \\\n2\nset s x\n' >a.dom
+    run --separate-stderr "$DOMINO" a.dom
+    same joined '9 0.3 1 2' "$(grep . <<<"$output" | paste -sd ' ' -)"
+    [[ $stderr == a.dom:8:* ]] || same 'lines are counted' a.dom:8: "$stderr"
+    same stdin '9 0.3 1 2' "$("$DOMINO" <a.dom 2>/dev/null | grep . | paste -sd ' ' -)"
+    same 'at the end' 7 "$(printf '7 \\' | "$DOMINO")"
+}
+
+@test "nothing at all is no error" {
+    for text in '' ' ' ';' ' ; ;; ' '#' $'\n\n' $'\r\n' $'\t'; do
+        same "-e '$text'" '(nothing)' "$("$DOMINO" -e "$text" 2>&1)"
+        same "'$text'" '(nothing)' "$(printf '%s' "$text" | "$DOMINO" 2>&1)"
+        # And what follows it is run.
+        same "-e '$text', then an answer" 42 "$("$DOMINO" -e "$text" -e 'print 6*7' 2>&1)"
+        same "'$text', then an answer" 42 "$(printf '%s\nprint 6*7' "$text" | "$DOMINO" 2>&1)"
+    done
+}
+
+@test "a quote in the middle of a word is a letter, and the text after the command runs" {
+    printf '%s\n' "$two_dominoes" >'a"b.csv'
+    same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"
+    for line in 'save "a; print 1' 'save "a""; print 1'; do
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
+        [[ $stderr == *"this '\"' is never closed"* ]] || same "$line" 'never closed' "$stderr"
+    done
+}

@@ -1,0 +1,47 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Mend: the smallest change with which a row falls.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+file() { cat >"$1"; }
+
+@test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
+    scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
+    verdict=$(json "$scene; verdict")
+    same stops 'stops 8' "$(values verdict <<<"$verdict") $(values domino <<<"$verdict")"
+    close short_by "$(json "$scene; fall" | tail -n 1 | values margin | tr -d -)" "$(values short_by <<<"$verdict")"
+    mend=$(json "$scene; mend" | head -n 1)
+    domino=$(values domino <<<"$mend") to=$(values to <<<"$mend") change=$(values change <<<"$mend")
+    same saved 'all fall' "$(json "$scene; place $domino $to; verdict" | values verdict)"
+    [[ $change == *[1-9]* ]]
+    less=$(awk -v to="$to" -v change="$change" 'BEGIN { printf "%.17g", to - 1e-4 * change }')
+    same 'a bit less does not' stops "$(json "$scene; place $domino $less; verdict" | values verdict)"
+}
+
+@test "mend offers a window for a gap out of reach, also where it is many heights" {
+    for gap in '60 mm' '5 m'; do
+        said=$("$DOMINO" -e "set r 1; effect row 5; place 2 $gap; mend" | tail -n 1)
+        same "$gap" "All fall with gaps between 1.036 cm and 4.8 cm: 'place 2 3.545 cm' leaves room for errors of 1.3 cm." "$said"
+    done
+    same 'its end' 'all fall' "$(json 'set r 1; effect row 5; place 2 1.036 cm; verdict' | values verdict)"
+    differ 'just beyond' 'all fall' "$(json 'set r 1; effect row 5; place 2 1.035 cm; verdict' | values verdict)"
+    said=$("$DOMINO" -e 'set r 1; effect row 5; place 4 60 mm; mend' | tail -n 1)
+    same 'down to 0' "All fall with gaps up to 4.8 cm: 'place 4 3.2 cm' leaves room for errors of 1.6 cm." "$said"
+}
+
+@test "mend reports first that the row needs a push, and how large" {
+    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 5\n48, 7, 20\n' | file leans.csv
+    mend=$("$DOMINO" -e 'effect row leans.csv; mend')
+    sed -n 1p <<<"$mend" | grep -q '^The row needs a push: its first domino touches the second before it tips over\.$'
+    push=$(sed -En "2s/^With 'effect push ([0-9.]+)' all fall\.$/\1/p" <<<"$mend")
+    grep -q '^Without another push, the smallest change: widen the gap before domino 2' <<<"$mend"
+    same 'that push' 'all fall' "$(json "effect row leans.csv; effect push $push; verdict" | values verdict)"
+    less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
+    same 'a weaker one' stops "$(json "effect row leans.csv; effect push $less; verdict" | values verdict)"
+    "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^The row needs a stronger push: '
+    # Where a gap is what is wrong, no push is spoken of.
+    run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
+    run ! grep -qi push <<<"$output"
+}

@@ -1,0 +1,140 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Names: beginnings, near misses, words of other programs, and what was meant.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Rows of LINE|COMMANDS: the two print the same, in json.
+all_mean() {
+    local line commands
+    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
+}
+
+@test "unique beginnings of commands, parameters, topics, words and keys" {
+    plain=$(json 'fuel; thetac; show digits')
+    while IFS='|' read -r short long; do
+        same "$short" "$(json "$long")" "$(json "$short")"
+        differ "$long is a question of its own" "$plain" "$(json "$long")"
+    done <<'END'
+bar|barrier
+thetac|thetac
+ch 0.1|chain 0.1
+du|duration
+cou 112|count 112
+set s 0.3; sh s|set s 0.3; show s
+pri rmax|print rmax
+set dig 3; show dig|set digits 3; show digits
+set fuel p; fuel|set fuel paper; fuel
+set ang d; thetac|set angle deg; thetac
+print rmax.r_max_p|print rmax.r_max_paper
+rmax; print ans.r_max_p|rmax; print ans.r_max_paper
+END
+    same 'cou' 20 "$(json 'cou 112' | values dominoes)"
+    same 'help bar' "$("$DOMINO" -e 'help barrier')" "$("$DOMINO" -e 'help bar')"
+    differ 'help fu' "$("$DOMINO" -e 'help bar')" "$("$DOMINO" -e 'help fu')"
+    same 'set output j' "$(json fuel)" "$("$DOMINO" -e 'set output j; fuel')"
+}
+
+@test "near misses: what was meant; ambiguous beginnings: the candidates" {
+    all_wrong <<'END'
+1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
+1|brarier|^unknown command 'brarier'; did you mean 'barrier'\?$
+1|lauch|^unknown command 'lauch'; did you mean 'launch'\?$
+1|Thetac|^unknown command 'Thetac'; did you mean 'thetac'\?$
+5|set outptu json|^set: unknown parameter 'outptu'; did you mean 'output'\?$
+6|show digts|^show: unknown parameter 'digts'; did you mean 'digits'\?$
+7|reset timng|^reset: unknown parameter 'timng'; did you mean 'timing'\?$
+6|help barier|^help: unknown topic 'barier'; did you mean 'barrier'\?$
+6|help digist|^help: unknown topic 'digist'; did you mean 'digits'\?$
+1|mu 0.2|^unknown command 'mu'; did you mean 'effect friction MU'\?$
+1|separation 0.3|^unknown command 'separation'; did you mean 's'\? 's = VALUE' gives it a value$
+1|height|^unknown command 'height'; did you mean 'h'\?
+5|set mu 0.2|^set: unknown parameter 'mu'; did you mean 'friction'\?$
+6|help zzz|^help: unknown topic 'zzz'$
+8|effect mu 0.2|^effect: unknown effect 'mu'; did you mean 'friction'\?$
+7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
+7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
+1|mu = 0.2|^'mu' is no parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
+7|print gravity|'gravity' has no value; did you mean 'g'\?$
+37|set output csv; animate a.gif speed 2 rad|animate: the speed is a plain number
+12|set output jsno|^set: .*'jsno'; did you mean 'json'\?
+10|set fuel ecaxt|^set: .*'ecaxt'; did you mean 'exact'\?
+11|set angle degs|^set: .*'degs'; did you mean 'deg'\?
+7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
+7|print baricr|^print:.*'baricr' has no value; did you mean 'barrier'\?
+7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
+1|b|^'b' may be barrier, back, best, budget$
+1|the|^'the' may be thetac, theta1$
+6|show t|^show: 't' may be tol, threads, timing$
+5|set t 1|^set: 't' may be tol, threads, timing$
+12|set timing o|^set: 'o' may be off, on
+7|print rmax.r_|^print:.*'r_' may be r_max, r_max_exact, r_max_paper
+END
+}
+
+@test "words of q: beginnings and near misses, too" {
+    same 'set q hol' 3 "$(json 'set q hol; show q' | values value)"
+    wrong_at 7 'set q hollwo' "^set: .*'hollwo'.*did you mean 'hollow'"
+    wrong_at 7 'set q masive' "^set: .*'masive'.*did you mean 'massive'"
+}
+
+@test "commands keep their names, and a beginning that two have is the older one's" {
+    all_mean <<'END'
+se s 0.3; show s|set s 0.3; show s
+pr 3|print 3
+re; show s|reset; show s
+l|launch
+print(3)|print 3
+show()|show
+END
+    same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
+}
+
+@test "the last values of other calculators lead to what is here" {
+    local line
+    for line in _ % %1 ans2 _*2; do wrong "2+2; $line" "the last value is 'ans'"; done
+}
+
+@test "words of other programs: the message names what is meant" {
+    wrong 'bye' "unknown command 'bye'; did you mean '(exit|quit)'"
+    wrong 'RMAX' "unknown command 'RMAX'; did you mean 'rmax'"
+    wrong 'Show s' "did you mean 'show'"
+    wrong '2**10' "a power is written with '\^'"
+    wrong 'help(rmax)' "'help' has no value; the command is entered without parentheses"
+    wrong 'let xx = 3; xx += 1' "'xx' is a variable; 'xx = VALUE' changes it"
+    wrong 'nonesuch' "unknown command 'nonesuch'; 'help' lists the commands"
+}
+
+@test "q takes solid and its synonym, and only solid is offered" {
+    same values '4 4 3' "$(for word in solid massive hollow; do "$DOMINO" -e "set q $word; print q"; done | paste -sd ' ' -)"
+    same offered 'hollow solid' "$("$DOMINO" -e 'complete set q ' | paste -sd ' ' -)"
+    same 'help q' 'hollow 3 solid 4' "$("$DOMINO" -e 'help q' | sed -n 's/^  \(hollow\|solid\|massive\) */\1 /p' | paste -sd ' ' -)"
+}
+
+@test "an unknown name: what was meant, which there are, or where they are listed, never two of these" {
+    while IFS='|' read -r line message; do
+        run -1 "$DOMINO" --keep-going -e "$line"
+        same "$line" "$message" "${output#-e:*: }"
+    done <<'END'
+foo|unknown command 'foo'; 'help' lists the commands
+barier|unknown command 'barier'; did you mean 'barrier'?
+ba|'ba' may be barrier, back
+friction 0.2|'friction' is an effect; enter 'effect friction MU'
+plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
+plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
+plot c|plot: unknown picture 'c'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
+goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
+set foo 1|set: unknown parameter 'foo'
+END
+}
+
+@test "among the numbers of the model only q has words, and the help of tol is that of no other" {
+    same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
+    for name in s r d tol h g mass; do
+        wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"
+        same "help $name" '(nothing)' "$("$DOMINO" -e "help $name" | grep -E '^  (hollow|massive) ' || true)"
+    done
+    for name in s r d q h g; do [[ $("$DOMINO" -e "help $name") != *'The tolerance decides how'* ]]; done
+    [[ $("$DOMINO" -e 'help tol') == *'The tolerance decides how'* ]]
+}

@@ -1,0 +1,199 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Options, their order, the exit status; where answers cannot be written.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "several -e, -f and FILE make one session, in their order" {
+    echo 'set output json; set s 0.2' >a
+    echo 'show s' >b
+    same '-f -e FILE -e' $'0.2\n0.3\n0.3' \
+        "$("$DOMINO" -f a -e 'show s' -e 'set s 0.3' b --execute 'show s' | values value)"
+    same 'options behind FILE' 0.2 "$("$DOMINO" a --file=b | values value)"
+    same 'behind --' 0.2 "$("$DOMINO" -- a b | values value)"
+    same '- is standard input' 0.2 "$("$DOMINO" -f a - <b | values value)"
+    # A name that looks like an option.
+    cp b ./-e
+    same 'FILE -e' 0.2 "$("$DOMINO" -- a -e | values value)"
+    # With -e nothing is read from standard input.
+    same 'standard input is left alone' 'foo' "$(echo foo | { "$DOMINO" -e 'set s 0.2'; cat; })"
+}
+
+@test "--version and --help" {
+    for option in --version -V; do
+        run -0 "$DOMINO" "$option"
+        [[ $output =~ ^domino\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+    done
+    for option in --help -h; do
+        run -0 --separate-stderr "$DOMINO" "$option"
+        same stderr '(nothing)' "$stderr"
+        for word in '^usage: domino' '-e, --execute' '-f, --file' '--bail' '--keep-going' '--help' '--version' 'Exit status'; do
+            grep -q -e "$word" <<<"$output" || same --help "$word" "$output"
+        done
+    done
+}
+
+@test "exit status: 0 for answers, 1 after an error in a command, 2 for wrong options" {
+    while IFS='|' read -r expected arguments; do
+        eval "run --separate-stderr \"\$DOMINO\" $arguments" </dev/null
+        same "domino $arguments" "$expected" "$status"
+    done <<'END'
+0|-e fuel
+0|-e ''
+0|-e 'set s 0.001; fuel'
+0|-e 'set s 0.001; rmax'
+0|
+1|-e foo
+1|-e 'foo; fuel'
+1|-e foo -e fuel
+1|-f /nonexistent
+1|/nonexistent
+2|-x
+2|--frob
+2|-e
+2|-f
+2|--bail=1
+2|--keep-going=1
+2|-e fuel -x
+END
+    # Wrong options are seen before anything runs.
+    run -2 --separate-stderr "$DOMINO" -e fuel -x
+    same 'nothing ran' '(nothing)' "$output"
+    grep -q '^usage: ' <<<"$stderr"
+}
+
+@test "-e, -f and FILE stop at the first error, standard input with --bail; with --keep-going all go on" {
+    printf 'set output json\nfuel; foo; fuel\nfuel\n' >"$BATS_TEST_TMPDIR/bad"
+    text=$(cat "$BATS_TEST_TMPDIR/bad")
+    bad_ways() {
+        "$DOMINO" "$@" -e "$text"
+        echo "$?"
+        "$DOMINO" "$@" <"$BATS_TEST_TMPDIR/bad"
+        echo "$?"
+        "$DOMINO" "$@" -f "$BATS_TEST_TMPDIR/bad" -e fuel
+        echo "$?"
+        "$DOMINO" "$BATS_TEST_TMPDIR/bad" "$@"
+        echo "$?"
+    }
+    fuel=$(json fuel)
+    once=$fuel$'\n'1
+    thrice=$fuel$'\n'$fuel$'\n'$once
+    same 'with --bail' "$once"$'\n'"$once"$'\n'"$once"$'\n'"$once" "$(bad_ways --bail 2>/dev/null)"
+    same 'with neither' "$once"$'\n'"$thrice"$'\n'"$once"$'\n'"$once" "$(bad_ways 2>/dev/null)"
+    for options in --keep-going '--bail --keep-going'; do # the last one counts
+        # shellcheck disable=SC2086 # words
+        same "with $options" "$thrice"$'\n'"$thrice"$'\n'"$fuel"$'\n'"$thrice"$'\n'"$thrice" "$(bad_ways $options 2>/dev/null)"
+    done
+    same 'with --bail in the end' "$once" "$("$DOMINO" --keep-going --bail -e "$text" 2>/dev/null; echo $?)"
+    # A physical "no" is no error.
+    same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | grep -c reason)"
+}
+
+@test "output that cannot be written: a message and a status" {
+    [ -c /dev/full ] || skip 'no /dev/full'
+    for arguments in '-e fuel' '-e help' '--help' '--version' '-e curve\ 0.1\ 0.9\ 200'; do
+        full() { eval "\"\$DOMINO\" $arguments" >/dev/full; }
+        run -1 --separate-stderr full
+        # Where the first write failed long ago, its reason may be gone.
+        same "$arguments" "domino: cannot write the output" "${stderr%%: No space*}"
+    done
+}
+
+@test "a closed pipe ends even a long answer" {
+    # Ten million rows would take hours.
+    while IFS='|' read -r trap status message; do
+        # shellcheck disable=SC2016 # sh expands it
+        timeout 60 sh -c "$trap"' { "$DOMINO" -e "curve 0.01 0.9 10000000; fuel" 2>"$1/err"; echo $? >"$1/status"; } |
+            head -n 1 >"$1/out"' sh "$BATS_TEST_TMPDIR"
+        same 'head' 1 "$(wc -l <"$BATS_TEST_TMPDIR/out")"
+        same 'status' "$status" "$(cat "$BATS_TEST_TMPDIR/status")"
+        same 'message' "$message" "$(sed 's/: Broken pipe//' "$BATS_TEST_TMPDIR/err")"
+    done <<'END'
+trap - PIPE;|141|(nothing)
+trap '' PIPE;|1|domino: cannot write the output
+END
+}
+
+@test "both streams keep their order where they share a file" {
+    "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >"$BATS_TEST_TMPDIR/both" 2>&1 || true
+    same 'the error is between the answers, as an object and as a message' '2 3' \
+        "$(grep -n 'foo' "$BATS_TEST_TMPDIR/both" | cut -d: -f1 | paste -sd ' ' -)"
+    same 'the object' 2 "$(grep -n '^{.*"error":"unknown command' "$BATS_TEST_TMPDIR/both" | cut -d: -f1)"
+    same 'lines' 4 "$(wc -l <"$BATS_TEST_TMPDIR/both")"
+}
+
+@test "answers do not depend on the locale, the directory or the environment" {
+    expected=$(json 'fuel; show')
+    close fuel 0.177287017324780688790030782681 "$(head -n 1 <<<"$expected" | values fuel)"
+    cd /
+    for locale in C POSIX C.UTF-8 de_DE.UTF-8; do
+        same "$locale" "$expected" "$(LC_ALL=$locale LC_NUMERIC=$locale json 'fuel; show')"
+    done
+    same 'bare environment' "$expected" "$(env -i "$DOMINO" -e 'set output json; fuel; show')"
+}
+
+@test "--safe: commands reach no file, the rest is as it was" {
+    echo 'set s 0.3' >plain
+    while IFS='|' read -r command place; do
+        run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$command; print 7"
+        same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
+        [[ $stderr =~ ^-e:1:$place:?.*'safe' ]] || same "$command" "safe" "$stderr"
+        same "$command: the session goes on" 7 "$output"
+    done <<'END'
+save file|1
+source plain|1
+fuel > file|[0-9]
+fuel >> file|[0-9]
+fuel > plain|[0-9]
+help > /dev/null|[0-9]
+END
+    same 'nothing was written' 'plain,set s 0.3' "$(inside),$(cat plain)"
+    same 'no file names are told' '(nothing)' "$("$DOMINO" --safe -e 'complete source p')"
+    for call in fuel 'count 112' 'help fuel' 'set s 0.3; show'; do
+        same "$call" "$("$DOMINO" -e "$call")" "$("$DOMINO" --safe -e "$call")"
+    done
+    # What the user names is read.
+    same '-f' 0.3 "$("$DOMINO" --safe -f plain -e 'set output json; show s' | values value)"
+}
+
+@test "-n is accepted; no start-up file is read without a terminal" {
+    mkdir -p config/domino
+    echo 'set s 0.3' >config/domino/init.dom
+    close fuel 0.177287017324780688790030782681 "$(json fuel | values fuel)"
+    differ 'what the file would change' "$(json fuel)" "$(json 'set s 0.3; fuel')"
+    for option in -n --no-init --safe --bail --keep-going; do
+        same "$option" "$(json fuel)" "$(XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option" -e 'set output json; fuel')"
+        same "$option, stdin" "$(json fuel)" \
+            "$(echo 'set output json; fuel' | XDG_CONFIG_HOME=$PWD/config "$DOMINO" "$option")"
+    done
+}
+
+@test "a file that cannot be read: its name and why; the other files run" {
+    echo 'set output json; show s' >good
+    ln -s loop loop
+    touch closed && chmod 000 closed
+    while IFS='|' read -r file why; do
+        if [ "$file" = closed ] && [ -r closed ]; then continue; fi # the superuser reads everything
+        for option in -f --; do
+            run -1 --separate-stderr "$DOMINO" --keep-going "$option" "$file" good
+            same "$file: the other" s "$(values name <<<"$output")"
+            same "$file: lines on stderr" 1 "$(wc -l <<<"$stderr")"
+            [[ $stderr =~ $file.*$why ]] || same "$file" "$why" "$stderr"
+        done
+        run -1 "$DOMINO" --bail "$file" good
+        same "$file: --bail" 1 "${#lines[@]}"
+    done <<'END'
+nonexistent|No such file
+good/file|Not a directory
+loop|symbolic links
+closed|Permission denied
+.|directory
+/|directory
+END
+}
+
+@test "a directory as FILE is an error that says so, without a line number" {
+    run -1 --separate-stderr "$DOMINO" --keep-going -f /
+    [[ $stderr =~ ^domino:\ cannot\ [a-z]+\ .?/.?:\ Is\ a\ directory$ ]] || same message 'cannot read /: Is a directory' "$stderr"
+}

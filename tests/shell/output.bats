@@ -1,0 +1,277 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Answers as tables, csv and json: keys, digits, and what has no value.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Prints the commands, each as if alone, in each format, with a line of its number before it.
+in_one_session() {
+    local call number
+    for format in table csv json; do
+        echo "set output $format"
+        number=0
+        while IFS='|' read -r call _; do
+            number=$((number + 1))
+            printf 'reset; goto launch; echo %s %s\n%s\necho end\n' "$format" "$number" "$call"
+        done <<<"$commands"
+    done
+}
+
+answers_in() { # WAY
+    local call expected number=0
+    session "$1" "$(in_one_session)" >"$BATS_TEST_TMPDIR/answers"
+    [ "$1" = -e ] || session -e "$(in_one_session)" >"$BATS_TEST_TMPDIR/like"
+    [ "$1" = -e ] || same_file "$BATS_TEST_TMPDIR/like" "$BATS_TEST_TMPDIR/answers"
+    while IFS='|' read -r call expected; do
+        number=$((number + 1))
+        answer=$(sed -n "/\"json $number\"/,/\"end\"/p" "$BATS_TEST_TMPDIR/answers" | grep -v '^{"command":"\(echo\|reset\)"' || :)
+        same "keys of $call" "$expected" "$(keys <<<"$answer")"
+        [ "$1" != -e ] || same "$call: like alone" "$(json "$call")" "$(bare <<<"$answer")"
+    done <<<"$commands"
+}
+
+# Where lengths, forces, masses or frictions leave the numbers, or the train stands, hangs or flies.
+scenes='set s 1; set r 1
+set s 1e-4; set r 1
+set r 1e6
+set h 1e9; set g 1e-9; set mass 1e9
+set h 1e-9; set g 1e9; set mass 1e-9
+set density 1e9; set h 1e9; set g 1e9
+set q 1e9; set d 0.9; set s 0.001
+effect row 60; set r 1e6
+effect row 55; set r 1e5; set mass 1
+effect row 5; effect push 1e9
+effect floor 0; effect friction 1.5
+effect floor 0; set s 1; set r 1
+effect row 3; effect floor 0; set s 1; set r 1
+effect row 5; effect floor 0.01; set h 1e-9; set r 1.01
+set angle deg; set r 1.7; effect friction 0.1
+set fuel paper; set r 2.4'
+
+# Every command that answers at once, with arguments where it takes some; those that count for long, or files, not.
+calls() {
+    local name
+    for name in $("$DOMINO" -e complete); do
+        case $name in
+        quit | exit | help | complete | apropos | source | save | pool | animate | set | reset | effect | \
+            place | cost | effects | plot | placement | budget | mend | rowmax | best) ;;
+        theta1 | energy | omega | chain) printf '%s\n' "$name 0" "$name 1e-9" ;;
+        goto) printf '%s\n' 'goto 0' 'goto 1e-6' 'goto stop' ;;
+        count) printf '%s\n' 'count 112' 'count 1e300 m' 'count 1e-300' 'count 1e4000' ;;
+        print) printf 'print %s\n' 1e400 1e-400 -1e4000 '1e4000 deg' 3.5e38 '1e39 m' ;;
+        draw) printf '%s\n' draw 'draw 0 forces' 'draw 1e-9 forces' ;;
+        curve) echo 'curve 0.4 1 3' ;;
+        sweep) printf 'sweep %s\n' 's 0.1, 1 : barrier' 'r 1, 1e6, 1e9 : launch' 'r 1e6, 1e9 : row' 's 0.5, 1 : fall' ;;
+        *) echo "$name" ;;
+        esac
+    done
+}
+
+# Prints the value of a key in the row that jq selects, and whether the row has a reason.
+null_of() { # COMMANDS SELECTION KEY REASON
+    local said
+    said=$(json "$1" | jq -r "select($2) | \"\(.$3)|\(.reason)\"")
+    [[ $said =~ ^null\|.*$4 ]] || same "$1" "null|$4" "$said"
+}
+
+@test "every command answers with its keys: -e" { answers_in -e; }
+
+@test "every command answers with its keys: standard input" { answers_in stdin; }
+
+@test "every command answers with its keys: -f FILE" { answers_in -f; }
+
+@test "every command answers with its keys: '#!'" { answers_in '#!'; }
+
+@test "for people every command answers with labels: its keys" {
+    while IFS='|' read -r call expected; do
+        answer=$("$DOMINO" -e "$call")
+        if [ "${call%% *}" = print ]; then # just the value
+            same "$call" 0.1 "$answer"
+            continue
+        fi
+        case $call in
+        *'; verdict') # sentences
+            grep -q '^All 5 fall; the last lies 1\.433 s after the first hit\.$' <<<"$answer"
+            grep -q '^Domino 2 has the least to spare: it has 239 % of the energy that it needs\.$' <<<"$answer"
+            continue
+            ;;
+        *'; fall') # energies in percent, and in J if masses are known
+            for key in kinetic barrier margin; do run ! grep -qw "$key" <<<"$answer"; done
+            expected=${expected/kinetic barrier margin /}
+            grep -qw kinetic <<<"$("$DOMINO" -e "set mass 1; $call")"
+            ;;
+        *'; tolerance') # windows alone; leans and the friction in sentences
+            expected='domino from to gap_low gap_high height_low height_high first'
+            grep -q '^All fall with a friction between the dominoes up to' <<<"$answer"
+            grep -q '^Set domino 2 up plumb: its top may be off by ' <<<"$answer"
+            ;;
+        esac
+        for key in ${expected% reason}; do
+            grep -qw -- "$key" <<<"$answer" || same "$call" "$key" "$answer"
+        done
+    done <<<"$commands"
+}
+
+@test "json: one object a line, the same keys in every row" {
+    while IFS='|' read -r call expected; do
+        json "$call" >"$BATS_TEST_TMPDIR/rows"
+        same "$call: objects" '(nothing)' "$(grep -v '^{"[^{}]*}$' "$BATS_TEST_TMPDIR/rows" || true)"
+        [ -s "$BATS_TEST_TMPDIR/rows" ]
+        while read -r row; do same "$call: keys" "$expected" "$(keys <<<"$row")"; done <"$BATS_TEST_TMPDIR/rows"
+    done <<<"$commands"
+}
+
+@test "csv: the header is the keys, the rows are those of json" {
+    answered=0
+    while IFS='|' read -r call expected; do
+        for state in '' 'set s 0.001'; do
+            rows=$("$DOMINO" -e "set output csv; $state; $call" 2>/dev/null) || continue
+            answered=$((answered + 1))
+            like=$(json "$state; $call")
+            # That of 'row' has units, too: it is read back.
+            same "$call: header" "$(keys <<<"$like" | tr ' ' ,)" "$(head -n 1 <<<"$rows" | sed 's/ ([a-z]*)//g')"
+            same "$call: rows" "$(sed -E 's/"[A-Za-z0-9_]*"://g; s/[{}]//g; s/\bnull\b//g' <<<"$like" | tr -d '"')" \
+                "$(tail -n +2 <<<"$rows" | tr -d '"')"
+        done
+    done <<<"$commands"
+    # All in the first state, and more than half of them in the other.
+    [ "$answered" -gt $((3 * $(wc -l <<<"$commands") / 2)) ] || same 'answers' 'more' "$answered"
+}
+
+@test "every number has as many digits as read back to the same double, and no more" {
+    while IFS='|' read -r call _; do json "$call"; done <<<"$commands" |
+        grep -o ':-\?[0-9][^,}]*' | tr -d : >"$BATS_TEST_TMPDIR/numbers"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/numbers")" -gt 100 ]
+    # Among 15, 16 and 17 digits one form of the double is what was written, and no shorter one reads back to it.
+    awk '{ for (n = 15; n < 17 && sprintf("%." n "g", $1) + 0 != $1 + 0; n++);
+           if (sprintf("%." n "g", $1) != $1) { print; bad = 1 } } END { exit bad }' "$BATS_TEST_TMPDIR/numbers"
+    same '0.1' 0.1 "$(json 'set s 0.1; show s' | values value)"
+    theta_c=$(json thetac | values theta_c)
+    same 'theta_c is a tilt' "$theta_c" "$(json "theta1 $theta_c" | values theta)"
+}
+
+@test "few digits: a column is as wide as its head" {
+    for what in 'sweep s 0.1 0.3 3 : rmax' 'sweep r 1.2 2.2 3 : count 112'; do
+        "$DOMINO" -e "set digits 3; $what" | awk 'NR == 1 { wide = length($0) } /^ .*[0-9]/ { rows++; if (length($0) != wide) { print; bad = 1 } } END { exit bad || rows != 3 }'
+    done
+}
+
+@test "json: an object for each command, each with its command, also for errors" {
+    while IFS='|' read -r line expected; do
+        got=$(printf '%s\n' 'set output json' "$line" | "$DOMINO" 2>err) || true
+        grep -qxE -- "$expected" <<<"$got" || same "$line" "$expected" "$got"
+        same "$line: one object" 1 "$(wc -l <<<"$got")"
+        python3 -c 'import json, sys; assert "command" in json.loads(sys.stdin.read())' <<<"$got"
+    done <<'END'
+rmax|\{"command":"rmax","s":0\.4,"r_max":.*\}
+set s 0.3|\{"command":"set"\}
+effect friction 0.2|\{"command":"effect"\}
+rmax > answer|\{"command":"rmax"\}
+quit|\{"command":"quit"\}
+foo|\{"command":null,"error":"unknown command 'foo'; .*","source":"stdin","line":2,"column":1\}
+theta1 9|\{"command":"theta1","error":"T = 9 rad is outside .*","source":"stdin","line":2,"column":8\}
+assert verdict|\{"command":"verdict","error":"there is no row; .*","source":"stdin","line":2,"column":null\}
+print "|\{"command":"print","error":".*\\".*","source":"stdin","line":2,"column":7\}
+source missing|\{"command":"source","error":"cannot read 'missing': .*"source".*\}
+print 1e400|\{"command":"print","value":null,"unit":"","reason":".*quad.*"\}
+print 1e-400|\{"command":"print","value":null,"unit":"","reason":".*nearer to 0.*"\}
+print 1e5000|\{"command":"print","error":".* is too large for a number","source".*\}
+help rmax|\{"command":"help","name":"rmax","kind":"command","usage":"rmax \[S\]",.*"keys":"s r_max ends_by r_max_exact r_max_paper".*\}
+help friction|\{"command":"help","name":"friction","kind":"effect","usage":"effect friction .*\}
+show s|\{"command":"show","name":"s","value":0\.4,.*\}
+complete set output j|\{"command":"complete","line":".*json"\}
+echo "a; b"|\{"command":"echo","text":"a; b"\}
+END
+    # An error is on standard error, too.
+    grep -q . <(echo 'foo' | "$DOMINO" 2>&1 >/dev/null)
+    same 'help in csv' "$(json help | wc -l)" "$("$DOMINO" -e 'set output csv; help' | tail -n +2 | wc -l)"
+    same 'apropos' "$("$DOMINO" -e 'apropos barrier' | grep -c '^[a-z]')" "$(json 'apropos barrier' | wc -l)"
+    # A file that is read answers for each of its commands, and for itself at its end.
+    printf 'fuel\nset s 0.3\n' >inner
+    same 'source' 'fuel set source' "$("$DOMINO" -e 'set output json; source inner' |
+        sed -E 's/^\{"command":"([a-z]*)".*/\1/' | paste -sd ' ' -)"
+    same 'and in its own file' 'fuel set' "$("$DOMINO" -e 'source inner > all.json' && sed -E 's/^\{"command":"([a-z]*)".*/\1/' all.json | paste -sd ' ' -)"
+}
+
+@test "csv: one head for answers with the same columns, again for others, and none if that is set" {
+    same 'a run' 's,r_max,ends_by 0.3 0.5 fuel,fuel_exact,fuel_paper 0.17 s,r_max,ends_by 0.3' \
+        "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5; fuel; pair 0.3' | sed -E 's/^(0\.[0-9]{2}).*/\1/; s/^(0\.[35])0*,.*/\1/; s/^(0\.[35]),.*/\1/' | sed -E 's/^(0\.[0-9]*),.*/\1/' | paste -sd ' ' -)"
+    same 'off' 2 "$("$DOMINO" -e 'set output csv; set header off; pair 0.3; fuel' | wc -l)"
+    same 'a file has its own' "$("$DOMINO" -e 'set output csv; fuel')" "$("$DOMINO" -e 'set output csv; fuel; fuel > a.csv' >/dev/null; cat a.csv)"
+    for _ in 1 2; do "$DOMINO" -e 'pair 0.3 >> b.csv'; done
+    "$DOMINO" -e 'fuel >> b.csv; pair 0.3 >> b.csv'
+    same 'appended' 's fuel s' "$(grep -o '^[a-z]*' b.csv | paste -sd ' ' -)"
+    same 'rows' 4 "$(grep -c '^0' b.csv)"
+    same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
+}
+
+@test "an answer that is about the train, while a row is on, says so to programs" {
+    for format in json csv; do
+        for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do
+            "$DOMINO" -e "effect row 5; set output $format; $call" | grep -q 'endless train' ||
+                same "$call in $format" note "$("$DOMINO" -e "effect row 5; set output $format; $call")"
+            same "$call without a row" '(nothing)' "$("$DOMINO" -e "set output $format; $call" | grep note || true)"
+        done
+        same "fall" '(nothing)' "$("$DOMINO" -e "effect row 5; set output $format; fall" | grep note || true)"
+    done
+}
+
+@test "all commands in all outputs and precisions: every number is finite, else null" {
+    local scene precision style status sessions=0
+    calls >calls.dom
+    [ "$(wc -l <calls.dom)" -gt 40 ]
+    while read -r scene; do
+        for precision in float double quad; do
+            for style in json csv table; do
+                # How a table looks is no matter of the precision, but for what it holds.
+                if [ "$style$precision" = csvfloat ] || [ "$style$precision" = tablequad ]; then continue; fi
+                echo "set output $style; set precision $precision; set errors on; $scene" >session.dom
+                # In quad, which is slow, what shows how numbers are written.
+                if [ "$precision" = quad ]; then grep -E '^(print|row|launch|draw)' calls.dom; else cat calls.dom; fi >>session.dom
+                status=0
+                "$DOMINO" -n --keep-going session.dom >out 2>err || status=$?
+                [ "$status" -le 1 ] || same "$scene, $precision, $style: status" '0 or 1' "$status"
+                [ "$(wc -l <out)" -gt 5 ] || same "$scene, $precision, $style" answers "$(cat out err)"
+                same "$scene, $precision, $style" '(nothing)' "$(grep -aiwE -- '[-+]?(inf|nan|infinity)' out err || true)"
+                if [ "$style" = json ]; then
+                    jq -es 'length > 5' out >/dev/null || same "$scene, $precision" json "$(jq -e . out 2>&1 | tail -n 1)"
+                fi
+                sessions=$((sessions + 1))
+            done
+        done
+    done <<<"$scenes"
+    same sessions 112 "$sessions"
+}
+
+@test "what a precision cannot hold is null in json and empty in csv, with the reason" {
+    null_of 'print 1e400' true value "beyond what double precision can hold; 'set precision quad'"
+    null_of 'print -1e4000' true value 'beyond what double precision can hold'
+    null_of 'set precision float; print 1e39' true value 'beyond what float precision can hold'
+    null_of 'set precision float; print -1e39 m' true value 'beyond what float precision can hold'
+    same 'a float that is one' 3e+38 "$(json 'set precision float; print 3e38' | values value)"
+    same 'quad holds it' 1e+4000 "$(json 'set precision quad; print 1e4000' | values value)"
+    null_of 'set r 1e6; effect row 60; row' '.domino == 60' height 'beyond what double precision can hold'
+    null_of 'effect row 60; sweep r 2, 1e6 : row' '.r > 2 and .domino == 60' height 'beyond what double precision can hold'
+    same csv $'value,unit,reason\n,,value is beyond what double precision can hold; \'set precision quad\' holds more' \
+        "$("$DOMINO" -e 'set output csv; print 1e400')"
+    # A table of csv has no column for a reason that comes with its last rows: the line is on stderr.
+    for style in csv table; do
+        run -0 --separate-stderr "$DOMINO" -e "set output $style; set r 1e6; effect row 60; row"
+        [[ "$stderr$output" == *'is beyond what double precision can hold'* ]] || same "$style" reason "$stderr$output"
+    done
+    run -0 --separate-stderr "$DOMINO" -e 'set output csv; set r 1e6; effect row 60; row'
+    same 'cells' 1 "$(awk -F, '{ print NF }' <<<"$output" | sort -u | wc -l)"
+    [[ $output == *$'\n60,,,,' ]]
+}
+
+@test "contact forces where the contact is at the hinge, and a floor that no friction makes hold: in words" {
+    [[ $("$DOMINO" -e 'set s 1; set r 1; draw forces') == *'pushed: 0: none is enough'* ]]
+    null_of 'set s 1; set r 1; draw forces' '.i == 0' force 'the contact is at the hinge'
+    null_of 'effect floor 0; effect friction 1.5; slip' true hit 'lifted off the floor'
+    null_of 'effect row 3; effect floor 0; set s 1; set r 1; fall' '.domino == 2' floor 'lifted off the floor'
+    run "$DOMINO" -e 'effect row 3; effect floor 0; set s 1; set r 1; fall'
+    [[ $output == *'While dominoes fall, the foot of domino 1, while it falls, is lifted off, which no friction prevents.'* ]]
+    [[ $("$DOMINO" -e 'set precision quad; count 1e4000 m') == *'one of 1e+4000 m.'* ]]
+    if command -v gnuplot; then "$DOMINO" -e 'set s 1; set r 1; draw forces > x.svg' && ! grep -qE "[^a-z]nan[^a-z]" x.svg; fi
+}

@@ -1,0 +1,128 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Errors of placement: studies, whole and in parts; budgets.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+file() { cat >"$1"; }
+
+study='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
+
+parts() { # PARTS ROWS
+    for part in $(seq "$1"); do "$DOMINO" --shard "$part/$1" -e "set output csv; $study; placement $2"; done
+}
+
+# The same, and no row.
+wrong_line() { # COMMANDS PATTERN
+    wrong "$@"
+    [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
+}
+
+@test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {
+    scene='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
+    one=$(json "$scene; set threads 1; placement 400")
+    for threads in 2 3 7 0; do same "$threads threads" "$one" "$(json "$scene; set threads $threads; placement 400")"; done
+    differ 'another seed' "$one" "$(json "$scene; set seed 2; placement 400")"
+    # Nothing goes wrong without errors: all of 200 fall, with the exact interval 0.025^(1/200) .. 1.
+    exact=$(json 'effect row 5; effect placement 0; placement 200')
+    same all '200 1' "$(values fall <<<"$exact") $(values high <<<"$exact")"
+    close low "$(awk 'BEGIN { printf "%.15g", exp(log(0.025) / 200) }')" "$(values low <<<"$exact")"
+    # And the budget: at its sigma the share falls, within the interval.
+    sigma=$(json "$scene; budget 0.8 400" | values sigma)
+    share=$(json "$scene; effect placement $sigma m; placement 400" | values probability)
+    within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.0125'
+}
+
+@test "placement with an effect that no row can have reads nothing that was not written" { # under UBSan
+    wrong 'effect edges 0.2; effect row 4; effect placement 1 mm; placement 20' 'radius'
+    wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
+}
+
+@test "pool: an interval of two million rows" {
+    # Made by awk, as a loop of bats takes half a minute.
+    awk 'BEGIN {
+        print "sigma,heights,seed,scene,dominoes,of,first,rows,fall,unknown,stops"
+        for (i = 0; i < 20000; i++) {
+            fall = i < 13952 ? 73 : 72
+            printf "0.005,0,1,xcc917d87,4,2000000,%d,100,%d,0,2:%d\n", 100 * i + 1, fall, 100 - fall
+        }
+    }' | file blocks.csv
+    pool=$(json 'pool blocks.csv')
+    same pool '2000000 1453952 0.72635798 0.72759336' "$(printf '%.0f %.0f %.8f %.8f' "$(values rows <<<"$pool")" \
+        "$(values fall <<<"$pool")" "$(values low <<<"$pool")" "$(values high <<<"$pool")")"
+}
+
+@test "budget: finds sigma without an effect, and says how many rows fall with it" {
+    said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
+    grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
+    same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
+    # The interval is that of the study with this sigma.
+    answer=$(json 'effect row 13; effect placement 1.9 mm; placement 300')
+    same low 92 "$(values low <<<"$answer" | awk '{ print int(100 * $1) }')"
+    same high 98 "$(values high <<<"$answer" | awk '{ print int(100 * $1) + 1 }')"
+    same 'gaps of the effect are not used' "$(json 'effect row 13; budget 0.95 50')" \
+        "$(json 'effect row 13; effect placement 9 mm; budget 0.95 50')"
+    differ 'its heights are' "$(json 'effect row 13; budget 0.95 50')" \
+        "$(json 'effect row 13; effect placement 9 mm 0.02; budget 0.95 50')"
+}
+
+@test "a signal that ends a script leaves the answer of the rows that placement and budget have counted" {
+    for call in 'placement 9000000' 'budget 0.95 20000'; do
+        for wait in 0.3 1 3 9; do # how long it takes until there are some
+            "$DOMINO" -n -e "set output csv; effect row 13; effect placement 8 mm; $call; print 7" >out 2>err 3>&- &
+            sleep "$wait"
+            kill -TERM $!
+            wait $! && status=0 || status=$?
+            same "$call: ended by SIGTERM" 143 "$status"
+            same "$call: said" "-e:1: ${call%% *}: interrupted" "$(cat err)"
+            ! grep -q '^[0-9].*interrupted' out || break
+        done
+        same "$call: names and numbers" 2 "$(wc -l <out)"
+    done
+    [[ $(sed -n 2p out) =~ ^0\.95,[0-9.e-]+,.*,interrupted ]]
+}
+
+@test "placement in parts: the same blocks whatever their number; pool answers as the whole study" {
+    parts 1 530 >"$BATS_TEST_TMPDIR/whole"
+    same blocks 7 "$(wc -l <"$BATS_TEST_TMPDIR/whole")"
+    for n in 2 3 7; do
+        parts "$n" 530 >"$BATS_TEST_TMPDIR/parts"
+        cmp "$BATS_TEST_TMPDIR/whole" "$BATS_TEST_TMPDIR/parts"
+    done
+    same '3 threads' "$(cat "$BATS_TEST_TMPDIR/whole")" \
+        "$("$DOMINO" --shard 1/1 -e "set threads 3; set output csv; $study; placement 530")"
+    for format in csv json table; do
+        same "$format" "$("$DOMINO" -e "set output $format; $study; placement 530")" \
+            "$("$DOMINO" -e "set output $format; pool $BATS_TEST_TMPDIR/parts")"
+    done
+    same 'any order, standard input' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
+        "$(sort "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
+    same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
+        "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
+    # Row number i is the same in any study: the first hundred of 530 are those of 100.
+    same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
+}
+
+@test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
+    parts 3 400 >"$BATS_TEST_TMPDIR/all"
+    grep -v ',101,100,' "$BATS_TEST_TMPDIR/all" >"$BATS_TEST_TMPDIR/less"
+    same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
+        "$(json "pool $BATS_TEST_TMPDIR/less" | grep -o '"reason".*')"
+    same 'of fewer' 300 "$(json "pool $BATS_TEST_TMPDIR/less" | values rows)"
+    pool_fails() { # PATTERN < blocks
+        cat >"$BATS_TEST_TMPDIR/blocks"
+        wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
+    }
+    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
+    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
+    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
+    pool_fails 'has no blocks of a study' </dev/null
+    pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
+    sed '2s/,100,/,x,/' "$BATS_TEST_TMPDIR/all" | pool_fails ":2:[0-9]+: rows at 'x'"
+    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 is negative'
+    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: the counts of this block do not add up'
+    wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
+    run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
+    grep -q 'safe session' <<<"$stderr"
+}

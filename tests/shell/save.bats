@@ -1,0 +1,127 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Save and source: a session comes back as it was.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "a saved session and the row beside it can be moved together, and find each other from anywhere" {
+    mkdir -p here/rows other
+    for height in 48 24; do
+        printf '%s\n' 'height (mm), thickness (mm), gap (mm)' "$height, 7, -" "$height, 7, 20" >row$height.csv
+    done
+    cp row48.csv here/row.csv && cp row48.csv here/rows/below.csv && cp row24.csv other/row.csv
+    "$DOMINO" -e 'effect row here/row.csv; save here/beside.dom; save other/elsewhere.dom' \
+        -e 'effect row here/rows/below.csv; save here/below.dom'
+    (cd here && "$DOMINO" -e 'effect row row.csv; save bare.dom')
+    mv here there
+    for name in beside below bare; do
+        for from in . there other /; do
+            same "$name from $from" '0.048 0.048' \
+                "$(there=$PWD/there && cd "$from" && json "source $there/$name.dom; set output json; row" | values height | paste -sd ' ' -)"
+        done
+    done
+    wrong 'source other/elsewhere.dom' "cannot read '$PWD/here/row.csv': No such file"
+    same 'to a device' "effect row \"$PWD/there/row.csv\"" "$("$DOMINO" -e 'effect row there/row.csv; save /dev/stdout' | grep 'effect row')"
+}
+
+@test "save keeps the scene, and source brings it back" {
+    scene="effect friction 0.3; effect row $root/examples/record.csv; effect push 3; place 8 0.75; effect placement 2 mm 0.01; effect floor 0.5"
+    differ 'a scene' "$(json 'effect row 5; fall; verdict')" "$(json "$scene; fall; verdict")"
+    same saved "$(json "$scene; fall; verdict")" "$(json "$scene; save scene.dom; reset; source scene.dom; fall; verdict")"
+    grep -qx 'effect friction 0.3' "scene.dom"
+    grep -qx 'effect placement 0.002 0.01' "scene.dom"
+}
+
+@test "save and source: every parameter comes back as it was" {
+    json show | values name >names
+    [ "$(wc -l <names)" -ge 12 ]
+    while read -r name value; do
+        before=$(json "set $name $value; show")
+        [ "$before" != "$(json show)" ]
+        "$DOMINO" -e "set $name $value; save $name.dom"
+        same "$name" "$before" "$(json "source $name.dom; set output json; show")"
+        same "$name: -f" "$before" "$("$DOMINO" -f "$name.dom" -e 'set output json; show')"
+        same "$name: again" "$(cat "$name.dom")" "$("$DOMINO" -e "source $name.dom; save again" && cat again)"
+        same "$name: is saved" 1 "$(grep -c "^set $name " "$name.dom")"
+    done <<'END'
+s 1/3
+r pi/3
+d 7.1 mm / 48 mm
+q hollow
+q 10/3
+tol 1e-9/3
+h 1 ft
+g 1.62 m/s^2
+fuel paper
+digits 17
+angle deg
+timing on
+END
+    # And output, which the others need for looking at them.
+    "$DOMINO" -e 'set output csv; set s 0.3; save output.dom; set s 0.2; save output.dom'
+    same output "$("$DOMINO" -e 'set output csv; set s 0.2; show')" "$("$DOMINO" -e 'source output.dom; show')"
+    # All at once, over everything else.
+    changed='set s 1/3; set r pi/3; set d 0.1; set q 10/3; set tol 1e-9; set h 1 ft; set g 1.62; set fuel paper
+        set digits 17; set angle deg'
+    before=$(json "$changed; show; theta1 5")
+    "$DOMINO" -e "$changed; save \"all of it\""
+    same 'all' "$before" "$(json 'set s 0.9; source "all of it"; set output json; show; theta1 5')"
+    same 'again' "$(cat 'all of it')" "$("$DOMINO" -e 'source "all of it"; save again' && cat again)"
+    same 'nothing else is left' 0 "$(find . -name '*.??????' | wc -l)"
+}
+
+@test "source: the commands of a file, its errors with its name; one that sources itself" {
+    printf 'set s 0.3\nfoo\n\n  show s; qux 1\n' >inner
+    printf 'set output json\nsource inner\nshow s' >outer
+    run -1 --separate-stderr "$DOMINO" --keep-going outer
+    same 'answers' '0.3 0.3' "$(values value <<<"$output" | paste -sd ' ' -)"
+    same 'places' 'inner:2:1: inner:4:11:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
+    run -1 --separate-stderr "$DOMINO" --bail outer
+    same '--bail: answers' '(nothing)' "$output"
+    same '--bail: places' 'inner:2:1:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
+    # After an error in a file the line goes on where it was.
+    run -1 --separate-stderr "$DOMINO" --keep-going -e 'source inner; foo; print 7'
+    same 'the place is back' '-e:1:15:' "$(tail -n 1 <<<"$stderr" | cut -d' ' -f1)"
+    echo 'quit' >leave
+    same 'quit in a file' '(nothing)' "$("$DOMINO" -e 'source leave; fuel' -e fuel)"
+
+    echo 'source itself' >itself
+    printf 'source two\n' >one
+    printf 'source one\n' >two
+    for file in itself one; do
+        run -1 --separate-stderr "$DOMINO" --keep-going -e "source $file; print 7"
+        same "$file: lines on stderr" 1 "$(wc -l <<<"$stderr")"
+        [[ $stderr =~ nested.*itself ]] || same "$file" 'nested ... itself' "$stderr"
+        same "$file: the session goes on" 7 "$output"
+    done
+    # Side by side is not inside each other.
+    echo 'set s 0.3' >plain
+    same 'forty in a row' 0.3 \
+        "$(json "$(for _ in $(seq 40); do echo 'source plain'; done); show s" | values value)"
+    run -1 --separate-stderr "$DOMINO" --keep-going -f itself
+    same '-f: lines on stderr' 1 "$(wc -l <<<"$stderr")"
+}
+
+@test "save and source keep every digit of every parameter" {
+    file=$BATS_TEST_TMPDIR/state.dom
+    "$DOMINO" -e "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; save $file"
+    [ "$(grep -c '^set ' "$file")" -ge 6 ]
+    differ 'all of it' "$(json show)" "$(json "source $file; set output json; show")"
+    same 'all of it' "$(json "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; show")" \
+        "$(json "source $file; set output json; show")"
+}
+
+@test "a saved session names its csv file byte for byte, whatever its name is" {
+    local name quoted
+    for name in 'a b.csv' 'a"b.csv' 'a "" ";#>b.csv' 'θ − ×.csv' $'x\u00a0y.csv' $'\xff\x80.csv' 'a ~root b.csv' \
+        '\x.csv' $'\u202e.csv' '#.csv' '"q".csv' '""' "it's" '~' ' ' '$(id);`id`'; do
+        printf '%s\n' "$two_dominoes" >"$name"
+        quoted=./${name//\"/\"\"}
+        printf '%s\n' "effect row \"$quoted\"" 'save s.dom' | "$DOMINO"
+        printf '%s\n' 'source s.dom' 'save t.dom' 'set output json' 'verdict' | "$DOMINO" >answer
+        cmp s.dom t.dom
+        same "$name" 2 "$(values domino <answer)"
+        rm -f -- "$name" ./?.dom answer
+    done
+}

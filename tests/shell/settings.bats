@@ -1,0 +1,185 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Parameters and settings: set, show, reset; digits and timing.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Rows of LINE|COMMANDS: the two print the same, in json.
+all_mean() {
+    local line commands
+    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
+}
+
+# Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
+columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
+    awk -v what="$1" -v filled=" $2 " '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
+        NR > 1 {
+            rows++
+            for (key in at) {
+                before = at[key] > 1 ? substr($0, at[key] - 1, 1) : " "
+                here = substr($0, at[key], 1)
+                if (before != " " || (index(filled, " " key " ") && (here == " " || here == ""))) { print what ", " key ": " $0; bad = 1 }
+            }
+        }
+        END { exit bad || rows == 0 }'
+}
+
+@test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
+    json show >"$BATS_TEST_TMPDIR/all"
+    same names 's r d q tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <"$BATS_TEST_TMPDIR/all" | paste -sd ' ' -)"
+    while read -r name unit value; do
+        row=$(json "show $name")
+        same "show $name" "$(grep "\"name\":\"$name\"" "$BATS_TEST_TMPDIR/all")" "$row"
+        same "keys" 'name value unit range default meaning' "$(keys <<<"$row")"
+        [ "$unit" != - ] || unit='(nothing)'
+        same "$name: unit" "$unit" "$(values unit <<<"$row")"
+        case $value in
+        *[0-9]*)
+            close "$name: value" "$value" "$(values value <<<"$row")"
+            close "$name: default" "$value" "$(values default <<<"$row")"
+            ;;
+        *) same "$name: default" "$value" "$(values default <<<"$row")" ;;
+        esac
+        grep -q '"range":"[^"]' <<<"$row"
+        grep -q '"meaning":"[^"]' <<<"$row"
+        # For people: one head, one line.
+        same "show $name: lines" 2 "$("$DOMINO" -e "show $name" | wc -l)"
+    done <<END
+s h 0.4
+r - 1.5
+d h 0.14583333333333334
+q - 4
+tol - 1e-12
+h m 0.048
+g m/s^2 9.81
+fuel - exact
+output - table
+digits - 6
+angle - rad
+timing - off
+END
+}
+
+@test "set: numbers as people write them, quotients, words" {
+    while read -r name text value; do
+        same "set $name $text" "$value" "$(json "set $name $text; show $name" | values value)"
+    done <<END
+s .5 0.5
+s 5e-1 0.5
+s 5.E-1 0.5
+s +0.5 0.5
+s 1/2/2 0.25
+s 1e-6 1e-06
+s 1/2 0.5
+s 1 1
+r 3/2 1.5
+r 1 1
+d 7/48 0.14583333333333334
+q hollow 3
+q solid 4
+q massive 4
+q 3.5 3.5
+fuel paper paper
+END
+}
+
+@test "reset and reset NAME restore the defaults; output belongs to the session" {
+    changed='set s 0.3; set r 1.2; set d 0.2; set q 3; set tol 1e-10; set h 1; set g 1.6; set fuel paper'
+    defaults=$(json show)
+    differ 'what is reset' "$(json "$changed; show")" "$defaults"
+    same 'reset' "$defaults" "$(json "$changed; reset; show")"
+    same 'reset s' "$(json "$changed; set s 0.4; show")" "$(json "$changed; reset s; show")"
+    same 'reset output' "$("$DOMINO" -e fuel)" "$("$DOMINO" -e 'set output json; reset output; fuel')"
+}
+
+@test "each set is checked on its own: r s > 1 errs where a command needs both, and a second set mends it" {
+    run -1 --separate-stderr json 'set s 0.9; thetac; set r 1.1; thetac'
+    same 'one answer' 1 "${#lines[@]}"
+    close 'theta_c' "$(awk 'BEGIN { x = 0.9 * 1.1; printf "%.17g", atan2(x, sqrt(1 - x * x)) }')" \
+        "$(values theta_c <<<"$output")"
+    grep -q 'r s = 1.35 > 1' <<<"$stderr"
+    for order in 'set s 0.9; set r 1.1' 'set r 1.1; set s 0.9' 'set r 3; set s 0.9; set r 1.1'; do
+        same "$order" "$output" "$(json "$order; thetac")"
+    done
+    # r s = 1 is the end of the range, also where 1/s is rounded.
+    for s in 0.5 0.3 0.7 0.9 1; do
+        same "s $s, r 1/s" 2 "$(json "set s $s; set r 1/$s; thetac; barrier" | grep -cE '"(theta_c|barrier)":[0-9]')"
+    done
+}
+
+@test "digits: in tables, and only there" {
+    same 'table' '0.177287 0.177 0.177287017325' \
+        "$("$DOMINO" -e 'fuel; set digits 3; fuel; set digits 17; fuel' | awk '$1 == "fuel" { print $2 }' | paste -sd ' ' -)"
+    same 'rows' 0.738 "$("$DOMINO" -e 'set digits 3; set tol 1e-3; chain 0.1' | awk '$1 == 1 { print $2 }')"
+    same 'print' 0.333 "$("$DOMINO" -e 'set digits 3; print 1/3')"
+    for format in csv json; do
+        same "$format" "$("$DOMINO" -e "set output $format; fuel; chain 0.1; print 1/3")" \
+            "$("$DOMINO" -e "set output $format; set digits 3; fuel; chain 0.1; print 1/3")"
+    done
+    # The heading of a column is above it, for any number of digits.
+    for digits in 1 5 17; do
+        "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >"$BATS_TEST_TMPDIR/table"
+        same "digits $digits: columns" 1 "$(sed 2d "$BATS_TEST_TMPDIR/table" | awk '{ print length }' | sort -u | wc -l)"
+    done
+    same 'all lines as many fields' 6 "$(sed 2d "$BATS_TEST_TMPDIR/table" | awk '{ print NF }' | sort -u)"
+}
+
+@test "digits are a whole number" {
+    wrong_at 12 'set digits 2.5' '^set: digits = 2.5 .*1 \.\. 36'
+}
+
+@test "timing: a time after every answer, where it does not disturb" {
+    number='[0-9.e+-]+ ms'
+    for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
+        run -0 --separate-stderr "$DOMINO" -e "set timing on; $commands"
+        [[ ${lines[-1]} =~ ^time:\ $number$ ]] || same "$commands" 'time: ... ms' "$output"
+        same "$commands: once" 1 "$(grep -c '^time: ' <<<"$output")"
+        same "$commands: the answer" "$("$DOMINO" -e "$commands")" "$(sed '$d' <<<"$output")"
+        for format in csv json; do
+            run -0 --separate-stderr "$DOMINO" -e "set output $format; set timing on; $commands"
+            same "$commands in $format" "$("$DOMINO" -e "set output $format; $commands")" "$output"
+            [[ $stderr =~ ^time:\ $number$ ]] || same "$commands in $format" 'time: ... ms' "$stderr"
+        done
+    done
+    same 'nothing to time' '(nothing)' "$("$DOMINO" -e 'set timing on; set s 0.3; reset s' 2>&1)"
+    same 'off' "$(json fuel)" "$(json 'set timing on; set timing off; fuel' 2>&1)"
+}
+
+@test "a parameter's name shows it, '=' and 'to' set it, '?' explains it" {
+    all_mean <<'END'
+q|show q
+output|show output
+friction|show friction
+r = 2; r|set r 2; show r
+r=rmax*0.99; r|set r 0.99*rmax; show r
+set r = 2; r|set r 2; show r
+set r=2; r|set r 2; show r
+set r to 2; r|set r 2; show r
+fuel = paper; show fuel|set fuel paper; show fuel
+friction = 0.2; friction|effect friction 0.2; show friction
+effect friction = 0.2; friction|effect friction 0.2; show friction
+END
+    for line in '?rmax' '? rmax' 'rmax?' 'rmax ?' 'help rmax?' '??rmax'; do
+        same "$line" "$("$DOMINO" -e 'help rmax')" "$("$DOMINO" -e "$line")"
+    done
+    same '?' "$("$DOMINO" -e help)" "$("$DOMINO" -e '?')"
+    same 'q does not leave' 3 "$("$DOMINO" -e 'q; 1+2' | tail -n 1)"
+}
+
+@test "timing: every answer ends with its time" {
+    run -0 "$DOMINO" -e 'set timing on; rmax; fuel'
+    same 'two times' 2 "$(grep -c '^time: [0-9.e-]* ms$' <<<"$output")"
+    [[ ${lines[-1]} =~ ^time: ]]
+}
+
+@test "show: every column begins where its head does, however long the values are" {
+    for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
+        'set density 700; set output table'; do
+        "$DOMINO" -e "${scene:+$scene > /dev/null; }show" | grep -v '^tol is now\|^$' |
+            columns_in_line "show after '$scene'" 'name value range default meaning'
+    done
+    "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'
+    "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
+}

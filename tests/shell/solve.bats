@@ -1,0 +1,96 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Solve and sensitivity.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# Of one number in each line: parameter, less, more, in percent.
+@test "sensitivity: known changes of r_max, the largest first" {
+    json 'effect friction 0.2; sensitivity rmax' >answers
+    same order 'edges slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
+    while read -r parameter key percent; do
+        close "$parameter" "$percent" "$(grep "\"$parameter\"" answers | values "$key" | awk '{ print 100 * $1 }')" 2e-3
+    done <<'END'
+s more 0.1953
+d more -0.3387
+friction more -0.2762
+q less 0.4894
+END
+    same none 0 "$(grep '"g"' answers | values more)"
+    run -0 "$DOMINO" -e 'effect friction 0.2; sensitivity rmax'
+    same 'people: none' 'rmax does not depend on g, h, r.' "${lines[-1]}"
+    grep -qE '^q +4 +1 % +0\.489 +-0\.477$' <<<"$output"
+}
+
+@test "sensitivity: of a key, of arguments, of an expression; the session stays" {
+    close key -1 "$(json 'sensitivity duration.tau' | grep '"h"' | values less | awk '{ print 200 * $1 }')" 6e-3
+    differ arguments "$(json 'sensitivity rmax 0.3' | grep '"d"' | values more)" "$(json 'sensitivity rmax' | grep '"d"' | values more)"
+    same 's is given' 0 "$(json 'sensitivity rmax 0.3' | grep '"s"' | values more)"
+    close power 10.4622 "$(json 'sensitivity h*r^10' | grep '"r"' | values more | awk '{ print 100 * $1 }')" 1e-5
+    same stays '0.4 0.048' "$(json 'sensitivity rmax; print s; print h' | values value | tail -n 2 | paste -sd ' ')"
+    same row 0 "$(json 'effect row 5; sensitivity design.length 2 m; verdict' | values short_by)"
+    wrong 'sensitivity fall' "which number of 'fall'\\? One of fall.domino"
+    wrong 'sensitivity barrier.verdict' 'barrier.verdict is a word'
+    wrong 'sensitivity rmx' "did you mean 'rmax'"
+    wrong 'sensitivity' 'COMMAND is missing'
+    wrong 'set r 3; sensitivity duration' 'r s = 1\.2 > 1'
+}
+
+@test "solve: all values, with their branches, and each is one" {
+    while IFS='|' read -r scene parameter answer value expected; do
+        found=$(json "$scene; solve $parameter : $answer = $value")
+        same "$parameter $answer" "$expected" "$(values value <<<"$found" | while read -r x; do printf '%.5f ' "$x"; done)$(
+            values branch <<<"$found" | paste -sd ' ')"
+        for x in $(values value <<<"$found"); do
+            put="set $parameter $x"
+            [ "$parameter" != friction ] || put="effect friction $x"
+            close "$parameter $answer at $x" "$(json "$scene; print $value" | values value)" \
+                "$(json "$scene; $put; print $answer" | values value)" 1e-9
+        done
+    done <<'END'
+set r 1.5|d|rmax|5/3|0.14040 falling
+set r 1.5|s|rmax|1.6|0.36497 0.62500 rising falling
+set q hollow|friction|rmax|1.7|0.35540 falling
+set r 1.2|h|duration.speed|1 m/s|0.26745 rising
+set r 1.2|s|thetac.theta_c|30 deg|0.41667 rising
+END
+    same 'a range' '0.14040' "$(json 'solve d 0.1 0.3 : rmax = 5/3' | values value | xargs printf %.5f)"
+    same 'beside the range' 'none' "$(json 'solve d 0.2 0.3 : rmax = 5/3' | values branch)"
+}
+
+@test "solve: a maximum between two values that are tried, and one that is just missed" {
+    best=$(json 'best' | values r_max)
+    same 'just below' 2 "$(json "solve s : rmax = $best - 1e-7" | grep -c branch)"
+    same 'just above' none "$(json "solve s : rmax = $best + 1e-7" | values branch)"
+}
+
+@test "solve: where a verdict changes" {
+    limit=$(json 'solve friction : barrier' | values value)
+    same below 'goes on' "$(json "effect friction $limit*0.999999; barrier" | values verdict)"
+    same above stops "$(json "effect friction $limit*1.000001; barrier" | values verdict)"
+    limit=$(json 'set q hollow; set r 5/3; effect row 11; solve friction : verdict' | values value)
+    same 'row below' 'all fall' "$(json "set q hollow; set r 5/3; effect row 11; effect friction $limit*0.999999; verdict" | values verdict)"
+    same 'row above' stops "$(json "set q hollow; set r 5/3; effect row 11; effect friction $limit*1.000001; verdict" | values verdict)"
+    run -0 "$DOMINO" -e 'set r 1.2; solve friction 0 0.2 : barrier'
+    same always 'barrier: the train goes on for every friction = 0 .. 0.2.' "$output"
+}
+
+@test "solve: none is an answer with its reason, and what is wrong is one line" {
+    run -0 "$DOMINO" -e 'solve d : rmax = 5'
+    same largest 'rmax does not take the value 5 for d = 0.01 .. 1: the largest is 2.5, at d = 0.01.' "$output"
+    run -0 "$DOMINO" -e 'solve s 0.3 0.5 : rmax = 1.1'
+    grep -qE '^rmax does not take the value 1\.1 for s = 0\.3 \.\. 0\.5: the smallest is 1\.5' <<<"$output"
+    same csv 'value,answer,branch,reason' "$("$DOMINO" -e 'set output csv; solve d : rmax = 5' | head -n 1)"
+    wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
+    wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, and VALUE is a length'
+    wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM is less than TO'
+    wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; the form is'
+    wrong 'solve d : rmax' "'= VALUE' is missing after 'rmax'"
+    wrong 'solve d' "':' and an answer are missing"
+    wrong 'solve d :' "the answer is missing after ':'"
+    wrong 'solve x : rmax = 1' "unknown parameter 'x'"
+    wrong 'solve d : rmx = 1' "did you mean 'rmax'"
+    wrong 'solve d : rmax = ' 'VALUE: a value is missing'
+    wrong 'solve d -1 1 : rmax = 5/3' 'd = -1 is out of range'
+}

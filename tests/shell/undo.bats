@@ -1,0 +1,60 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Undo, redo and diff.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+@test "undo and redo: whatever changes the scene" {
+    printf 'set s 0.3\nset r 1.2\n' >two.dom
+    printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n60, 8, 20\n80, 9, 30\n' >row.csv
+    local before change state
+    while IFS='|' read -r before change; do
+        state='show; diff; row'
+        "$DOMINO" --keep-going -e "$before; $state" >as_was 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; $state" >changed 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; undo > /dev/null; $state" >undone 2>&1 || true
+        "$DOMINO" --keep-going -e "$before; $change > /dev/null; undo > /dev/null; redo > /dev/null; $state" >redone 2>&1 || true
+        clean() { grep . "$1" | sed 's/^-e:[0-9:]* //'; }
+        same "$change" "$(clean as_was)" "$(clean undone)"
+        same "$change again" "$(clean changed)" "$(clean redone)"
+        ! cmp -s as_was changed || differ "$change" "$(clean as_was)" "$(clean changed)"
+    done <<'END'
+s = 0.5|s = 0.3
+s = 0.5|reset
+effect row row.csv|place 2 25 mm
+effect row row.csv; place 2 25 mm|reset
+effect row row.csv; place 2 25 mm|effect row 3
+set d 0.2|precision = quad
+set d 0.2|friction = 0.2
+friction = 0.1|effect friction off
+set d 0.2|let x = 3
+let x = 4|x = 3
+let x = 4|let x(a) = a
+set d 0.2|source two.dom
+set q hollow|design 1
+END
+}
+
+@test "undo: what it says, where it ends, and a change that is none" {
+    same 'says' 'undone: r = 2' "$("$DOMINO" -e 'r = 2; undo')"
+    same 'again' 'done again: r = 2' "$("$DOMINO" -e 'r = 2; undo > /dev/null; redo')"
+    same 'as data' '{"change":"s = 0.3"} {"change":"s = 0.3"}' "$(json 's = 0.3; undo; redo' | paste -sd ' ' -)"
+    same 'in order' '0.3 0.2 0.4' "$("$DOMINO" -e 's = 0.2; s = 0.3; print s; undo > /dev/null; print s; undo > /dev/null; print s' |
+        grep . | paste -sd ' ' -)"
+    same 'no change' 0.4 "$("$DOMINO" -e 's = 0.2; s = 0.2; undo > /dev/null; print s')"
+    wrong undo 'there is no change to take back'
+    wrong redo 'there is nothing to do again'
+    wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to do again'
+    for i in {1..150}; do echo "seed = $i"; done >"$BATS_TEST_TMPDIR/many.dom"
+    for i in {1..100}; do echo 'undo > /dev/null'; done >>"$BATS_TEST_TMPDIR/many.dom"
+    same 'the last 100' 50 "$("$DOMINO" -f "$BATS_TEST_TMPDIR/many.dom" -e 'seed*1')"
+}
+
+@test "diff: what differs from the defaults" {
+    same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
+    same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
+    same 'and variables' 's x f(a)' "$(json 's = 0.3; let x = 2; let f(a) = 2*a; diff' | values name | grep -v output | paste -sd ' ' -)"
+    same 'and gaps' "1 gap of the row was changed by 'place'; 'row' lists the row." \
+        "$("$DOMINO" -e 'effect row 3; place 2 20 mm; diff' | tail -n 1)"
+}

@@ -1,0 +1,301 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Units: with numbers, between quantities, after "to", in columns of tables; angles in degrees.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# The line of a key in an answer to people: its value, and its unit.
+shown() { # KEY COMMANDS
+    "$DOMINO" -e "$2" | awk -v key="$1" '$1 == key { print $2, $3 }'
+}
+
+# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
+all_print() {
+    local line answer
+    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
+}
+
+@test "s and d as lengths are divided by h" {
+    same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
+    same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"
+    same 'as an argument' "$(json 'rmax 0.5')" "$(json 'rmax 24 mm')"
+    same 'in a grid' "$(json 'sweep s 0.25, 0.5 : rmax')" "$(json 'sweep s 12 mm, 24 mm : rmax')"
+    wrong 'set s 2 ms' 's is a plain number, not a time'
+    wrong 'set r 2 cm' 'r is a plain number, not a length'
+}
+
+@test "units: with and without a blank, their products and powers" {
+    all_worth <<'END'
+3|m|3 m
+0.003|m|3mm
+0.03|m|3 cm
+3000|m|3 km
+0.0762|m|3 in
+0.3048|m|1 ft
+0|m|12 in - 1 ft
+0.9144|m|1 yd
+2|kg|2 kg
+0.01|kg|10 g
+0.01|kg|10g
+0.005|kg|(2 + 3) g
+2000|kg|2 t
+0.45359237|kg|1 lb
+0.028349523125|kg|1 oz
+0.038349523125|kg|10 g + 1 oz
+0|kg|16 oz - 1 lb
+600|kg m^-3|600 kg/m^3
+600|kg m^-3|0.6 g/cm^3
+2|kg|sqrt(4 kg^2)
+0.002|kg|min(1 kg, 2 g)
+5|-|5 g / 1 g
+9.81|m s^-2|g
+19.62|m s^-2|2*g
+0.0048929663608562693|s^2|h/g
+0.0048929663608562693|s^2|4.8 cm/g
+9.81|m^2 s^-2|1 m*g
+9.81|kg m s^-2|1 kg*g
+0.00981|kg m s^-2|1 g*g
+2|s|2 s
+0.002|s|2 ms
+2|rad|2 rad
+1.5707963267948966|rad|90 deg
+1.1|m|10 cm + 1 m
+250|-|10 m/4 cm
+5|m s^-1|5 m/s
+9.81|m s^-2|981 cm/s^2
+9.81|m s^-2|9.81 m*s^-2
+5|m^2|5m^2
+25|m^2|(5 m)^2
+0.0004|m^2|4 cm^2
+0.5|m s^-1|1 m/2 s
+6|m|2 * 3 m
+0.05|m|(2 + 3) cm
+90|-|asin(1) / 1 deg
+0|rad|180 deg - pi
+0.5|-|24 mm / 4.8 cm
+END
+}
+
+@test "set and arguments take values with units" {
+    while IFS='|' read -r name text value; do
+        close "set $name $text" "$value" "$(json "set $name $text; show $name" | values value)"
+    done <<'END'
+d|0.7/4.8|0.14583333333333334
+d|7 mm / 48 mm|0.14583333333333334
+d|7 mm/h|0.14583333333333334
+h|4.8 cm|0.048
+h|48mm|0.048
+h|1 ft|0.3048
+h|1.5|1.5
+mass|10 g|0.01
+mass|2 oz|0.05669904625
+mass|0.01|0.01
+mass|600 kg/m^3 * 7 mm * 24 mm * 48 mm|0.0048384
+density|600 kg/m^3|600
+density|0.6 g/cm^3|600
+density|600|600
+g|9.81 m/s^2|9.81
+g|981 cm/s^2|9.81
+g|2 * 4.905 m / (1 s)^2|9.81
+s|0.5 * 0.6|0.3
+s|3/2 - 1|0.5
+tol|10^-9|1e-9
+q|hollow|3
+q|7/2|3.5
+digits|2*4|8
+END
+    same 'theta1 10 deg' "$(json "theta1 pi/18")" "$(json 'theta1 10 deg')"
+    same 'theta1 10deg' "$(json "theta1 pi/18")" "$(json 'theta1 10deg')"
+    close 'rmax 0.9*s' "$(json 'rmax 0.36' | values r_max)" "$(json 'rmax 0.9*s' | values r_max)"
+    same 'count 112 m' "$(json 'count 112')" "$(json 'count 112 m')"
+    same 'count 11200 cm' "$(json 'count 112')" "$(json 'count 11200 cm')"
+    same 'count 0.112 km 4/2' "$(json 'count 112 2')" "$(json 'count 0.112 km 4/2')"
+    same 'curve' "$(json 'curve 0.25 0.5 3')" "$(json 'curve 1/4 (s+0.1) 6/2')"
+}
+
+@test "a rotation may be given as a frequency, since radians are often left out; a growth that is nearly 1 is not shown as 1" {
+    same 'push' "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8 rad*sqrt(g/h); verdict')" \
+        "$("$DOMINO" -n -e 'set output csv; effect row 6; effect push 8*sqrt(g/h); verdict')"
+    run "$DOMINO" -n -e 'count 1e9 m 1.0000001'
+    [[ $output == *'each 1.0000001 times as large'*'Falling with growth 1.0000001'* ]]
+}
+
+@test "kinds that do not fit: both are named" {
+    all_wrong <<'END'
+7|count 112 deg|^count: H is a length, not an angle
+7|count 3 s|^count: H is a length, not a time
+7|count 3 m^2|^count: H is a length, not in m\^2
+7|set s 3 m|^set: s = 62.5 is out of range
+7|set s 0.3 rad|^set: s is a plain number, not an angle
+7|set r h|^set: r is a plain number, not a length
+7|set h 3 s|^set: h is a length, not a time
+0|set h 5|^set: a height of 5 without a unit would be 5 m, and it is 4\.8 cm now; write 'set h 5 m'
+0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
+23|effect row 6; place 5 +1 cm|^place: GAP is the gap itself, not a change of it; leave out the '[+]'$
+7|set h 3 m/s|^set: h is a length, not in m s\^-1
+10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$
+7|set h 10 g|^set: h is a length, not a mass; enter one such as '48 mm'$
+13|set density 5 kg|^set: density is a density, not a mass; enter one such as '600 kg/m\^3'$
+7|set s 3 g|^set: s is a plain number, not a mass; enter it without a unit, or as a length$
+7|set q 3 kg|^set: q is a plain number, not a mass; enter it without a unit$
+13|set mass 10 kgs|^set: 'kgs' is not a unit; did you mean 'kg'
+11|print 1 g + 1|^print:.*a mass and a plain number
+7|print sqrt(4 kg)|^print:.*sqrt of this is not defined
+7|print max(1 kg, 2)|^print:.*max needs two values of the same kind
+7|set g 3 m|^set: g is in m s\^-2, not a length
+7|set q 1 m|^set: q is a plain number, not a length
+9|set tol 1 ms|^set: tol is a plain number, not a time
+12|set digits 3 m|^set: digits is a plain number, not a length
+8|theta1 0.1 m|^theta1: T is an angle, not a length
+8|theta1 h|^theta1: T is an angle, not a length
+6|rmax 10 deg|^rmax: S is a plain number, not an angle
+9|pair    1 s|^pair: S is a plain number, not a time
+11|count 112 2 m|^count: R is a plain number, not a length
+7|curve 0.1 m 0.3 3|^curve: FROM = 2.08333[0-9]* is out of range; FROM is a value of s
+15|curve 0.1 0.3 3 s|^curve: N is a plain number, not a time
+11|print 1 m + 1 s|^print:.*a length and a time
+11|print 1 m + 1|^print:.*a length and a plain number
+8|print h+g|^print:.*a length and in m s\^-2
+11|print 1 s - 1 m|^print:.*a time and a length
+7|print sin(1 m)|^print:.*sin of a length
+7|print exp(1 deg)|^print:.*exp of an angle
+7|print ln(2 s)|^print:.*ln of a time
+7|print max(1 m, 1 s)|^print:.*max .* two
+9|print 2^(1 m)|^print:.*exponent
+13|print (2 m)^0.5|^print:.*exponent
+END
+}
+
+@test "the square of an angle is no angle, and is called what it is" {
+    wrong_at 8 'theta1 0.1 rad * 1 rad' '^theta1: T is an angle, not in rad\^2'
+}
+
+@test "angle: typed and answered, in each output" {
+    deg() { awk -v x="$1" 'BEGIN { printf "%.17g", x * 180 / atan2(0, -1) }'; }
+    for format in csv json; do
+        while IFS='|' read -r command keys; do
+            rad=$("$DOMINO" -e "set output $format; $command")
+            answer=$("$DOMINO" -e "set output $format; set angle deg; $command")
+            for key in $keys; do
+                if [ "$format" = csv ]; then
+                    column() {
+                        awk -F, -v key="$key" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == key) k = i }
+                            NR == 2 { print $k }' <<<"$1"
+                    }
+                else
+                    column() { values "$key" <<<"$1"; }
+                fi
+                value=$(column "$rad")
+                case $key,$value in theta_leave,null | theta_leave,) value='(nothing)' ;; *) value=$(deg "$value") ;; esac
+                obtained=$(column "$answer")
+                close "$command in $format: $key" "$value" "${obtained:-null}"
+            done
+            # The rest is as before.
+            for key in slope J kinetic; do
+                value=$(values $key <<<"$rad")
+                same "$command: $key" "${value:-(nothing)}" "$(values $key <<<"$answer")"
+            done
+        done <<'END'
+thetac|theta_c theta_u theta_inf theta_f theta_leave
+set r 2; thetac|theta_c theta_u theta_inf theta_f theta_leave
+theta1 10 deg|theta theta_1
+energy 0.1 rad|theta
+omega 0.1 rad|theta omega
+launch|omega0
+barrier|theta_m
+END
+    done
+    for command in theta1 energy omega; do
+        same "$command 10" "$(json "set angle deg; $command 10 deg")" "$(json "set angle deg; $command 10")"
+        same "$command 0.1 rad" "$(deg 0.1 | cut -c1-14)" "$(json "set angle deg; $command 0.1 rad" | values theta | cut -c1-14)"
+    done
+    same 'a value has its unit with it' "$(json 'set angle deg; theta1 thetac.theta_c')" \
+        "$(json 'set angle deg; theta1 thetac')"
+    same 'ans' "$(json 'theta1 theta1(0.1)/2' | values theta_1)" \
+        "$(json 'theta1 0.1; set angle deg; set angle rad; theta1 ans/2' | values theta_1 | tail -n 1)"
+    answer=$("$DOMINO" -e 'set angle deg; thetac; launch; chain 10')
+    for line in '^theta_c *36\.8699 deg ' '^omega0 .*deg/s' '^  *deg '; do
+        grep -q "$line" <<<"$answer" || same deg "$line" "$answer"
+    done
+    same 'no radians' '(nothing)' "$(grep -w rad <<<"$answer")"
+    theta_c=$(json 'set angle deg; thetac' | values theta_c)
+    wrong_at 25 'set angle deg; theta1   37; set output json' "T = 37 deg .* \[0, ${theta_c:0:15}[0-9]*\]"
+    same 'both ends' 2 "$(json "set angle deg; theta1 0; theta1 $theta_c" | grep -c '"theta_1":[0-9]')"
+}
+
+@test "angle deg: functions take degrees, print answers in them" {
+    same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
+    same 'thetac' '36.8699 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
+    same 'atan(1)' '45 deg' "$("$DOMINO" -e 'set angle deg; print atan(1)')"
+    same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
+}
+
+@test "a misspelt unit is named, and functions and units are topics of help" {
+    wrong_at 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
+    wrong_at 9 'print 3 furlong' "^print: 'furlong' is not a unit"
+    for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
+}
+
+@test "units as words, in one and in many; decimal commas and percent are explained" {
+    same words '0.0508 0.6096 2.7432 0.005 0.05 1.5708' "$(printf '%s\n' '2 inch' '2 feet' '3 yards' '5 grams' '50 millimetres' '90 degrees to rad' |
+        "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
+    same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
+        "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
+    all_wrong <<'END'
+8|set s 0,3|^set: s ends before ',3'; decimals have a point, as in 0\.5$
+10|count 112,5 m|^count: H ends before ',5 m'; decimals have a point
+10|budget 95%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
+END
+}
+
+@test "'to' converts" {
+    all_print <<'END'
+112 m to ft|367.454 ft
+rmax to percent|164.423 %
+0.9*rmax(0.3) to %|136.301 %
+10 g to oz|0.35274 oz
+600 kg/m^3 to g/cm^3|0.6 g/cm^3
+thetac to deg|36.8699 deg
+pi/2 to deg|90 deg
+print duration.speed to mm/s|214.37 mm/s
+END
+    same json '{"value":10000,"unit":"mm"}' "$(json '10 m to mm')"
+    wrong '112 m to s' "the value is a length, and 's' is a unit of a time; its units: m mm cm km in ft yd"
+    wrong '5 to m/s' "the value is a plain number, and 'm/s' is in m s\^-1; its units: percent"
+    wrong '112 m to fot' "'fot' is not a unit; did you mean 'ft'"
+    wrong '112 m to' "the unit after 'to' is missing; for example m mm"
+    wrong '112 to m' 'the value is a plain number.*its units: percent'
+    wrong '112 m ti ft' "'ti' is not a unit"
+    wrong '112 m to ft 3' "'3' is one argument too many"
+    wrong 'rmax to m/h' "'m/h' is not a unit"
+}
+
+@test "a table shows lengths in mm, cm or m as fits, masses in g or kg; csv and json keep m and kg" {
+    local pair
+    for pair in '9.99 mm|9.99 mm' '10 mm|1 cm' '4.8 cm|4.8 cm' '99.9 cm|99.9 cm' '1 m|1 m' '112 m|112 m' '0.001 mm|0.001 mm'; do
+        same "${pair%|*}" "${pair#*|}" "$(shown height "count ${pair%|*}")"
+    done
+    same json '{"height":0.03,"first_height":0.01}' "$(json 'set h 1 cm; count 3 cm' | sed -E 's/("height":[^,]*),.*("first_height":[^,]*),.*/\1,\2}/')"
+    same csv 0.048 "$("$DOMINO" -e 'set output csv; count 1 m' | tail -n 1 | cut -d , -f 5)"
+    # One unit holds for a column of rows, that of the largest.
+    same 'a row in tables' '4.8 0.7 0
+7.2 1.05 2.88' "$("$DOMINO" -e 'effect row 2; row' | awk 'NR > 2 { print $2, $3, $4 }')"
+    same 'a row for programs' '0.048,0.007,0
+0.072,0.0105,0.0288' "$("$DOMINO" -e 'set output csv; effect row 2; row' | tail -n 2 | cut -d , -f 2-4)"
+    same 'units of a sweep' 'cm m cm m' "$("$DOMINO" -e 'sweep h 1 cm 10 cm 2 : count 112' | sed -n 2p | xargs)"
+    same 'of a longer one' 'm cm cm cm' "$("$DOMINO" -e 'sweep h 1 cm 1 m 2 : count 30 cm' | sed -n 2p | xargs)"
+    same mass '10 g' "$("$DOMINO" -e 'set mass 0.01; effect row 1; row' | awk 'NR == 2 { unit = $4 } NR == 3 { print $5, unit }')"
+    # An expression has the base unit, whatever a table shows.
+    same 'ans' 0.048 "$(json 'count 1 m; print ans.first_height' | tail -n 1 | values value)"
+    # All digits are right in every unit.
+    same digits '4.8 cm' "$(shown first_height 'set digits 33; set precision quad; count 1 m')"
+}
+
+@test "exponents of units do not overflow" {
+    wrong 'print ((((((1 m)^64)^64)^64)^64)^64)^4' 'the unit has an exponent above 999'
+    wrong 'print ((1 kg)^64)^64' 'the unit has an exponent above 999'
+    wrong 'print (1 s)^-99^1 * (1/(1 m)^99)^99' 'the unit has an exponent above 999'
+    same 'below that they count' '1 m^960' "$("$DOMINO" -e 'print ((1 m)^64)^15')"
+    same 'and cancel' 1 "$("$DOMINO" -e 'print ((1 m)^64)^15 / ((1 m)^60)^16')"
+}
