@@ -176,6 +176,12 @@ END
         [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
         same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
     done
+    # Heights of a row that is low in the picture are in the unit that stands at 0, too.
+    "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
+    "$dir/labels" a.svg | cut -d ' ' -f 5- >texts
+    same 'the unit' cm "$(grep -x '[cm]*m' texts)"
+    same 'heights' '2 4' "$(grep -x '[24]' texts | sort -u | paste -sd ' ' -)"
+    same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
 }
 
 @test "draw: data of the row stands as 'row' says, leans on the tape measure, and moves in time" {

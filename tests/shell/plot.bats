@@ -72,6 +72,7 @@ END
         "$DOMINO" -e "$row; plot $what" | tr -s ' \n' ' ' | grep -qF -- "$label"
     done <<'END'
 growth paper|Below its curve a train keeps falling|growth r
+energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy in m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
 cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
 sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax over s and q|q, exponent of mass times height: hollow = 3, solid = 4
@@ -81,6 +82,15 @@ END
     "$DOMINO" -e 'plot growth paper > a.svg'
     "$BATS_TEST_DIRNAME/labels" a.svg |
         awk '/ solid dominoes/ { top = $2 } / now: s/ { low = $4 } END { exit !(top && low - top < 0.2 * 540) }'
+}
+
+@test "plot: every point is drawn, up to the ends of the axes, and also where all values are nearly equal" {
+    circles() { grep -c "href='#gpPt5' transform" a.svg; }
+    "$DOMINO" -e 'effect row 8; plot placement 40 > a.svg'
+    same 'errors of the gaps, and one in the legend' 14 "$(circles)"
+    "$DOMINO" -e 'plot sweep tol 1e-12, 1e-6, 1e-3 : rmax > a.svg'
+    same 'nearly equal' 3 "$(circles)"
+    same 'ticks' "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort)"
 }
 
 @test "plot fall: a mark each domino, and no bars: an axis of logarithms has no place where they begin" {

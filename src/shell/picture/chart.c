@@ -107,7 +107,9 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        double more = high > low ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
+        /* Ticks could not tell a smaller range from a single value. */
+        bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
+        double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
         high += more;
     }
@@ -213,4 +215,37 @@ int axis_ticks(const struct chart_axis *a, int most, double tick[TICKS])
                 tick[n++] = value;
         }
     return n;
+}
+
+int tick_text(double tick, char text[TICK_TEXT])
+{
+    int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
+    bool exact = fabs(strtod(text, NULL) - tick) <= 1e-9 * fabs(tick);
+    return exact ? wide : snprintf(text, TICK_TEXT, "%.9g", tick);
+}
+
+/* ---- Events ---- */
+
+struct event_spot event_spot(const struct chart *c, int event, double letter)
+{
+    double end[CHART_EVENTS] = {0}; /* of the last name of each row, with a gap after it */
+    struct event_spot spot = {0, 0};
+    for (int k = 0; k <= event; k++) {
+        double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);
+        spot.from = fmax(fmin(place - wide / 2, 1 - wide), 0);
+        for (spot.row = 0; spot.row + 1 < CHART_EVENTS && spot.from < end[spot.row];)
+            spot.row++;
+        end[spot.row] = spot.from + wide + letter;
+    }
+    return spot;
+}
+
+int event_rows(const struct chart *c, double letter)
+{
+    int rows = 0;
+    for (int k = 0; k < c->events; k++) {
+        struct event_spot spot = event_spot(c, k, letter);
+        rows = spot.row >= rows ? spot.row + 1 : rows;
+    }
+    return rows;
 }

@@ -100,6 +100,23 @@ double axis_place(const struct chart_axis *axis, double value);
 enum { TICKS = 24 };
 int axis_ticks(const struct chart_axis *axis, int most, double tick[TICKS]);
 
+/* Writes the text of a tick. */
+enum { TICK_TEXT = 24 };
+int tick_text(double tick, char text[TICK_TEXT]);
+
+/*
+ * Where the name of an event stands: its first letter as a share of the x axis, and its row above the chart,
+ * from 0. `letter` is the share that a letter takes. Names that would meet stand above each other.
+ */
+struct event_spot {
+    double from;
+    int row;
+};
+struct event_spot event_spot(const struct chart *chart, int event, double letter);
+
+/* Returns how many rows the names of the events take. */
+int event_rows(const struct chart *chart, double letter);
+
 /* Draws in so many characters. */
 bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out);
 

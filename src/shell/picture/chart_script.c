@@ -15,7 +15,8 @@ static void quoted(FILE *out, const char *text)
     putc('\'', out);
 }
 
-enum { COLUMNS = 64, ROOM = 320, EVENT_ROWS = 2 };
+enum { COLUMNS = 64, ROOM = 320 };
+#define LETTER 0.016 /* of the x axis, that a letter takes */
 
 /* Breaks a text into lines of about equal length that fit the picture, as gnuplot reads them between double
  * quotes. Returns how many lines there are. */
@@ -37,12 +38,15 @@ static int lines_make(const char *text, char script[ROOM])
 static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
 {
     double tick[TICKS];
+    char text[TICK_TEXT];
     int n = axis_ticks(a, a->whole ? 20 : 9, tick);
     if (a->logarithmic)
         fprintf(out, "set logscale %s\n", name);
     fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
-    for (int k = 0; k < n; k++)
-        fprintf(out, "%s'%.6g' %.10g", k ? ", " : "", tick[k], tick[k]);
+    for (int k = 0; k < n; k++) {
+        tick_text(tick[k], text);
+        fprintf(out, "%s'%s' %.12g", k ? ", " : "", text, tick[k]);
+    }
     fprintf(out, ")\n");
 }
 
@@ -54,7 +58,7 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], value[ROOM];
-    int lines = lines_make(c->title, title) + lines_make(c->note, note), above = c->events ? EVENT_ROWS : 0;
+    int lines = lines_make(c->title, title) + lines_make(c->note, note), above = event_rows(c, LETTER);
     int own = lines_make(c->y.label, y), shades = c->map.value ? lines_make(c->map.label, value) : 0;
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + own + 0.1);
@@ -78,24 +82,17 @@ static void texts_script(const struct chart *c, FILE *out)
             longest > 16 ? -longest / 4 : 0);
 }
 
-/* Draws vertical lines; names that would meet are written above each other. */
+/* Draws a vertical line with its name for each event. */
 static void events_script(const struct chart *c, FILE *out)
 {
-    double last[EVENT_ROWS] = {-1, -1};
     for (int k = 0; k < c->events; k++) {
-        const struct chart_event *e = &c->event[k];
-        double place = axis_place(&c->x, e->x);
-        int row = last[0] >= 0 && place - last[0] < 0.16 ? 1 : 0;
-        last[row] = place;
-        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n",
-                e->x, e->x);
+        const struct event_spot spot = event_spot(c, k, LETTER);
+        double x = c->event[k].x;
+        fprintf(out, "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n", x,
+                x);
         fprintf(out, "set label ");
-        quoted(out, e->name);
-        fprintf(out, " noenhanced at %.10g, graph 1 %s offset 0,%g\n", e->x,
-                place < 0.05   ? "left"
-                : place > 0.92 ? "right"
-                               : "center",
-                0.6 + row);
+        quoted(out, c->event[k].name);
+        fprintf(out, " noenhanced at graph %.6g, graph 1 left offset 0,%g\n", spot.from, 0.6 + spot.row);
     }
 }
 
@@ -103,7 +100,7 @@ static void events_script(const struct chart *c, FILE *out)
 static const char *number(double value, char text[32])
 {
     if (isfinite(value))
-        snprintf(text, 32, "%.8g", value);
+        snprintf(text, 32, "%.10g", value);
     else
         snprintf(text, 32, "NaN");
     return text;

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { CHART_TEXT = 192, LABEL = 24, LEGEND_APART = 3, ROWS_LEAST = 4 };
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4 };
 
 /* The part of the canvas between the axes, in cells; bottom is the row of the axis. */
 struct frame {
@@ -176,11 +176,11 @@ static int lines_put(struct canvas *c, int left, int right, int row, int most, b
     return lines;
 }
 
-static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char label[TICKS][LABEL])
+static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char label[TICKS][TICK_TEXT])
 {
     int widest = 0, n = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3, tick);
     for (int k = 0; k < n; k++) {
-        int wide = snprintf(label[k], LABEL, "%.6g", tick[k]);
+        int wide = tick_text(tick[k], label[k]);
         widest = wide > widest ? wide : widest;
     }
     for (int k = n; k < TICKS; k++)
@@ -188,7 +188,7 @@ static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char
     return widest;
 }
 
-static void axis_y_draw(const struct frame *f, const double tick[TICKS], char label[TICKS][LABEL])
+static void axis_y_draw(const struct frame *f, const double tick[TICKS], char label[TICKS][TICK_TEXT])
 {
     bool boxes = f->canvas->look.braille;
     for (int row = f->top; row < f->bottom; row++)
@@ -211,8 +211,8 @@ static void axis_x_draw(const struct frame *f)
     for (int column = f->left; column < f->right; column++)
         canvas_text(c, column, f->bottom, boxes ? "─" : "-", INK_TEXT);
     for (int k = 0; k < n; k++) {
-        char label[LABEL];
-        int wide = snprintf(label, sizeof label, "%.6g", tick[k]);
+        char label[TICK_TEXT];
+        int wide = tick_text(tick[k], label);
         int column = (int)dot_x(f, tick[k]) / c->across, at = column - wide / 2;
         at = at + wide > c->width ? c->width - wide : at;
         if (at < free_from)
@@ -224,22 +224,18 @@ static void axis_x_draw(const struct frame *f)
     lines_put(c, f->left, f->right, f->bottom + 2, f->label_rows, true, f->chart->x.label);
 }
 
-/* Draws vertical lines; names that would meet are written above each other. */
-static void events_draw(const struct frame *f, int rows)
+/* Draws a vertical line with its name for each event. */
+static void events_draw(const struct frame *f)
 {
-    int end[CHART_EVENTS] = {0};
+    const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
+    double wide = f->right - f->left, across = f->canvas->across;
     for (int k = 0; k < f->chart->events; k++) {
-        const struct chart_event *e = &f->chart->event[k];
-        const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
-        double x = clamp(dot_x(f, e->x), f->left * f->canvas->across, f->right * f->canvas->across - 1);
-        int phase = 0, wide = terminal_columns(e->name), row = 0;
-        int start = (int)x / f->canvas->across - wide / 2;
-        int at = (int)clamp(start, f->left, f->right - wide);
+        const struct event_spot spot = event_spot(f->chart, k, 1 / wide);
+        double x = clamp(dot_x(f, f->chart->event[k].x), f->left * across, f->right * across - 1);
+        int phase = 0;
         line_draw(f, x, f->bottom * f->canvas->down - 1, x, f->top * f->canvas->down, &line, &phase);
-        while (row + 1 < rows && at <= end[row])
-            row++;
-        end[row] = at + wide;
-        canvas_text(f->canvas, at, f->top - 1 - row, e->name, INK_TEXT);
+        canvas_text(f->canvas, f->left + (int)floor(spot.from * wide), f->top - 1 - spot.row,
+                    f->chart->event[k].name, INK_TEXT);
     }
 }
 
@@ -301,12 +297,12 @@ static int map_legend(const struct chart *chart, struct canvas *c, int width, in
 
 /* ---- All of it ---- */
 
-static void chart_draw(const struct frame *f, int event_rows)
+static void chart_draw(const struct frame *f)
 {
     const struct chart *chart = f->chart;
     if (chart->map.value)
         map_draw(f);
-    events_draw(f, event_rows);
+    events_draw(f);
     for (int k = 0; k < chart->curves; k++) {
         const struct chart_curve *curve = &chart->curve[k];
         if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
@@ -322,14 +318,15 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
 {
     struct canvas canvas;
     double tick[TICKS];
-    char label[TICKS][LABEL];
+    char label[TICKS][TICK_TEXT];
     int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
-    const int most = height / 10 > 0 ? height / 10 : 1, event_rows = chart->events ? 2 : 0;
+    const int most = height / 10 > 0 ? height / 10 : 1;
     int title_rows = lines_put(NULL, 0, width, 0, most, true, chart->title);
     struct frame f = {.canvas = &canvas, .chart = chart, .left = 7, .right = width};
-    f.top = title_rows + lines_put(NULL, 0, width, 0, most, false, chart->y.label) + event_rows;
+    f.top = title_rows + lines_put(NULL, 0, width, 0, most, false, chart->y.label) +
+            event_rows(chart, 1.0 / (width - 7));
     f.label_rows = lines_put(NULL, f.left, width, 0, most, true, chart->x.label);
     f.bottom = canvas.height - 2 - f.label_rows;
     int legend_rows =
@@ -337,7 +334,7 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     int room = f.bottom - f.top - ROWS_LEAST;
     f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0; /* what does not fit is left out */
     f.left = ticks_y(chart, f.bottom - f.top, tick, label) + 3;
-    chart_draw(&f, event_rows);
+    chart_draw(&f);
     axis_y_draw(&f, tick, label);
     axis_x_draw(&f);
     lines_put(&canvas, 0, width, 0, most, true, chart->title);

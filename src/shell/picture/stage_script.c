@@ -109,6 +109,8 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
     /* The tape of a row begins at domino 1; above, the last tic keeps clear of the caption. */
     double from = stage->left < 0 || v->left > 0 ? v->left : 0, up = ruler_step(34 * v->dot / unit.size);
+    while (up * unit.size > v->high - 10 * v->dot) /* a low row has a tic, too */
+        up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
     tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size); /* at 0 is the unit */
     fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
