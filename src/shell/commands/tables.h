@@ -19,8 +19,7 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Commands that have a file of their own beside their table. */
-extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[], mend_columns[],
-    tolerance_columns[], placement_columns[];
+extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[];
 bool run_cycle(const struct query *query, struct answer *a, struct problem *problem);
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
@@ -53,28 +52,11 @@ bool show_variables(const struct query *query, struct answer *a);
 bool run_let(const struct query *query, struct answer *a, struct problem *problem);
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem);
-bool run_mend(const struct query *query, struct answer *a, struct problem *problem);
-bool run_tolerance(const struct query *query, struct answer *a, struct problem *problem);
-bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Returns the train in double: a proof includes what rounds to it. */
 struct dom_train proof_train(const struct domq_train *train);
 
 /* Lists for names.h the ways to space the rows of 'cycle'. */
 const char *cycle_by(const void *context, int k);
-
-/*
- * Writes the answer of 'placement' from what was counted: stops[k] of the rows ended at domino k + 1, of
- * `count`.  reason, unless NULL, says what is missing.
- */
-void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
-                  const size_t *stops, size_t count, const char *reason);
-
-/*
- * Answers the session's part of a study as counts of fixed blocks of its rows: whichever part computes them,
- * the blocks are the same, and those of all parts are all.
- */
-bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
-                  const struct scene_row *scene, const struct domq_placement *placement);
 
 #endif

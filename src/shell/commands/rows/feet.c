@@ -1,61 +1,62 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/rows/feet.h"
+/* What feet need of the floor: in the train ('slip'), and in a row ('fall'). */
+#include "commands/rows/rows.h"
 #include "language/quad.h"
+
+const char foot_lifted[] = "a domino is lifted off the floor, which no friction prevents";
 
 struct feet feet_begin(const struct query *query)
 {
     return (struct feet){.floor = query->scene->effect[DOM_EFFECT_floor].value[0]};
 }
 
-static void slip_add(struct slip *most, struct slip *first, struct slip slip, domq_real floor)
+static void needs_add(struct needs *n, struct slip slip, domq_real floor)
 {
-    if (slip.needs > most->needs)
-        *most = slip;
-    if (first->head == 0 && slip.needs > floor)
-        *first = slip;
+    if (slip.needs > n->most.needs)
+        n->most = slip;
+    if (n->first.head == 0 && slip.needs > floor)
+        n->first = slip;
 }
 
 void feet_add(struct feet *feet, const struct domq_fall *f)
 {
-    slip_add(&feet->motion, &feet->motion_first, (struct slip){f->floor_motion, f->floor_domino, f->domino},
-             feet->floor);
-    slip_add(&feet->hit, &feet->hit_first, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino},
-             feet->floor);
+    needs_add(&feet->motion, (struct slip){f->floor_motion, f->floor_domino, f->domino}, feet->floor);
+    needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-enum { WHEN = 96 };
-
-/* Writes which foot, and when: "of domino 2, while domino 3 falls". */
-static const char *slip_when(const struct slip *slip, bool hit, char text[WHEN])
+/* Returns "of domino 2, while domino 3 falls". */
+static struct words foot_words(const struct slip *slip, bool hit)
 {
-    int n = snprintf(text, WHEN, "of domino %zu, %s ", slip->domino, hit ? "when" : "while");
-    if (slip->head == slip->domino)
-        snprintf(text + n, (size_t)(WHEN - n), "it %s", hit ? "is hit" : "falls");
-    else
-        snprintf(text + n, (size_t)(WHEN - n), "domino %zu %s", slip->head, hit ? "is hit" : "falls");
-    return text;
+    struct words words;
+    char head[40] = "it";
+    if (slip->head != slip->domino)
+        snprintf(head, sizeof head, "domino %zu", slip->head);
+    snprintf(words.text, sizeof words.text, "of domino %zu, %s %s %s", slip->domino, hit ? "when" : "while",
+             head, hit ? "is hit" : "falls");
+    return words;
 }
 
-/* Prints what feet need, in motion or in collisions. */
-static void slip_say(struct answer *a, const char *begin, const struct slip *most, const struct slip *first,
-                     bool hit, domq_real floor)
+static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_real floor)
 {
-    char when[WHEN], number[WIDE_TEXT];
-    if (isfinite(most->needs))
+    const char *begin = hit ? "In the instant of a hit," : "While dominoes fall,";
+    if (n->most.head == 0)
+        return;
+    if (isfinite(n->most.needs))
         answer_say(a, "%s feet need a friction of up to %s: that %s.", begin,
-                   quad_text(most->needs, 4, number), slip_when(most, hit, when));
+                   measured(n->most.needs, "", 4).text, foot_words(&n->most, hit).text);
     else
         answer_say(a, "%s the foot %s, is lifted off, which no friction prevents.", begin,
-                   slip_when(most, hit, when));
-    if (first->head == 0)
+                   foot_words(&n->most, hit).text);
+    if (n->first.head == 0)
         answer_say(a, "None slips then on a floor with a friction of %.4g.", (double)floor);
-    else if (isfinite(first->needs))
+    else if (isfinite(n->first.needs))
         answer_say(a,
                    "On a floor with a friction of %.4g the foot %s, is the first to slip then; it needs %s.",
-                   (double)floor, slip_when(first, hit, when), quad_text(first->needs, 4, number));
+                   (double)floor, foot_words(&n->first, hit).text, measured(n->first.needs, "", 4).text);
 }
 
-void feet_matter(struct answer *a, bool in_motion)
+/* Says what it means that feet slip: while dominoes fall, or only in the instant of a hit. */
+static void slip_matters_say(struct answer *a, bool in_motion)
 {
     answer_say(
         a, in_motion
@@ -68,17 +69,53 @@ void feet_matter(struct answer *a, bool in_motion)
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)
 {
-    if (feet->motion.head > 0)
-        slip_say(a, "While dominoes fall,", &feet->motion, &feet->motion_first, false, feet->floor);
-    if (feet->hit.head > 0)
-        slip_say(a, "In the instant of a hit,", &feet->hit, &feet->hit_first, true, feet->floor);
-    /* No other domino needs the foot of the last. */
-    bool in_motion = feet->motion_first.head > 0 && feet->motion_first.head < count;
-    if (in_motion || feet->hit_first.head > 0)
-        feet_matter(a, in_motion);
-    if (in_motion || feet->hit_first.head > 0)
-        answer_say(a,
-                   "'effect floor off; effect feet %.4g' runs the row on this floor, with feet that slip, in "
-                   "a rigid-body engine.",
-                   (double)feet->floor);
+    needs_say(a, &feet->motion, false, feet->floor);
+    needs_say(a, &feet->hit, true, feet->floor);
+    /* When the last domino falls, the row has fallen: a slip then does not matter. */
+    bool in_motion = feet->motion.first.head > 0 && feet->motion.first.head < count;
+    if (!in_motion && feet->hit.first.head == 0)
+        return;
+    slip_matters_say(a, in_motion);
+    answer_say(a,
+               "'effect floor off; effect feet %.4g' runs the row on this floor, with feet that slip, in a "
+               "rigid-body engine.",
+               (double)feet->floor);
+}
+
+/* ---- slip ---- */
+
+const struct column slip_columns[] = {
+    {"motion", "", "friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
+    {"theta", "rad", "tilt of the head at that moment", 0},
+    {"domino", "", "the domino whose foot needs it: 0 = head, 1, 2, ... its followers", 0},
+    {"hit", "", "friction that feet need in the instant of a hit: the largest ratio of impulses", 0},
+    {"hit_domino", "", "the domino whose foot needs it", 0},
+    {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
+    {"slips_hit", "", "yes if a foot slips in the instant of a hit on that floor", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct domq_floor f;
+    const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
+    enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
+    answer_row(a,
+               ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
+                   cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
+                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
+                   floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
+               isfinite(f.motion) && isfinite(f.hit) ? NULL : foot_lifted);
+    if (!floor->on)
+        answer_say(a, "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
+    else
+        answer_say(a, "On a floor with a friction of %.4g %s while dominoes fall, and %s in a collision.",
+                   (double)floor->value[0], slips ? "feet slip" : "no foot slips",
+                   slips_hit ? "feet slip" : "no foot slips");
+    if (floor->on && (slips || slips_hit))
+        slip_matters_say(a, slips);
+    return true;
 }

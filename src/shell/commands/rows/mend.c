@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* mend: the smallest change of one gap that saves a row. */
-#include "commands/rows/falling.h"
-#include "commands/tables.h"
+#include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -46,38 +45,49 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
 
 /* ---- Answers ---- */
 
-static const char no_single_gap[] =
-    "no change of a single gap saves this row; change several gaps, the push, or the dominoes";
-
-/* Returns the end of a window, rounded into the window to four digits. */
-static domq_real inwards(domq_real end, bool up)
+static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_push)
 {
-    if (!(end > 0))
-        return end;
-    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(end)) - 3);
-    return (up ? quad(ceil)(end / digit) : quad(floor)(end / digit)) * digit;
+    const struct measured to = measured(m->to, "m", 7);
+    answer_say(a, "%s %s the gap before domino %zu by %s, from %s to %s.",
+               needs_push ? "Without another push, the smallest change:" : "The smallest change:",
+               m->to < m->gap ? "narrow" : "widen", m->domino,
+               measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text, to.text);
+    answer_say(a, "'place %zu %s' is just enough.", m->domino, to.text);
+    if (quad(fabs)(m->until - m->to) <= (domq_real)1e-4 * m->to)
+        return;
+    const bool wider = m->until > m->to;
+    const domq_real until = round_digits(m->until, 4, !wider), room = m->to + (until - m->to) / 3;
+    const struct measured end = measured(until, "m", 7);
+    const char *from = until > 0 ? (wider ? to : end).text : "";
+    answer_say(a, "All fall with gaps %s%s%s%s: 'place %zu %s' leaves room for errors of %s.",
+               *from ? "between " : "up to ", from, *from ? " and " : "", (wider ? end : to).text, m->domino,
+               measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-static void mend_say(struct answer *a, const struct domq_mend *m, size_t found, bool pushless)
+/* Writes the changes that were found, and says how to make the smallest one. */
+static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
+                         const struct domq_verdict *v, size_t count)
 {
-    if (found == 0) {
-        answer_say(a, "N%s.", no_single_gap + 1);
-        return;
+    static const char no_single_gap[] =
+        "no change of a single gap saves this row; change several gaps, the push, or the dominoes";
+    const bool falls = v->end == DOM_ROW_FALLS;
+    for (size_t i = 0; i < found; i++) {
+        domq_real change = list[i].to - list[i].gap;
+        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
+                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
+                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
     }
-    answer_say(a, "%s %s the gap before domino %zu by %s, from %s to %s.",
-               pushless ? "Without another push, the smallest change:" : "The smallest change:",
-               m->to < m->gap ? "narrow" : "widen", m->domino,
-               measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text,
-               measured(m->to, "m", 7).text);
-    answer_say(a, "'place %zu %s' is just enough.", m->domino, measured(m->to, "m", 7).text);
-    bool wider = m->until > m->to;
-    domq_real until = inwards(m->until, !wider), room = m->to + (until - m->to) / 3;
-    struct measured to = measured(m->to, "m", 7), end = measured(until, "m", 7);
-    if (quad(fabs)(m->until - m->to) > (domq_real)1e-4 * m->to)
-        answer_say(a, "All fall with gaps %s%s%s%s: 'place %zu %s' leaves room for errors of %s.",
-                   until > 0 ? "between " : "up to ", until > 0 ? (wider ? to : end).text : "",
-                   until > 0 ? " and " : "", (wider ? end : to).text, m->domino, measured(room, "m", 4).text,
-                   measured(quad(fabs)(room - m->to), "m", 2).text);
+    if (found > 0)
+        mend_say(a, list, push_lacks(v));
+    else if (!answer_for_people(a))
+        answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}},
+                   falls ? "all fall" : no_single_gap);
+    else if (falls)
+        answer_say(a, "%s: no gap has to change.", all_fall_words(count).text);
+    else
+        answer_say(a, "N%s.", no_single_gap + 1);
+    if (falls)
+        weakest_say(a, v);
 }
 
 bool run_mend(const struct query *query, struct answer *a, struct problem *problem)
@@ -91,26 +101,14 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
         return false;
     scene.row.floor = false;
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
-    bool falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &scene, &v);
-    if (status == DOM_OK && !falls) {
+    if (status == DOM_OK && v.end != DOM_ROW_FALLS) {
         status = domq_row_mend(&scene.row, &scene.compute, mend_progress, &progress, list, &found);
         progress_show(&progress, 1);
     }
-    for (size_t i = 0; i < found; i++) {
-        domq_real change = list[i].to - list[i].gap;
-        answer_cells(a, cell_count((domq_real)list[i].domino), cell_narrow(list[i].gap, 7),
-                     cell_narrow(list[i].to, 7), cell_narrow(list[i].until, 7), cell_narrow(change, 5),
-                     cell_narrow(list[i].gap > 0 ? change / list[i].gap : DOMQ_NAN, 4));
-    }
-    const struct cell none = cell_real(DOMQ_NAN);
-    if (status == DOM_OK && found == 0 && !answer_for_people(a)) /* programs get the reason */
-        answer_row(a, ROW(none, none, none, none, none, none), falls ? "all fall" : no_single_gap);
-    else if (falls)
-        verdict_say(a, &scene, &v, NULL, false);
-    else if (status == DOM_OK)
-        mend_say(a, list, found, push_lacks(&v));
+    if (status == DOM_OK)
+        mends_answer(a, list, found, &v, scene.row.count);
     free(scene.domino);
     return status == DOM_OK || row_status(query, problem, status);
 }

@@ -1,67 +1,123 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about rows with random errors, and about the friction of the floor. */
-#include "commands/rows/falling.h"
-#include "commands/rows/feet.h"
+/* placement and budget: rows with random errors; and the table of the commands about studies. */
+#include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
-#include <string.h>
 
-/* Makes the row and its random errors. Reports an error if they are needed and there are none. */
-static bool study_make(const struct query *query, struct problem *problem, domq_real rows, bool needed,
-                       struct task_pool *pool, struct scene_row *scene, struct domq_placement *p)
+/* A row that is set up many times with random errors. The pool of threads is in here: do not copy it. */
+struct trials {
+    struct scene_row scene;
+    struct domq_placement placement;
+    struct task_pool pool;
+};
+
+/* Makes the row and its random errors. Returns false with a problem, and then there is nothing to free. */
+static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
+                        struct trials *t)
 {
     const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
-    if (!scene_row_make(query->scene, scene, problem))
+    if (!scene_row_make(query->scene, &t->scene, problem))
         return false;
-    if (!errors->on && needed) {
-        free(scene->domino);
-        problem_error(problem, "this command needs random errors; first enter 'effect placement 1 mm'");
-        return false;
-    }
-    *p = (struct domq_placement){
+    t->pool = (struct task_pool){.threads = query->state->settings.threads,
+                                 .progress = progress,
+                                 .interrupt = query->scene->compute.interrupt};
+    t->placement = (struct domq_placement){
         .sigma = errors->on ? errors->value[0] : 0,
         .heights = errors->on ? errors->value[1] : 0,
         .seed = (unsigned long)query->scene->seed,
         .rows = (size_t)rows,
         .parallel = workers_tasks,
-        .pool = pool,
+        .pool = &t->pool,
     };
-    pool->threads = query->state->settings.threads;
-    pool->interrupt = query->scene->compute.interrupt;
     return true;
 }
 
 /* ---- placement ---- */
 
-static bool placement_all(const struct query *query, struct answer *a, struct problem *problem,
-                          const struct scene_row *scene, const struct domq_placement *p)
+const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of every gap", 0},
+    {"heights", "share", "relative standard deviation of every height", 0},
+    {"rows", "", "number of rows that were set up", 0},
+    {"fall", "", "number of them that fall completely", 0},
+    {"probability", "share", "fall / rows", 0},
+    {"low", "share", "95 % interval of the probability, from here ...", 0},
+    {"high", "share", "... to here", 0},
+    {"unknown", "", "rows that the model cannot follow; they widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the others stop", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/*
+ * Returns the domino, as an index, that comes after `last` if dominoes where more rows stop come first; with
+ * last = count, the domino where most rows stop. Returns count if no other row stops.
+ */
+static size_t stop_next(const size_t *stops, size_t count, size_t last)
 {
+    size_t next = count;
+    for (size_t k = 0; k < count; k++) {
+        bool is_after = last == count || stops[k] < stops[last] || (stops[k] == stops[last] && k > last);
+        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
+            next = k;
+    }
+    return next;
+}
+
+void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
+                  const size_t *stops, size_t count, const char *reason)
+{
+    enum { SHOWN = 5 };
+    const size_t others = study->rows - study->fall - study->unknown, most = stop_next(stops, count, count);
+    char text[200] = "";
+    size_t k = most;
+    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(stops, count, k))
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
+                      100 * (double)stops[k] / (double)others);
+    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
+               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
+               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
+    if (*text)
+        answer_say(a, "The others stop at domino %s.", text);
+    answer_row(a,
+               ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
+                   cell_count((domq_real)study->fall),
+                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
+                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
+                   cell_count((domq_real)study->unknown),
+                   most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN)),
+               reason);
+}
+
+static bool placement_answer(const struct query *query, struct answer *a, struct problem *problem,
+                             const struct trials *t)
+{
+    const struct domq_placement *p = &t->placement;
+    const size_t count = t->scene.row.count;
     struct domq_study study = {.rows = 0};
     char partial[80];
-    size_t *stops = calloc(scene->row.count, sizeof *stops);
+    size_t *stops = calloc(count, sizeof *stops);
     enum dom_status status =
-        stops ? domq_placement_study(&scene->row, &scene->compute, p, &study, stops) : DOM_NO_MEMORY;
-    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->point; /* no point of a sweep */
+        stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
+    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->point; /* a sweep just ends */
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
     if (status == DOM_OK || interrupted)
-        study_answer(a, p->sigma, p->heights, &study, stops, scene->row.count, interrupted ? partial : NULL);
+        study_answer(a, p->sigma, p->heights, &study, stops, count, interrupted ? partial : NULL);
     free(stops);
     return status == DOM_OK || row_status(query, problem, status);
 }
 
 static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct scene_row scene;
-    struct domq_placement p;
-    struct task_pool pool = {.progress = true};
-    domq_real rows = query->given->count > 0 ? query->given->number[0] : 2000;
-    if (!study_make(query, problem, rows, true, &pool, &scene, &p))
+    struct trials t;
+    if (!trials_make(query, problem, query->given->count > 0 ? query->given->number[0] : 2000, true, &t))
         return false;
-    bool done = query->means->shard.parts > 0 ? study_blocks(query, a, problem, &scene, &p)
-                                              : placement_all(query, a, problem, &scene, &p);
-    free(scene.domino);
+    bool done = !query->scene->effect[DOM_EFFECT_placement].on
+                    ? problem_error(problem, "this command needs random errors; first enter 'effect "
+                                             "placement 1 mm'")
+                : query->means->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
+                                                : placement_answer(query, a, problem, &t);
+    free(t.scene.domino);
     return done;
 }
 
@@ -76,88 +132,86 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes a share: "95 of 100", or "99.95 %" if it is not a whole number of 1000. */
-enum { SHARE_OF = CELL_TEXT + 16 };
-static const char *share_of(domq_real share, char text[SHARE_OF])
+/* Returns 100 or 1000 if the share is a whole number of so many rows; 0 otherwise. */
+static int rows_of(domq_real share)
 {
-    for (int of = 100; of <= 1000; of *= 10) {
-        domq_real number = quad(round)(share * of);
-        if (quad(fabs)(share * of - number) < (domq_real)1e-9) {
-            snprintf(text, SHARE_OF, "%.0f of %d", (double)number, of);
-            return text;
-        }
-    }
-    snprintf(text, SHARE_OF, "%s of the", measured(share, "share", 6).text);
-    return text;
+    for (int of = 100; of <= 1000; of *= 10)
+        if (quad(fabs)(share * of - quad(round)(share * of)) < (domq_real)1e-9)
+            return of;
+    return 0;
 }
 
-/* Returns sigma with two digits, rounded down, so that not fewer rows fall. */
+/* Returns "95 of 100", or "99.95 % of the" if the share is not a whole number of 1000. */
+static struct words share_words(domq_real share)
+{
+    struct words words;
+    const int of = rows_of(share);
+    if (of)
+        snprintf(words.text, sizeof words.text, "%.0f of %d", round((double)share * of), of);
+    else
+        snprintf(words.text, sizeof words.text, "%s of the", measured(share, "share", 6).text);
+    return words;
+}
+
+/* Returns sigma with two digits, rounded down, so that no fewer rows fall. */
 static domq_real two_digits(domq_real sigma)
 {
-    domq_real digit = quad(pow)(10, quad(floor)(quad(log10)(sigma)) - 1);
-    return quad(floor)(sigma / digit * (1 + (domq_real)1e-12)) * digit;
+    return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
 /* Says how precisely to place the gaps, and between which shares the rows fall then. */
-static enum dom_status budget_say(struct answer *a, const struct scene_row *scene,
-                                  const struct domq_placement *p, const struct domq_budget *budget,
+static enum dom_status budget_say(struct answer *a, const struct trials *t, const struct domq_budget *budget,
                                   domq_real share)
 {
-    struct domq_placement at = *p;
+    struct domq_placement at = t->placement;
     struct domq_study study;
-    char text[SHARE_OF];
     at.sigma = two_digits(budget->sigma);
-    enum dom_status status = domq_placement_study(&scene->row, &scene->compute, &at, &study, NULL);
+    enum dom_status status = domq_placement_study(&t->scene.row, &t->scene.compute, &at, &study, NULL);
     if (status != DOM_OK)
         return status;
-    share_of(share, text);
-    double of = strstr(text, "of 1000") ? 1000 : 100;
-    int digits = strchr(text, '%') ? 2 : 0; /* rounded outwards */
-    double digit = pow(10, -digits);
+    const int of = rows_of(share), digits = of ? 0 : 2;
+    const double digit = pow(10, -digits), scale = of ? of : 100;
     answer_say(a, "Place the gaps within %s (one standard deviation): then %s rows fall (%.*f to %.*f%s).",
-               measured(at.sigma, "m", 2).text, text, digits, floor(of * study.low / digit) * digit, digits,
-               ceil(of * study.high / digit) * digit, digits ? " %" : "");
+               measured(at.sigma, "m", 2).text, share_words(share).text, digits,
+               floor(scale * study.low / digit) * digit, digits, ceil(scale * study.high / digit) * digit,
+               of ? "" : " %");
     return DOM_OK;
 }
 
 /* Answers with what was found before ^C. */
 static void budget_partial(struct answer *a, const struct domq_budget *b, domq_real share, domq_real rows)
 {
-    static const char partial[] = "interrupted: the answer is between low and high";
-    char text[SHARE_OF];
-    bool open = !isfinite(b->high);
-    if (answer_for_people(a))
-        answer_say(a, "Interrupted: with gaps placed within %s at least %s rows fall%s%s.",
-                   measured(two_digits(b->sigma), "m", 2).text, share_of(share, text),
-                   open ? "; how many fall with larger errors is not known" : ", and fewer with ",
-                   open ? "" : measured(b->high, "m", 2).text);
+    const bool open = !isfinite(b->high), people = answer_for_people(a);
+    answer_say(a, "Interrupted: with gaps placed within %s at least %s rows fall%s%s.",
+               measured(two_digits(b->sigma), "m", 2).text, share_words(share).text,
+               open ? "; how many fall with larger errors is not known" : ", and fewer with ",
+               open ? "" : measured(b->high, "m", 2).text);
     answer_row(a,
                ROW(cell_real(share), cell_narrow(b->sigma, 4), cell_narrow(b->low, 4),
                    cell_narrow(b->high, 4), cell_count(rows)),
-               answer_for_people(a) ? NULL : partial);
+               people ? NULL : "interrupted: the answer is between low and high");
 }
 
 static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct scene_row scene;
-    struct domq_placement p;
+    struct trials t;
     struct domq_budget budget = {.sigma = 0};
-    struct task_pool pool = {.progress = false}; /* how many studies it takes is not known */
     domq_real share = query->given->number[0],
               rows = query->given->count > 1 ? query->given->number[1] : 1000;
     if (!(share > 0 && share < 1))
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!study_make(query, problem, rows, false, &pool, &scene, &p))
+    if (!trials_make(query, problem, rows, false /* how many studies it takes is not known */, &t))
         return false;
-    enum dom_status status = domq_placement_budget(&scene.row, &scene.compute, &p, (double)share, &budget);
+    enum dom_status status =
+        domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement, (double)share, &budget);
     bool any = !isfinite(budget.sigma);
     if (status == DOM_OK && !any && answer_for_people(a))
-        status = budget_say(a, &scene, &p, &budget, share);
-    free(scene.domino);
+        status = budget_say(a, &t, &budget, share);
+    free(t.scene.domino);
     if (status == DOM_STOPS)
-        return problem_no_answer(problem, p.heights > 0
+        return problem_no_answer(problem, t.placement.heights > 0
                                               ? "even with exact gaps fewer rows fall; enter a smaller P"
                                               : "even with exact gaps the row does not fall; 'mend' finds a "
                                                 "change that saves it");
@@ -172,57 +226,18 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                       any ? "even with errors as large as the largest gap more rows fall" : NULL);
 }
 
-/* ---- slip ---- */
-
-static const struct column slip_columns[] = {
-    {"motion", "", "friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
-    {"theta", "rad", "tilt of the head at that moment", 0},
-    {"domino", "", "the domino that needs it: 0 = head, 1, 2, ... its followers", 0},
-    {"hit", "", "friction that they need in the instant of a hit: the largest ratio of impulses", 0},
-    {"hit_domino", "", "the domino that needs it", 0},
-    {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
-    {"slips_hit", "", "yes if a foot slips in the instant of a hit on that floor", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-static bool run_slip(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct domq_floor f;
-    const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
-    answer_row(a,
-               ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),
-                   cell_bound(f.hit, DOMQ_NAN), cell_count((domq_real)f.hit_domino),
-                   floor->on ? cell_flag(slips) : cell_real(DOMQ_NAN),
-                   floor->on ? cell_flag(slips_hit) : cell_real(DOMQ_NAN)),
-               !isfinite(f.motion) || !isfinite(f.hit)
-                   ? "a domino is lifted off the floor, which no friction prevents"
-                   : NULL);
-    if (floor->on)
-        answer_say(a, "On a floor with a friction of %.4g %s while dominoes fall, and %s in a collision.",
-                   (double)floor->value[0], slips ? "feet slip" : "no foot slips",
-                   slips_hit ? "feet slip" : "no foot slips");
-    if (floor->on && (slips || slips_hit))
-        feet_matter(a, slips);
-    if (!floor->on)
-        answer_say(a, "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
-    return true;
-}
+/* ---- The table of commands ---- */
 
 const struct command study_commands[] = {
     {.name = "placement",
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that all fall, and where rows stop",
-     .help =
-         "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first enter "
-         "'effect placement 1 mm'. Row number i is the same for the same 'seed', with any number of "
-         "'threads'. ^C ends the study, whose answer is then that of the rows so far. With 'domino --shard "
-         "2/7' the answer is the second of seven "
-         "parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
+     .help = "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first "
+             "enter 'effect placement 1 mm'. With the same 'seed', row number i is always the same, with any "
+             "number of 'threads'. ^C ends the study, and the answer is then about the rows so far. With "
+             "'domino --shard 2/7' the answer is the second of seven parts of the study: counts for blocks "
+             "of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 8 mm; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -233,8 +248,8 @@ const struct command study_commands[] = {
      .summary = "the answer of 'placement', from the parts of a study",
      .help = "FILE, or '-' for standard input, has the outputs of 'domino --shard I/N' with 'set output csv' "
              "and 'placement' for all I, concatenated in any order. The answer is that of the whole study, "
-             "digit for digit. Missing rows are reported; rows that are there twice and blocks of another "
-             "study are errors.",
+             "digit for digit. If rows are missing, the answer says so; it is an error if rows are there "
+             "twice, or if blocks are of different studies.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
@@ -248,8 +263,9 @@ const struct command study_commands[] = {
      .summary = "how precise gaps must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
              "rows if ROWS is left out). The random rows are the same at every sigma. The numbers after the "
-             "share are its 95 % interval. Random heights count too, with 'effect placement 1 mm 0.01'; "
-             "its error of the gaps is not used. ^C ends the search with what it has found.",
+             "share are its 95 % interval. With 'effect placement 1 mm 0.01' heights have random errors, "
+             "too; the errors of gaps in this effect are not used. ^C ends the search, and the answer is "
+             "then what it has found so far.",
      .example = "effect row 13; budget 0.9 200",
      .see = "placement mend",
      .principal = "sigma",
@@ -258,8 +274,8 @@ const struct command study_commands[] = {
      .synonyms = "foot feet slide slippery ground",
      .train = true,
      .summary = "the friction of the floor with which no foot slips",
-     .help = "Finds the largest friction that a foot needs while dominoes fall, over the whole cycle and all "
-             "dominoes that move; and, apart, in the instant of a hit.",
+     .help = "Finds the largest friction that the foot of any moving domino needs during the cycle: while "
+             "dominoes fall, and separately in the instant of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* tolerance: how far each domino of a row may be off, so that all still fall. */
-#include "commands/rows/falling.h"
-#include "commands/tables.h"
+#include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* fall and verdict: the row of the scene is run once; fall lists its dominoes, verdict sums up. */
+#include "commands/rows/row_run.h"
+#include "commands/rows/rows.h"
+#include "commands/walk.h"
+#include "language/quad.h"
+
+const struct column fall_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"height", "m", "its height", 6},
+    {"hit", "s", "when it is hit; the clock starts with the push, or with the first hit", 7},
+    {"falls", "s", "when it hits the next domino, or lies on the floor", 7},
+    {"omega", "rad/s", "its angular velocity just after it is hit", 6},
+    {"kinetic", "mgh/2", "energy of all dominoes that move then; in J if masses are known", 9},
+    {"barrier", "mgh/2", "the energy that it needs to go on", 9},
+    {"margin", "mgh/2", "kinetic - barrier", 9},
+    {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
+    {"floor", "", "friction that feet need while it falls; with 'effect floor'", 5},
+    {"floor_hit", "", "the same in the instant when it is hit; no foot has to hold for longer", 9},
+    {"slid", "m", "how far its foot has slid, backwards if negative; with 'effect feet'", 7},
+    {NULL, NULL, NULL, 0},
+};
+
+const struct column verdict_columns[] = {
+    {"verdict", "", "all fall, stops, or another end of the row", 12},
+    {"domino", "", "the last domino that is hit", 0},
+    {"short_by", "mgh/2", "energy that it lacks; in J if masses are known", 0},
+    {"seconds", "s", "until the last domino lies; the clock is that of 'fall'", 0},
+    {"weakest", "", "of the dominoes that go on, the one with the least to spare", 0},
+    {"spare", "share", "energy that it has to spare, over the energy that it needs", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+struct falling {
+    struct answer *answer;
+    struct row_run run;
+    struct feet feet;
+    struct domq_fall last; /* the last domino that was hit */
+};
+
+static bool is_slippery(const struct scene_row *scene)
+{
+    return scene->row.engine && isfinite(scene->engine.effects.feet);
+}
+
+/* Returns how far the foot of domino k, counted from 0, has slid in the engine. */
+static domq_real slid(const struct scene_row *scene, size_t k)
+{
+    return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
+}
+
+/* ---- In words ---- */
+
+static void all_fall_say(struct answer *a, const struct falling *f)
+{
+    const size_t count = f->run.scene.row.count;
+    const bool pushed = !isnan(f->run.scene.row.push);
+    const struct words fall = all_fall_words(count);
+    if (count == 1 && !pushed)
+        answer_say(a, "%s.", fall.text);
+    else if (isfinite(f->run.verdict.seconds))
+        answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
+                   measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
+    else
+        answer_say(a, "%s, but one almost stops, so that its time cannot be computed.", fall.text);
+}
+
+/* Returns why the row ends before its last domino. */
+static const char *end_reason(const struct row_run *run)
+{
+    const struct domq_verdict *v = &run->verdict;
+    if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
+        return "it falls, and the next one stays upright";
+    if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
+        return "its energy is too small, and farther on friction locks, so that no energy is enough";
+    return dom_row_end_text(v->end);
+}
+
+static void verdict_say(struct answer *a, const struct falling *f)
+{
+    const struct domq_verdict *v = &f->run.verdict;
+    const size_t count = f->run.scene.row.count;
+    if (v->end == DOM_ROW_FALLS)
+        all_fall_say(a, f);
+    else if (v->end == DOM_ROW_STOPS && isfinite(v->short_by))
+        answer_say(a, "The row stops at domino %zu of %zu, which has %s.%s", v->domino, count,
+                   energy_words(fall_share(&f->last)).text,
+                   count > 1 ? " 'mend' looks for a change that saves the row." : "");
+    else
+        answer_say(a, "The row ends at domino %zu of %zu: %s.", v->domino, count, end_reason(&f->run));
+    weakest_say(a, v);
+}
+
+/* Says which foot slides the farthest, as a share of the height of its domino. */
+static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
+{
+    size_t most = 0;
+    domq_real share = 0;
+    for (size_t k = 0; k < hits; k++) {
+        domq_real of = quad(fabs)(slid(scene, k)) / scene->domino[k].height;
+        most = of > share ? k : most;
+        share = quad_larger(share, of);
+    }
+    if (share < (domq_real)1 / 1000)
+        answer_say(a, "No foot slides by more than a thousandth of the height of its domino.");
+    else
+        answer_say(a, "Feet slide: that of domino %zu the farthest for its size, %s %s, %s of its height.",
+                   most + 1, measured(quad(fabs)(slid(scene, most)), "m", 3).text,
+                   slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
+}
+
+/* Says how far feet slide in the engine, and how sure its answer is. */
+static void engine_say(struct answer *a, const struct row_run *run)
+{
+    const struct engine_settled *s = &run->scene.report.settled;
+    if (is_slippery(&run->scene))
+        slide_say(a, &run->scene, run->verdict.domino);
+    if (run->scene.row.engine)
+        answer_say(a,
+                   "Chipmunk %s, a rigid-body engine, ran it with %g steps in sqrt(h/g): with half as many "
+                   "the verdict is the same, and times agree to %.2g %%.",
+                   engine_version(), s->steps, 100 * s->change);
+}
+
+/* ---- The run ---- */
+
+/* Leaves columns out: people read energies in percent, and in J if masses are known. */
+static void fall_choose(struct answer *a, const struct scene_row *scene, bool weighed)
+{
+    bool people = answer_for_people(a);
+    if (people && !weighed) {
+        answer_leave_out(a, "kinetic");
+        answer_leave_out(a, "barrier");
+    }
+    if (people)
+        answer_leave_out(a, "margin");
+    if (people && scene->row.engine) /* the engine computes no barrier */
+        answer_leave_out(a, "energy");
+    if (!scene->row.floor) {
+        answer_leave_out(a, "floor");
+        answer_leave_out(a, "floor_hit");
+    }
+    if (!is_slippery(scene))
+        answer_leave_out(a, "slid");
+}
+
+static bool fall_seen(const struct domq_fall *fall, void *context)
+{
+    struct falling *f = context;
+    f->last = *fall;
+    feet_add(&f->feet, fall);
+    return true;
+}
+
+/* Returns NaN if no energy is enough, since friction locks farther on. */
+static domq_real enough(domq_real energy)
+{
+    return isfinite(energy) ? energy : DOMQ_NAN;
+}
+
+static bool fall_row(const struct domq_fall *fall, void *context)
+{
+    struct falling *f = context;
+    bool lifted = isinf(fall->floor_motion) || isinf(fall->floor_hit);
+    const size_t k = fall->domino - 1;
+    answer_row(f->answer,
+               ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
+                   cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
+                   cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4),
+                   cell_narrow(enough(fall->barrier), 4), cell_narrow(enough(fall->margin), 4),
+                   cell_narrow(fall_share(fall), 4), cell_narrow(fall->floor_motion, 3),
+                   cell_narrow(fall->floor_hit, 3), cell_narrow(slid(&f->run.scene, k), 3)),
+               lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
+    return fall_seen(fall, context) && !answer_lost(f->answer);
+}
+
+static void verdict_row(struct answer *a, const struct row_run *run)
+{
+    static const char *const words[] = {
+        [DOM_ROW_FALLS] = "all fall",      [DOM_ROW_STOPS] = "stops",   [DOM_ROW_MISSES] = "misses",
+        [DOM_ROW_PASSES] = "passes above", [DOM_ROW_LEANS] = "leans",   [DOM_ROW_PARTS] = "parts",
+        [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches"};
+    char reason[ANSWER_REASON];
+    const struct domq_verdict *v = &run->verdict;
+    const struct engine_report *report = &run->scene.report;
+    bool falls = v->end == DOM_ROW_FALLS;
+    const struct cell cells[] = {
+        cell_word(words[v->end]),
+        cell_count((domq_real)v->domino),
+        cell_bound(enough(v->short_by), DOMQ_NAN),
+        cell_bound(falls ? v->seconds : DOMQ_NAN,
+                   run->scene.row.engine ? (domq_real)(report->settled.change * report->seconds) : DOMQ_NAN),
+        v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
+        cell_bound(v->spare, DOMQ_NAN)};
+    snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
+    if (answer_for_people(a)) /* who read it in sentences */
+        answer_keep(a, cells);
+    else
+        answer_row(a, cells, falls ? NULL : reason);
+}
+
+/* Runs the row and answers, with a row for each domino if they are listed. */
+static bool row_fall(const struct query *query, struct answer *a, struct problem *problem, bool listed)
+{
+    struct falling f = {.answer = a, .feet = feet_begin(query)};
+    const struct domq_verdict *v = &f.run.verdict;
+    const struct scene_row *scene = &f.run.scene;
+    if (!row_run_begin(query, problem, &f.run))
+        return false;
+    if (scene_weighed(query->scene))
+        columns_in_joules(a);
+    if (listed)
+        fall_choose(a, scene, scene_weighed(query->scene));
+    for (size_t k = 0; k < scene->row.count && listed; k++)
+        answer_largest(a, "height", scene->domino[k].height);
+    enum dom_status status =
+        domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_seen, &f, &f.run.verdict);
+    bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
+    answer_holds(a, known && v->end == DOM_ROW_FALLS);
+    if (known && !listed)
+        verdict_row(a, &f.run);
+    if (known || (status == DOM_OK && listed)) {
+        verdict_say(a, &f);
+        if (scene->row.floor)
+            feet_say(a, &f.feet, scene->row.count);
+        engine_say(a, &f.run);
+    }
+    row_run_free(&f.run);
+    if (status != DOM_OK)
+        return row_status(query, problem, status);
+    return known || problem_no_answer(problem, "there is no verdict after domino %zu: %s", v->domino,
+                                      dom_row_end_text(v->end));
+}
+
+bool run_fall(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return row_fall(query, a, problem, true);
+}
+
+bool run_verdict(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return row_fall(query, a, problem, false);
+}
