@@ -32,7 +32,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     same again "$first" "$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")"
     # The unit of lengths does not matter.
     same scaled "$(json "$scene; effect feet 0.3; verdict" | values verdict)" \
-        "$(json "$scene; effect push 0.5; set h 4.8; effect feet 0.3; verdict" | values verdict)"
+        "$(json "$scene; effect push 0.5; set h 4.8 m; effect feet 0.3; verdict" | values verdict)"
 }
 
 @test "a domino that hardly moves has an angular velocity of 0, not one of rounding errors" {

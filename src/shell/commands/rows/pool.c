@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A study of placement in parts. The results of random rows are counts, which can be added up: each part
- * writes the counts of blocks, whose row numbers do not depend on the number of parts, and 'pool' reads all
- * blocks and gives the answer of 'placement'.
+ * The answer of a study of placement, as a whole and in parts. The results of random rows are counts, which
+ * can be added up: each part writes the counts of blocks, whose row numbers do not depend on the number of
+ * parts, and 'pool' reads all blocks and gives the answer of 'placement'.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
@@ -10,6 +10,63 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* ---- The answer of a study ---- */
+
+const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of every gap", 0},
+    {"heights", "share", "relative standard deviation of every height", 0},
+    {"rows", "", "number of rows that were set up", 0},
+    {"fall", "", "number of them that fall completely", 0},
+    {"probability", "share", "fall / rows", 0},
+    {"low", "share", "95 % interval of the probability, from here ...", 0},
+    {"high", "share", "... to here", 0},
+    {"unknown", "", "rows that the model cannot follow; they widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the others stop", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/*
+ * Returns the domino, as an index, that comes after `last` if dominoes where more rows stop come first; with
+ * last = count, the domino where most rows stop. Returns count if no other row stops.
+ */
+static size_t stop_next(const size_t *stops, size_t count, size_t last)
+{
+    size_t next = count;
+    for (size_t k = 0; k < count; k++) {
+        bool is_after = last == count || stops[k] < stops[last] || (stops[k] == stops[last] && k > last);
+        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
+            next = k;
+    }
+    return next;
+}
+
+void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
+                  const size_t *stops, size_t count, const char *reason)
+{
+    enum { SHOWN = 5 };
+    const size_t others = study->rows - study->fall - study->unknown, most = stop_next(stops, count, count);
+    char text[200] = "";
+    size_t k = most;
+    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(stops, count, k))
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
+                      100 * (double)stops[k] / (double)others);
+    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
+               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
+               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
+    if (*text)
+        answer_say(a, "The others stop at domino %s.", text);
+    answer_row(a,
+               ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
+                   cell_count((domq_real)study->fall),
+                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
+                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
+                   cell_count((domq_real)study->unknown),
+                   most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN)),
+               reason);
+}
+
+/* ---- Writing blocks ---- */
 
 enum { BLOCK_ROWS = 100, STOPS_TEXT = BLOCK_ROWS * 16 };
 
@@ -27,8 +84,6 @@ static const struct column block_columns[] = {
     {"stops", "", "the others: domino at which they stop, and how many", 20},
     {NULL, NULL, NULL, 0},
 };
-
-/* ---- Writing blocks ---- */
 
 /* Adds a value to a checksum (FNV-1a of Fowler, Noll and Vo). */
 static void checksum_add(uint32_t *sum, domq_real value)

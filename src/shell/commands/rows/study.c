@@ -36,59 +36,6 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
 
 /* ---- placement ---- */
 
-const struct column placement_columns[] = {
-    {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "share", "relative standard deviation of every height", 0},
-    {"rows", "", "number of rows that were set up", 0},
-    {"fall", "", "number of them that fall completely", 0},
-    {"probability", "share", "fall / rows", 0},
-    {"low", "share", "95 % interval of the probability, from here ...", 0},
-    {"high", "share", "... to here", 0},
-    {"unknown", "", "rows that the model cannot follow; they widen the interval", 0},
-    {"stops_most", "", "the domino at which most of the others stop", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/*
- * Returns the domino, as an index, that comes after `last` if dominoes where more rows stop come first; with
- * last = count, the domino where most rows stop. Returns count if no other row stops.
- */
-static size_t stop_next(const size_t *stops, size_t count, size_t last)
-{
-    size_t next = count;
-    for (size_t k = 0; k < count; k++) {
-        bool is_after = last == count || stops[k] < stops[last] || (stops[k] == stops[last] && k > last);
-        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
-            next = k;
-    }
-    return next;
-}
-
-void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
-                  const size_t *stops, size_t count, const char *reason)
-{
-    enum { SHOWN = 5 };
-    const size_t others = study->rows - study->fall - study->unknown, most = stop_next(stops, count, count);
-    char text[200] = "";
-    size_t k = most;
-    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(stops, count, k))
-        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
-                      100 * (double)stops[k] / (double)others);
-    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
-               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
-               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
-    if (*text)
-        answer_say(a, "The others stop at domino %s.", text);
-    answer_row(a,
-               ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
-                   cell_count((domq_real)study->fall),
-                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
-                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
-                   cell_count((domq_real)study->unknown),
-                   most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN)),
-               reason);
-}
-
 static bool placement_answer(const struct query *query, struct answer *a, struct problem *problem,
                              const struct trials *t)
 {
