@@ -178,7 +178,7 @@ END
     done
     # Heights of a row that is low in the picture are in the unit that stands at 0, too.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
-    "$dir/labels" a.svg | cut -d ' ' -f 5- >texts
+    "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
     same 'the unit' cm "$(grep -x '[cm]*m' texts)"
     same 'heights' '2 4' "$(grep -x '[24]' texts | sort -u | paste -sd ' ' -)"
     same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
