@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "language/quad.h"
-#include "session/meant.h"
 #include "session/parameters.h"
 #include <string.h>
 
@@ -50,7 +49,7 @@ const char *topic_names(const void *context, int k)
 static const struct parameter *parameter_for(const char *word)
 {
     bool usual;
-    const struct parameter *meant = parameter_meant(word, &usual);
+    const struct parameter *meant = parameter_by_synonym(word, &usual);
     if (meant && usual)
         return meant;
     for (const struct parameter *p = session_parameters; p->name; p++)
@@ -64,7 +63,7 @@ static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
-    return (c && synonyms_have(c->synonyms, word)) || (p && synonyms_have(parameter_synonyms(p), word)) ||
+    return (c && is_synonym(c->synonyms, word)) || (p && is_synonym(parameter_synonyms(p), word)) ||
            (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/forms.h"
-#include "session/meant.h"
+#include "session/parameters.h"
 #include <ctype.h>
 #include <string.h>
 
@@ -107,7 +107,7 @@ static const struct command *assignment(struct reader *r, const struct variable 
     int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
     if (k == NAMES_CLOSE)
         problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
-    else if (v->count == 0 && (p = parameter_meant(v->name, &usual)) != NULL)
+    else if (v->count == 0 && (p = parameter_by_synonym(v->name, &usual)) != NULL)
         problem_error(r->problem,
                       "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable", v->name,
                       p->name, v->name);

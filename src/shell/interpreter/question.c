@@ -3,7 +3,7 @@
 #include "interpreter/forms.h"
 #include "interpreter/lookup.h"
 #include "language/quad.h"
-#include "session/meant.h"
+#include "session/parameters.h"
 #include <ctype.h>
 #include <limits.h>
 #include <string.h>
@@ -162,7 +162,7 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     }
     const struct parameter *setting = parameter_find(word);
     int k = names_find(model_names, NULL, "parameter", word, message);
-    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_meant(word, &usual) : NULL;
+    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
     names_shown(word, shown);
     if (k >= 0)
         return parameter_find(model_names(NULL, k));
@@ -332,7 +332,7 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     if (!a->of)
         return problem_error(r->problem, "'%s' has no value; %s is an angle in [0, theta_c], or one of: %s",
                              shown, a->name, all);
-    const struct parameter *meant = a->kind == ARGUMENT_EFFECT ? parameter_meant(word, &usual) : NULL;
+    const struct parameter *meant = a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
     if (meant && meant->effect && k != NAMES_CLOSE)
         return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, shown, meant->name);
     if (k != NAMES_CLOSE)
@@ -453,7 +453,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     if (k < 0 && topic && topic_meant(word, 0))
         return true;
     q->parameter = k >= 0 && !topic ? &session_parameters[k] : NULL;
-    const struct parameter *meant = k < 0 ? parameter_meant(word, &usual) : NULL;
+    const struct parameter *meant = k < 0 ? parameter_by_synonym(word, &usual) : NULL;
     if (meant && (usual || k == NAMES_UNKNOWN))
         return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, word, meant->name);
     return k >= 0 || problem_error(r->problem, "%s", message);

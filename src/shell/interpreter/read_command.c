@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The name at the beginning of a command: beginnings of names, synonyms, and what was meant. */
 #include "interpreter/forms.h"
-#include "session/meant.h"
+#include "session/parameters.h"
 #include <string.h>
 
 /* Returns the command that has a right to this ambiguous beginning, as an index of command_names; or that
@@ -37,7 +37,7 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
 {
     const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
     bool usual;
-    const struct parameter *p = parameter_meant(name, &usual);
+    const struct parameter *p = parameter_by_synonym(name, &usual);
     char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
     snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name, shown));
     if (variable_find(&r->query->state->variables, name))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/resolve.h"
-#include "session/meant.h"
+#include "session/parameters.h"
 #include <stdarg.h>
 #include <string.h>
 
@@ -119,7 +119,7 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
 static int unknown(struct resolver *r, const struct tree *t)
 {
     bool usual;
-    const struct parameter *meant = parameter_meant(t->name, &usual);
+    const struct parameter *meant = parameter_by_synonym(t->name, &usual);
     const char *close = names_closest(value_names, r->state, t->name);
     if (meant && (usual || !close) && names_exact(value_names, r->state, meant->name) >= 0)
         close = meant->name;

@@ -4,38 +4,8 @@
 #include "language/quad.h"
 #include "session/open_csv.h"
 #include "session/rowfile.h"
-#include "session/stands.h"
 #include <stdlib.h>
 #include <string.h>
-
-const char *effect_names(const void *context, int k)
-{
-    (void)context;
-    return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
-}
-
-bool effect_hint(const char *word, char message[NAMES_MESSAGE])
-{
-    char usage[EFFECT_USAGE];
-    int k = names_exact(effect_names, NULL, word);
-    if (k >= 0)
-        snprintf(message, NAMES_MESSAGE, "'%s' is an effect; enter 'effect %s'", word,
-                 effect_usage(k, usage));
-    return k >= 0;
-}
-
-const char *effect_usage(int name, char usage[EFFECT_USAGE])
-{
-    const struct domq_effect *e = effect_at(name);
-    int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
-    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
-                      e->argument[i].optional  ? " [%s]"
-                      : e->argument[i].or_file ? " %s|FILE"
-                                               : " %s",
-                      e->argument[i].name);
-    return usage;
-}
 
 const char *effect_file(const struct scene *scene, int name)
 {
@@ -60,41 +30,13 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
     return setting;
 }
 
-/* Commands that show an effect; effect_example makes them for effects that are not listed. */
-static const char *const examples[EFFECT_COUNT] = {
-    [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
-    [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
-    [DOM_EFFECT_walls] = "effect walls 1 mm; duration; effect walls off",
-    [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
-    [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
-    [DOM_EFFECT_placement] =
-        "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
-    [EFFECT_feet] = "set q hollow; effect row 8; effect feet 0.4; fall; effect feet off; effect row off",
-    [EFFECT_bounce] =
-        "set q hollow; effect row 8; effect bounce 0.5; verdict; effect bounce off; effect row off",
-    [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
-};
-
-const char *effect_example(int name, char example[EFFECT_EXAMPLE])
-{
-    const struct domq_effect *e = effect_at(name);
-    int n = 0;
-    if (examples[name])
-        return examples[name];
-    for (int k = 0; k < EFFECT_COUNT; k++)
-        if (e->needs >> k & 1)
-            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
-    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
-    return example;
-}
-
 /* Returns true if effect k needs the row. */
 static bool needs_row(int k)
 {
     return effect_at(k)->needs >> DOM_EFFECT_row & 1;
 }
 
-/* Writes what is on and needs the row, as ", with push and placement". */
+/* Writes the effects that are on and need the row: ", with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     int n = 0;
@@ -114,7 +56,7 @@ static void row_drop(struct scene *scene)
     effects_apply(scene);
 }
 
-/* Reads the dominoes of a file, whose other columns are kept. */
+/* Reads a row from a file. */
 static bool row_read(const struct scene *scene, const char *name, const struct means *means,
                      struct listed_row *row, struct problem *problem)
 {
@@ -130,7 +72,7 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: not used: the columns %s; those that are: %s", csv->path,
                    csv->head.at.line, csv->unused, csv->kind->names);
-    /* The full path, for 'save' in another folder; a pipe has no other path. */
+    /* 'save' may write into another folder, and so needs the full path. A pipe has none. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     if (good && !row->path) {
         row->path = csv->path;
@@ -139,7 +81,8 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     return csv_end(csv, problem);
 }
 
-/* Reads the row from a file. After an error no row is on, since the earlier one is not what was asked for. */
+/* Replaces the row by that of a file. After an error there is no row, so that no command answers for the
+ * earlier one. */
 static bool row_from_file(struct scene *scene, const char *name, const struct means *means,
                           struct problem *problem)
 {
@@ -175,7 +118,7 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem)
                          effect_at(name)->name);
 }
 
-/* Stores the state of an effect, and forgets the row of a file that it replaces. */
+/* Stores the values of an effect. The effect 'row' with a number replaces a row from a file. */
 static bool effect_store(struct scene *scene, int name, struct effect_state state, bool from_file)
 {
     if (effect_at(name)->argument[0].or_file && !from_file)
@@ -247,8 +190,8 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes the name as a word that is read back: from the folder on if the file is there or below, so that both
- * can be moved together. */
+/* Writes a path between quotes. If the file is in or below the folder, the path begins with "./", so that the
+ * script and the file can be moved together. */
 static void save_name(const char *path, const char *folder, FILE *out)
 {
     size_t length = folder ? strlen(folder) : 0;
@@ -282,8 +225,8 @@ bool scene_weighed(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.weighed);
 }
 
-/* Scales masses of which only the ratios are known: the first is the session's, or such that its m g h / 2
- * is 1. */
+/* Scales masses of which only the ratios are known: the first domino gets the mass of the session, or if that
+ * is not known, a mass for which m g h / 2 is 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -307,7 +250,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, count);
 }
 
-/* Reports an error if the walls have no room in a domino. */
+/* Returns true if the walls fit into every domino. Otherwise describes the problem. */
 static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
                       struct problem *problem)
 {
@@ -355,7 +298,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     return true;
 }
 
-/* The share to which a search asks the engine. */
+/* The relative tolerance of searches that run the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem)

@@ -2,7 +2,6 @@
 #include "session/rowfile.h"
 #include "io/io.h"
 #include "language/quad.h"
-#include "session/stands.h"
 #include <stdlib.h>
 
 enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOMINO, KINDS };

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/scene.h"
+#include "answer/measure.h"
+#include "language/quad.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,4 +87,105 @@ domq_real scene_mass(const struct scene *scene)
 {
     domq_real h = scene->scale.h;
     return scene_block_mass(scene, h, scene->train.d * h);
+}
+
+bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness)
+{
+    char which[32] = "the domino";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    return problem_no_answer(problem,
+                             "walls of %s leave no room in %s, which is %s thick: they are %s at most, which "
+                             "makes it solid",
+                             measured(scene->train.walls * scene->scale.h, "m", 4).text, which,
+                             measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
+}
+
+/* Describes that domino k, or any domino of the train if k is 0, cannot stand upright on the slope, since it
+ * is steeper than the limit. Returns false. */
+static bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
+{
+    const double degree = (double)QUAD_PI / 180, alpha = (double)scene->train.alpha / degree;
+    char which[32] = "no domino", example[32] = "off";
+    if (k > 0)
+        snprintf(which, sizeof which, "domino %zu", k);
+    if (limit > 0)
+        snprintf(example, sizeof example, "%.2g deg", copysign((double)limit, alpha) / degree / 2);
+    return problem_no_answer(problem,
+                             "%s %s stand upright on a slope of %.4g deg; for %s thickness%s the limit is "
+                             "%.4g deg; for example 'effect slope %s'",
+                             which, k > 0 ? "cannot" : "can", alpha, k > 0 ? "its" : "this",
+                             scene->train.rho > 0 ? " and rounded edges" : "", (double)limit / degree,
+                             example);
+}
+
+bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
+{
+    const struct domq_train *t = &scene->train;
+    problem->place = 0;
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY) /* with any values */
+        return problem_error(problem, "%s", dom_status_text(status));
+    if (status == DOM_NO_ROUND && t->rho > t->d / 2)
+        return problem_no_answer(problem,
+                                 "edges with a radius of %s h do not fit: the radius is at most half of the "
+                                 "thickness; here 'effect edges %.6g' is the largest",
+                                 quad_shown(t->rho).text, (double)(t->d / 2));
+    if (status == DOM_NO_STAND) {
+        domq_real lean[2];
+        domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = t->d}, 0, t->rho, lean);
+        return problem_no_stand(problem, scene, 0, lean[1]);
+    }
+    if (status == DOM_OUT_OF_REACH)
+        return problem_no_answer(problem,
+                                 "r s = %s > %.6g: the head falls past the next domino without touching it; "
+                                 "at s = %s r may be up to "
+                                 "%s%.17g",
+                                 quad_shown(t->r * t->s).text, (double)(domq_train_reach(t) * t->s),
+                                 quad_shown(t->s).text, t->rho == 0 ? "1/s = " : "",
+                                 (double)domq_train_reach(t));
+    if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
+        return problem_no_answer(
+            problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
+            domq_dynamics(t)->name, domq_dynamics(t)->name);
+    if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
+        return problem_no_answer(problem,
+                                 "%s of %.3g; 'set precision %s' has more digits, 'set tol' allows fewer",
+                                 dom_status_text(status), (double)scene->compute.tol,
+                                 scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+    if (status == DOM_NO_ROOM)
+        return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
+    if (status == DOM_TOO_LONG)
+        return problem_no_answer(problem, "%s; use a larger s, d or tol", dom_status_text(status));
+    return problem_no_answer(problem, "%s", dom_status_text(status));
+}
+
+bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE])
+{
+    domq_real lean[2], limit;
+    domq_lean_limits(domino, alpha, 0, lean);
+    if (domino->lean > lean[0] && domino->lean < lean[1])
+        return true;
+    limit = domino->lean < 0 ? lean[0] : lean[1];
+    snprintf(
+        message, LEAN_MESSAGE,
+        "with its top %s off plumb this domino falls over by itself; the most this domino can lean%s is %s",
+        measured(domino->height * quad(sin)(domino->lean), "m", 4).text, alpha != 0 ? " on this slope" : "",
+        measured(domino->height * quad(sin)(limit), "m", 4).text);
+    return false;
+}
+
+bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem)
+{
+    for (size_t k = 0; k < row->count; k++) {
+        const struct domq_domino *domino = &row->domino[k];
+        const bool listed = scene->listed.domino;
+        char message[LEAN_MESSAGE];
+        domq_real level[2];
+        domq_lean_limits(domino, 0, row->rho, level);
+        if (row->alpha != 0 && !(quad(fabs)(row->alpha) < level[1]))
+            return problem_no_stand(problem, scene, listed ? k + 1 : 0, level[1]);
+        if (row->rho == 0 && !lean_stands(domino, row->alpha, message))
+            return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+    }
+    return true;
 }

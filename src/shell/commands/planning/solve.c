@@ -3,7 +3,7 @@
 #include "commands/planning/planning.h"
 #include "commands/planning/scan.h"
 #include "language/quad.h"
-#include "session/meant.h"
+#include "session/parameters.h"
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -73,7 +73,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = names_find(solve_names, NULL, "parameter", name, message);
     bool usual;
-    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_meant(name, &usual) : NULL;
+    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
     if (meant)
         return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
     if (k < 0)

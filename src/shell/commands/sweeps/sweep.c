@@ -398,7 +398,7 @@ static struct sweeper *sweeper_make(const struct query *query, struct problem *p
     for (int i = 0; i < s->grid.axes; i++) {
         const struct parameter *p = s->grid.axis[i].parameter;
         w->index[i] = SIZE_MAX; /* no value yet */
-        w->styled = w->styled || p->fallback_of || p->moves;
+        w->styled = w->styled || p->of_precision || p->moves;
     }
     const struct command *c = s->parsed->question.command;
     if (s->parsed->several)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "session/engine_effects.h"
+#include "session/effect_list.h"
+#include <stdio.h>
 
 const struct domq_effect engine_effect_feet = {
     .name = "feet",
@@ -55,4 +56,61 @@ const struct domq_effect *effect_at(int k)
 #undef POINTER
     };
     return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : engine[k - DOM_EFFECT_COUNT];
+}
+
+const char *effect_names(const void *context, int k)
+{
+    (void)context;
+    return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
+}
+
+bool effect_hint(const char *word, char message[NAMES_MESSAGE])
+{
+    char usage[EFFECT_USAGE];
+    int k = names_exact(effect_names, NULL, word);
+    if (k >= 0)
+        snprintf(message, NAMES_MESSAGE, "'%s' is an effect; enter 'effect %s'", word,
+                 effect_usage(k, usage));
+    return k >= 0;
+}
+
+const char *effect_usage(int name, char usage[EFFECT_USAGE])
+{
+    const struct domq_effect *e = effect_at(name);
+    int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
+    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
+                      e->argument[i].optional  ? " [%s]"
+                      : e->argument[i].or_file ? " %s|FILE"
+                                               : " %s",
+                      e->argument[i].name);
+    return usage;
+}
+
+/* Commands that show an effect. effect_example makes them for the other effects. */
+static const char *const examples[EFFECT_COUNT] = {
+    [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
+    [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
+    [DOM_EFFECT_walls] = "effect walls 1 mm; duration; effect walls off",
+    [DOM_EFFECT_row] = "effect row 13; fall; effect row off",
+    [DOM_EFFECT_push] = "effect row 5; effect push 3; fall; effect push off; effect row off",
+    [DOM_EFFECT_placement] =
+        "effect row 13; effect placement 2 mm; placement 500; effect placement off; effect row off",
+    [EFFECT_feet] = "set q hollow; effect row 8; effect feet 0.4; fall; effect feet off; effect row off",
+    [EFFECT_bounce] =
+        "set q hollow; effect row 8; effect bounce 0.5; verdict; effect bounce off; effect row off",
+    [DOM_EFFECT_floor] = "effect row 5; effect floor 0.4; fall; effect floor off; effect row off",
+};
+
+const char *effect_example(int name, char example[EFFECT_EXAMPLE])
+{
+    const struct domq_effect *e = effect_at(name);
+    int n = 0;
+    if (examples[name])
+        return examples[name];
+    for (int k = 0; k < EFFECT_COUNT; k++)
+        if (e->needs >> k & 1)
+            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
+    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
+    return example;
 }

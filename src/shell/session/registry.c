@@ -1,0 +1,175 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/registry.h"
+#include "answer/format.h"
+#include "language/quad.h"
+#include "session/engine.h"
+
+/* Names the type of quad precision, for 'show'. */
+#if defined DOMQ_REAL_FLOAT128
+#define QUAD_TYPE "__float128, 113 bits"
+#elif LDBL_MANT_DIG == 113
+#define QUAD_TYPE "long double, 113 bits"
+#elif LDBL_MANT_DIG > DBL_MANT_DIG
+#define QUAD_TYPE "long double, 64 bits"
+#else
+#define QUAD_TYPE "not available"
+#endif
+
+static const char s_help[] =
+    "The gap is the free distance between a domino and the one before it. A length, as in 'set s 2 cm', is "
+    "divided by h.";
+static const char r_help[] =
+    "A train is an endless row in which each domino is r times as large as the one before it, in its height, "
+    "its thickness and its gap. 'rmax' finds the largest r with which a train keeps falling, and 'effect row "
+    "N' makes a row that ends.";
+static const char d_help[] =
+    "The thickness is the measure of a domino along the row. A length, as in 'set d 7 mm', is divided by h.";
+static const char q_help[] =
+    "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
+    "block, and 4 times if it is hollow, like a box of boards that stay as thin.";
+
+static const char tol_help[] =
+    "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
+    "than it promises. Rounding errors can be larger where an answer depends strongly on a parameter: 'set "
+    "errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 in quad "
+    "precision. A new precision sets its own default, unless another tol was set. 'cost rmax' shows what a "
+    "digit costs.";
+static const char precision_help[] = "The same equations in float, double or quad arithmetic. Parameters are "
+                                     "kept in the widest arithmetic and "
+                                     "rounded to this one: in quad, 7/48 has 34 digits. tol follows if it "
+                                     "still has its default; 'set digits 33' shows what quad "
+                                     "gives.";
+static const char errors_help[] =
+    "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors on the "
+    "way from the parameters, what tol cuts off, and the digits that are not printed; 'digits' has no effect "
+    "then. In csv and json the bound is a column or key of its own, KEY_error. The values of 'print' have no "
+    "bounds.";
+
+static const char hints_help[] =
+    "While a line is typed, faint text after the cursor shows how it may go on: the last line of the history "
+    "that begins so, else the arguments that the command still takes. At the end of the line the right "
+    "arrow, "
+    "^E and End take an earlier line, and M-f its next word. There are no hints without colours.";
+static const char method_help[] =
+    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion: it uses no "
+    "equation of this program, and includes contacts that the model lacks, such as that of a fallen domino "
+    "with the "
+    "foot of the next. Its step is halved until the verdict no longer changes. It takes a thousand times as "
+    "long, for rows of up to 200 dominoes. With 'model' the engine runs only rows with effects that the "
+    "model lacks, 'effect feet' and 'effect bounce'. Endless trains are always those of the model.";
+
+static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
+{
+    const struct domq_effect *effect = domq_dynamics(&state->scene.train);
+    return fuel != DOM_FUEL_PAPER || !effect ||
+           problem_error(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
+                         effect->name, effect->name);
+}
+
+static bool precision_check(const struct state *state, domq_real precision, struct problem *problem)
+{
+    (void)state;
+    const struct domq_arithmetic *arithmetic = domq_arithmetic((enum dom_precision)precision);
+    return arithmetic->bits > 0 ||
+           problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
+}
+
+/* Follows a change of the precision: a tol that had its default gets the new default. */
+static void precision_before(struct state *state, domq_real precision)
+{
+    struct domq_compute *compute = &state->scene.compute;
+    const struct domq_arithmetic *old = domq_arithmetic(compute->precision),
+                                 *new = domq_arithmetic((enum dom_precision)precision);
+    compute->tol =
+        compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
+}
+
+/* More members for the rows of the numbers that the library lists. */
+#define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
+#define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
+#define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
+#define MORE_q                                                                                               \
+    .synonyms = "exponent wood block box weight material", .help = q_help,                                   \
+    .words = (const struct word[]){{"hollow", 3}, {"solid", 4}, {"massive", 4}, {NULL, 0}},
+#define MORE_tol .synonyms = "tolerance accuracy precision", .help = tol_help, .of_precision = true,
+#define MORE_h   .synonyms = "height size tall scale",
+#define MORE_g   .synonyms = "gravity acceleration weight moon planet",
+
+/* The numbers of the formats. */
+#define FORMAT_NUMBER(name) FORMAT_##name,
+#define FORMAT_WORD(name)   {#name, FORMAT_##name},
+enum { FORMATS(FORMAT_NUMBER) };
+
+/* clang-format off */
+#define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
+#define SWITCH WORD_LIST({"off", 0}, {"on", 1})
+/* The first members of a row: the place of the value in the state, and its description. */
+#define ROW(name_, member, unit_, meaning_, ...) \
+    .name = name_, .offset = offsetof(struct state, member), \
+    .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
+#define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
+    {ROW(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
+         .highest = (domq_real)(highest_)), MORE_##name_},
+#define TRAIN_NUMBER(...) NUMBER(scene.train, __VA_ARGS__)
+#define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
+#define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
+#define DYNAMICS(name, member, status) EFFECT(name)
+#define EFFECT(name) EFFECT_ROW(name, domq_effect_##name, DOM_EFFECT_##name)
+#define ENGINE_EFFECT(name) EFFECT_ROW(name, engine_effect_##name, EFFECT_##name)
+#define EFFECT_ROW(name_, of, number) \
+    {.name = #name_, .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
+
+const struct parameter session_parameters[] = {
+    DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
+    DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
+    DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
+    {ROW("mass", scene.mass, "kg", "mass of the first domino; 0 for none: energies in m g h/2", .highest = 1e9),
+     .synonyms = "weight kilogram energy joule"},
+    {ROW("density", scene.density, "kg/m^3", "density of the first domino, solid, half as wide as tall; 0 for none",
+         .highest = 1e9),
+     .synonyms = "wood weight material"},
+    {ROW("fuel", scene.train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
+     .synonyms = "energy paper",
+     .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
+     .check = fuel_check},
+    {ROW("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+     .synonyms = "accuracy digits float double quad",
+     .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
+     .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
+    {ROW("method", scene.method, "", "what runs rows: the model, or a rigid-body engine", .usual = METHOD_MODEL),
+     .synonyms = "engine chipmunk simulation second opinion compare check",
+     .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
+     .help = method_help},
+    {ROW("seed", scene.seed, "", "start of the random numbers: the same seed, the same rows", .highest = (domq_real)4294967295.0,
+         .usual = SEED_DEFAULT, .whole = true),
+     .synonyms = "random chance"},
+    {ROW("threads", settings.threads, "", "threads of curves, sweeps and studies; 0: one a processor",
+         .highest = 256, .whole = true),
+     .synonyms = "parallel cores processors cpu fast", .setting = true},
+    {ROW("output", settings.style.output, "", "how answers are written", .usual = 0),
+     .synonyms = "format csv json spreadsheet",
+     .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
+    {ROW("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
+     .synonyms = "csv columns names first line",
+     .words = SWITCH, .words_only = true, .setting = true},
+    {ROW("digits", settings.style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
+         .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
+     .synonyms = "decimals accuracy", .setting = true},
+    {ROW("angle", settings.style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
+     .synonyms = "degrees radians",
+     .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
+    {ROW("errors", settings.style.errors, "", "whether each number has a bound of its error", .usual = 0),
+     .synonyms = "accuracy uncertainty precision bounds",
+     .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
+    {ROW("timing", settings.timing, "", "whether each answer ends with its time", .usual = 0),
+     .synonyms = "seconds speed fast",
+     .words = SWITCH, .words_only = true, .setting = true},
+    {ROW("hints", settings.hints, "", "whether the prompt shows how a line may go on", .usual = 1),
+     .synonyms = "suggestion grey prompt history usage",
+     .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
+    DOM_DYNAMICS(DYNAMICS)
+    DOM_EFFECTS(EFFECT)
+    ENGINE_EFFECTS(ENGINE_EFFECT)
+    {.name = NULL},
+};
+/* clang-format on */
