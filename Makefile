@@ -186,7 +186,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 # In this test memory and threads run out where it asks for that.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # The library has no threads: the shell's pool runs its tasks.
-$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/standard.c io/terminal.c))
+$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/terminal.c))
 # Unit tests of the shell: how it writes numbers.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # Where the quotes and comments of a line end.

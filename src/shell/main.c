@@ -3,7 +3,6 @@
 #include "commands/tables.h"
 #include "interpreter/line.h"
 #include "io/io.h"
-#include "io/standard.h"
 #include "prompt/input.h"
 #include <errno.h>
 #include <getopt.h>
@@ -213,7 +212,7 @@ int main(int argc, char **argv)
     bool dies = signal(SIGPIPE, SIG_IGN) == SIG_DFL; /* where the caller does not ignore it */
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
-    session_init(&session, standard_stream(&ended));
+    session_init(&session, io_stdout(&ended));
     if (!options_check(argc, argv, &session, &plan))
         return EXIT_USAGE;
     plan.prompt = !plan.sources && !session.quit && isatty(STDIN_FILENO) && isatty(STDOUT_FILENO);

@@ -150,9 +150,13 @@ END
 }
 
 @test "a file that an answer around a command writes is not written by the command, too" {
-    printf 'rmax > out\nfuel\n' >script
-    run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
-    same message "script:1:8: rmax: cannot write 'out': this session is writing it already; choose another file" "$stderr"
+    mkdir folder
+    ln -s . again
+    for name in out ./out folder/../out again/out "$PWD/out"; do # there is no such file yet
+        printf 'rmax > %s\nfuel\n' "$name" >script
+        run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
+        same message "script:1:8: rmax: cannot write '$name': this session is writing it already; choose another file" "$stderr"
+    done
     printf 'rmax > other\nfuel\n' >script
     "$DOMINO" -e 'source script > out'
     same outer "$("$DOMINO" -e fuel)" "$(cat out)"

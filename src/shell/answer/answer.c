@@ -90,6 +90,7 @@ static void measures_prepare(struct answer *a, const struct cell *cells)
 /* Finds the width and the letters of the terminal. */
 static void answer_ask(struct answer *a)
 {
+    a->on_terminal = terminal_shows(a->out);
     a->width = terminal_width(a->out);
     a->letters = a->width && terminal_utf8();
     a->bold = terminal_colour(a->out);
@@ -102,9 +103,10 @@ static void answer_prepare(struct answer *a)
     if (a->prepared)
         return;
     a->prepared = true;
-    ticker_stop(); /* before it mixes with the answer */
     if (!a->planned)
         answer_ask(a);
+    if (a->on_terminal)
+        progress_end();
     if (a->gap && a->style.format->for_people)
         putc('\n', a->out);
 }

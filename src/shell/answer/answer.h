@@ -41,6 +41,7 @@ struct answer {
     bool planned;  /* width, letters, bold and bounded are known */
     bool letters;  /* the field's letters can be shown */
     bool bold;
+    bool on_terminal;
     int width;                      /* of the terminal; 0 for none */
     unsigned left_out;              /* bit i: cell i of each row has no column, see answer_leave_out */
     unsigned bounded;               /* bit i: see answer_bounded */

@@ -145,7 +145,6 @@ enum dom_status cost_measure(const struct costed *answer, const struct domq_trai
 {
     struct domq_compute finest = *compute;
     struct domq_value reference = {0, 0};
-    struct progress progress = {0, 0};
     double done = 0; /* shares of those before */
     finest.method = DOM_METHOD_OURS;
     finest.precision = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
@@ -174,11 +173,10 @@ enum dom_status cost_measure(const struct costed *answer, const struct domq_trai
             if (row->status == DOM_OK && row->seconds < cost->cheapest)
                 cost->cheapest = row->seconds;
             cost->rows++;
-            progress_show(&progress, done + contenders[c].share * (t + 1) / TOLERANCES);
+            progress_show(done + contenders[c].share * (t + 1) / TOLERANCES);
         }
         done += contenders[c].share;
     }
-    progress_show(&progress, 1);
     return status;
 }
 

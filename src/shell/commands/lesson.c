@@ -93,7 +93,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
     reader.prompt_width = waits ? (int)strlen(prompt) : 0;
-    ticker_stop(); /* the time that the reader takes is no computation */
+    progress_end(); /* the time that the reader takes is no computation */
     if (waits)
         fputs("Type the lines that the lesson shows, or press Enter instead. Other commands\n"
               "may come in between: the lesson leaves your own parameters as they are.\n"

@@ -59,14 +59,14 @@ static bool run_call(struct session *session, const struct command *c, const str
         answer.style.format = output->format;
     problem->place = 0;
     double begun = session->state.settings.timing ? terminal_clock() : 0;
-    ticker_start();
+    progress_begin();
     bool draws = answer.path && c->picture && ending_of(answer.path)->kind == ENDING_PICTURE;
     bool shown = c->draws && !c->files && answer.style.format->for_people && !answer.path;
     bool done = shown && !picture_fits(&answer, c->name, problem) ? false
                 : c->act ? c->act(session, query->given, &answer, problem)
                 : draws  ? c->picture(query, &answer, problem)
                          : c->run(query, &answer, problem);
-    ticker_stop();
+    progress_end();
     session->fresh = session->fresh && done && !c->columns;
     if (done && c->train && !answer.of_row && session->state.scene.effect[DOM_EFFECT_row].on)
         say_train(session, &answer);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Opens, reads and writes files so that every wait can be ended: the other end of a FIFO may never be opened.
- * Unless `interrupt` is NULL, a wait ends with ECANCELED when the flag is raised (see dom_raised), also if
- * the handler of the signal has SA_RESTART; with NULL the signals of the program act as usual.
+ * Files and streams whose waits can be ended: the other end of a FIFO may never be opened, and a program at
+ * the other end of a pipe may never read.  When the flag `interrupt` is raised (see dom_raised), a wait ends
+ * with ECANCELED, even if the handler of the signal has SA_RESTART.  If `interrupt` is NULL, signals have
+ * their usual effect.  On failure, all functions set errno.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -14,57 +15,72 @@
 #include <time.h>
 
 /*
- * Opens a file as open(2) does; a FIFO to write waits for its reader.  The file does not block, and is closed
- * in programs that this one starts.  -1 with errno.
+ * Opens a file as open(2) does, except that opening a FIFO for writing waits for its reader.  The descriptor
+ * is non-blocking and close-on-exec.  Returns -1 on failure.
  */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/* Makes a stream of an open file, which belongs to the stream.  NULL with errno: the file is closed. */
-FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
-
-/* Opens a file to read; a directory is an error.  NULL with errno. */
-FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
-
 /*
- * Returns standard input as the one stream that all read: stdin where it is a regular file, else a stream
- * whose waits an interrupt ends.  The interrupt of the first call counts.  Not to be closed.  NULL with
- * errno.
- */
-FILE *io_stdin(const volatile sig_atomic_t *interrupt);
-
-/* Opens a temporary file without a name in a folder, or, for NULL, where the environment has such files.
- * Nothing is left of it when it is closed or the program ends.  NULL with errno. */
-FILE *io_temporary(const char *folder);
-
-/*
- * Makes a stream that writes into memory: *size bytes at *text, which is to be freed, once the stream is
- * closed. That of open_memstream loses without an error what it finds no memory for.  NULL with errno.
- */
-FILE *io_memory(char **text, size_t *size);
-
-/*
- * Locks an open file against other programs that lock it, until it is closed.  Where the file system has no
- * locks it does nothing.  False with errno: another program kept its lock for so many seconds, or an
- * interrupt came.
+ * Locks an open file against other programs that lock it, until it is closed.  Does nothing where the file
+ * system has no locks.  Returns false if another program keeps its lock for this many seconds, or on an
+ * interrupt.
  */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
 /*
- * Waits until the file is ready for the events of poll(2), or for the longest time (NULL: without end); file
- * -1 for the time alone.  A signal between the look at the flag and the wait is not lost: it comes when the
- * wait begins.  False with ECANCELED: the flag is raised.
+ * Waits for events of poll(2) on a file, or with file -1 only for the time to pass.  If `longest` is NULL,
+ * there is no timeout.  A signal that arrives between the check of the flag and the wait ends the wait, too.
+ * Returns false if the flag is raised.
  */
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
-/* Blocks all signals, and returns those that were blocked before, for io_unblock. */
+/* Writes all bytes.  May be called in a signal handler. */
+bool io_write(int file, const char *bytes, size_t count, const volatile sig_atomic_t *interrupt);
+
+/* Blocks all signals.  Returns the previous signal mask, which io_unblock restores. */
 sigset_t io_block(void);
 void io_unblock(const sigset_t *before);
 
-/* Writes all bytes; false with errno. */
-bool io_write(int file, const char *bytes, size_t count);
-
-/* Opens what is missing of the descriptors 0, 1 and 2, so that no file takes their numbers: what is read from
- * them or written to them fails as before. */
+/*
+ * If descriptor 0, 1 or 2 is closed, opens a placeholder in its place, which can be neither read nor written.
+ * Otherwise the next file that is opened would become standard input or output.
+ */
 void io_begin(void);
+
+/* ---- Streams ---- */
+
+/* Makes a stream of an open file, which the stream closes.  On failure closes the file and returns NULL. */
+FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
+
+/* Opens a file for reading.  A directory is an error.  Returns NULL on failure. */
+FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
+
+/* Returns the one stream of standard input, which must not be closed.  The `interrupt` of the first call
+ * counts. */
+FILE *io_stdin(const volatile sig_atomic_t *interrupt);
+
+/*
+ * Returns the one stream of standard output.  On a terminal each line appears at once.  Elsewhere a system
+ * call for each short answer would take longer than the answer, so text is collected; but a program that
+ * reads it need not wait: flushed text is written at most 10 ms later by a timer, whatever the session is
+ * doing then.
+ */
+FILE *io_stdout(const volatile sig_atomic_t *interrupt);
+
+/* Writes all text that standard output has collected. */
+void io_stdout_flush(void);
+
+/*
+ * Opens a temporary file without a name, of which nothing is left when it is closed or the program ends.  If
+ * `folder` is NULL, the file is in $TMPDIR or /tmp.  Returns NULL on failure.
+ */
+FILE *io_temporary(const char *folder);
+
+/*
+ * Makes a stream that writes into memory.  After fclose, *text has *size bytes, without a NUL, and the caller
+ * frees it.  Unlike the stream of open_memstream, this one sets its error flag when memory runs out.  Returns
+ * NULL on failure.
+ */
+FILE *io_memory(char **text, size_t *size);
 
 #endif

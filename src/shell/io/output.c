@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/output.h"
-#include "io/standard.h"
+#include "io/io.h"
+#include "io/terminal.h"
 #include <stdlib.h>
-
-struct output output_standard(FILE *out)
-{
-    return (struct output){.kind = OUTPUT_STANDARD, .out = out, .messages = stderr};
-}
 
 void output_push(struct output **top, struct output *o)
 {
     o->below = *top;
     if (!o->messages)
         o->messages = *top ? (*top)->messages : stderr;
+    if (o->kind != OUTPUT_FILE)
+        terminal_pass((*top)->out, o->out);
     *top = o;
 }
 
 const char *output_pop(struct output **top, bool keep)
 {
     struct output *o = *top;
-    const char *wrong = o->pop(o, keep);
     *top = o->below;
+    if (o->kind != OUTPUT_FILE)
+        terminal_pass(o->out, o->below->out);
+    const char *wrong = o->pop(o, keep);
     free(o);
     return wrong;
 }
@@ -28,7 +28,7 @@ const char *output_pop(struct output **top, bool keep)
 void output_flush(struct output *o)
 {
     fflush(o->out);
-    standard_flush();
+    io_stdout_flush();
 }
 
 struct output **output_find(struct output **top, enum output_kind kind)
@@ -40,7 +40,7 @@ struct output **output_find(struct output **top, enum output_kind kind)
 
 struct output *output_end(struct output *o)
 {
-    while (o->kind == OUTPUT_LOG || o->kind == OUTPUT_TEE || o->kind == OUTPUT_PAGER)
+    while (o->kind != OUTPUT_FILE && o->kind != OUTPUT_STANDARD)
         o = o->below;
     return o;
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Where answers go, as a stack of levels.  Standard output is at the bottom; above it 'log' and 'tee' copy
- * what is written; on top is the file after '>' or the pager, while its command runs.  Pushing begins a
- * level, and popping ends it: a file is then committed or taken back.
+ * Where output goes, as a stack of levels.  Standard output is at the bottom.  Above it 'log' and 'tee' copy
+ * what is written, and on top, while a command runs, is the file after '>' or the pager.  Popping a file
+ * either writes it as a whole or leaves the old one.
  */
-#ifndef SHELL_IO_OUTPUT_H
-#define SHELL_IO_OUTPUT_H
+#ifndef SHELL_OUTPUT_H
+#define SHELL_OUTPUT_H
 
 #include <signal.h>
 #include <stdbool.h>
@@ -17,76 +17,70 @@ enum { OUTPUT_HEAD = 1024 };
 
 struct output {
     enum output_kind { OUTPUT_STANDARD, OUTPUT_LOG, OUTPUT_TEE, OUTPUT_FILE, OUTPUT_PAGER } kind;
-    struct output *below; /* NULL at the bottom */
-    FILE *out;            /* takes the answers */
-    FILE *messages;       /* takes errors and notes: standard error, or memory until the pager has ended */
-    const char *path;     /* the name of the file after '>' as it was typed; NULL where there is none */
-    bool append;          /* the file comes after '>>' */
-    const struct format *format;       /* named by the ending of the file; NULL: 'set output' chooses */
-    bool (*is_head)(const char *line); /* whether a line of the file names columns; NULL: no line does */
-    /* Ends the level, of which only the memory of *output is left, to be freed.  Returns why what was to be
-     * kept cannot be written, or NULL. */
+    struct output *below;              /* NULL at the bottom */
+    FILE *out;                         /* takes the answers */
+    FILE *messages;                    /* takes errors and notes: stderr, or memory while a pager runs */
+    const char *path;                  /* the name of the file as it was typed, or NULL */
+    bool append;                       /* the file comes after '>>' */
+    const struct format *format;       /* the format that the file name asks for, or NULL for 'set output' */
+    bool (*is_head)(const char *line); /* returns true for a line of column names; NULL without such lines */
+    /* Frees everything but the struct.  Returns NULL, or why what `keep` asks for cannot be written. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* What was written, on the levels where text ends: see output_end. */
-    char head[OUTPUT_HEAD]; /* the last line that names columns; "" for none */
-    bool answered;          /* there is an answer, below which a blank line follows */
-    int error;              /* errno of the first answer that could not be written; 0 for none */
+    /* State of the text itself, at the level where it ends (see output_end). */
+    char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
+    bool answered;          /* an answer was written, so the next one needs a blank line above it */
+    int error;              /* errno of the first answer that could not be written, or 0 */
 };
 
-/* Makes the bottom of a stack. */
-struct output output_standard(FILE *out);
-
-/* Puts a level, whose members are set, on the stack. */
+/* Pushes a level, whose other members are set. */
 void output_push(struct output **top, struct output *output);
 
-/* Ends the level on top, or any other that the pointer to it is given of, and frees it.  Returns as its pop.
- */
+/* Ends and frees a level, usually the top one.  Returns what its pop function returns. */
 const char *output_pop(struct output **top, bool keep);
 
-/* Writes what waits on its way down the stack, now. */
+/* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* Returns the pointer to the highest level of this kind, NULL if there is none. */
+/* Returns the link to the highest level of this kind, or NULL. */
 struct output **output_find(struct output **top, enum output_kind kind);
 
-/* Returns the level in which text ends that is written to this one: a file, or standard output. */
+/* Returns the level where text ends that is written to this one: a file, or standard output. */
 struct output *output_end(struct output *output);
 
-/* Returns the level that stands for standard output: with 'log' and 'tee', below all files. */
+/* Returns the highest level below all files and pagers: standard output, or the log or tee above it. */
 struct output *output_base(struct output *output);
 
-/* ---- The levels: an interrupt ends their waits, see io.h ---- */
+/* ---- The levels; an interrupt ends their waits (see io.h) ---- */
 
-/* Begins a file, on a stack that may be empty.  Returns NULL, or why the file cannot be written: also where
- * its name cannot be shown as it is (escape.h). */
+/* Pushes a file, even on an empty stack.  Returns NULL, or why the file cannot be written. */
 const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 
 /*
- * Begins a text that may be longer than the terminal; returns false, and does nothing, if standard input and
- * the level below are not both the terminal.  The stream has the terminal's width and colours.  What is
- * longer than so many screens goes through $PAGER, or else less, if programs may be run, while it is written;
- * without these it is shown a page at a time.  A shorter text, or one that comes slowly, goes to the terminal
- * as it is.  Writing fails after the reader has left, and after an interrupt.  The end of the level waits
- * until the text is read, shows the messages, and leaves the terminal as it was; it returns NULL unless the
- * reader has left.
+ * Pushes a pager for a text that may be longer than the terminal.  Returns false, and does nothing, unless
+ * standard input and the level below are the terminal itself.  A text of more than this many screens goes
+ * through $PAGER or less while it is written, or is shown a page at a time if no program may be run.  A
+ * shorter text, or one that comes slowly, is shown as it is.  Writing fails after the reader has quit, and
+ * after an interrupt.  Popping waits for the reader, then shows the messages.  Its result is not NULL if the
+ * reader quit early.
  */
-bool pager_push(struct output **top, double screens, bool programs, const volatile sig_atomic_t *interrupt);
+bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 
-/* Begins a log, which is appended to, or a tee, which begins anew, in the place of an earlier one.  Returns
- * NULL, or why the file cannot be written. */
+/* Begins a log, which is appended to its file, or a tee, which replaces its file.  An earlier log or tee
+ * ends. Returns NULL, or why the file cannot be written. */
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
-/* Writes what waits on its way through log and tee.  Returns NULL, or why one of them has ended: its file
- * cannot be written. */
+/* Writes all buffered text of log and tee.  Returns NULL, or why one of them had to end. */
 const char *records_flush(struct output **top);
 
-/* Writes commands into the log, if there is one: at once, or else in log_decide or before the next answer. */
+/* Gives commands to the log, if there is one.  Unless `at_once`, they are written by log_decide or before the
+ * next answer, whichever comes first. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes the commands that wait: as a comment if they have failed, so that the log can be run as a script. */
+/* Writes the commands that the log still holds.  Commands that failed become a comment, so that the log can
+ * be run as a script. */
 void log_decide(struct output **top, bool failed);
 
 /* Writes an error or a note into the log, as a comment. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* 'log' and 'tee': levels that copy text into a file and pass it on. */
 #include "domino_quad.h"
-#include "io/file.h"
 #include "io/io.h"
 #include "io/output.h"
-#include "io/terminal.h"
+#include "io/target.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -13,21 +13,20 @@ struct record {
     struct output output; /* first: a pointer to one is a pointer to the other */
     struct target target;
     FILE *file;
-    bool within;         /* a line of the file has begun */
-    const char *waiting; /* commands that are not written yet; NULL: there are none */
+    bool in_line;        /* the last line of the file is not complete yet */
+    const char *waiting; /* commands that are not written yet, or NULL */
     int waiting_length;
-    char sequence; /* where in a control sequence of the terminal the text is */
+    enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence; /* the terminal sequence that the text is in */
 };
 
-/* Follows the control sequences of a terminal; returns true for a byte that belongs to none. */
-static bool is_text(char *sequence, char c)
+/* Follows the control sequences of a terminal.  Returns true for a character outside them. */
+static bool is_text(enum sequence *sequence, char c)
 {
-    enum { NONE, ESCAPE, CONTROL, STRING };
-    const char before = *sequence;
+    const enum sequence before = *sequence;
     if (c == '\033')
         *sequence = ESCAPE;
     else if (before == ESCAPE)
-        *sequence = (char)(c == '[' ? CONTROL : strchr("P_]^X", c) ? STRING : NONE);
+        *sequence = c == '[' ? CONTROL : strchr("P_]^X", c) ? STRING : NONE;
     else if ((before == CONTROL && c >= '@' && c <= '~') || (before == STRING && c == '\a'))
         *sequence = NONE;
     return before == NONE && c != '\033' && c != '\r';
@@ -40,7 +39,8 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes a text on, and writes it without what sets colours and moves the cursor; in a log, as comments. */
+/* Passes text on, and writes it into the file without colours and cursor movements.  In a log, answers are
+ * comments. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;
@@ -49,9 +49,9 @@ static ssize_t record_write(void *record, const char *bytes, size_t count)
     for (size_t i = 0; i < count; i++) {
         if (!is_text(&r->sequence, bytes[i]))
             continue;
-        if (r->output.kind == OUTPUT_LOG && !r->within && bytes[i] != '\n')
+        if (r->output.kind == OUTPUT_LOG && !r->in_line && bytes[i] != '\n')
             fputs("# ", r->file);
-        r->within = bytes[i] != '\n';
+        r->in_line = bytes[i] != '\n';
         putc(bytes[i], r->file);
     }
     return fwrite(bytes, 1, count, below) == count && fflush(below) == 0 ? (ssize_t)count : 0;
@@ -61,7 +61,6 @@ static const char *record_pop(struct output *o, bool keep)
 {
     struct record *r = (struct record *)o;
     (void)keep;
-    terminal_lend(o->out, false);
     fclose(o->out);
     commands_write(r, false);
     fclose(r->file);
@@ -72,19 +71,18 @@ static const char *record_pop(struct output *o, bool keep)
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt)
 {
-    bool log = kind == OUTPUT_LOG;
+    bool is_log = kind == OUTPUT_LOG;
     struct output **before = output_find(top, kind);
     struct record *r = calloc(1, sizeof *r);
-    if (!r)
-        return strerror(ENOMEM);
     const char *wrong =
-        target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
+        !r ? strerror(ENOMEM)
+           : target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
     if (wrong) {
         free(r);
         return wrong;
     }
-    int file = io_open(path, O_WRONLY | O_CREAT | (log ? O_APPEND : O_TRUNC), 0666, interrupt);
-    r->file = file < 0 ? NULL : io_stream(file, log ? "a" : "w", interrupt);
+    int file = io_open(path, O_WRONLY | O_CREAT | (is_log ? O_APPEND : O_TRUNC), 0666, interrupt);
+    r->file = file < 0 ? NULL : io_stream(file, is_log ? "a" : "w", interrupt);
     FILE *out = r->file ? fopencookie(r, "w", (cookie_io_functions_t){.write = record_write}) : NULL;
     if (!out) {
         wrong = strerror(errno);
@@ -98,38 +96,36 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
         output_pop(before, true);
     r->output = (struct output){.kind = kind, .out = out, .pop = record_pop};
     output_push(top, &r->output);
-    terminal_lend(r->output.out, true);
-    if (log)
+    if (is_log)
         fputs("# A log of domino " DOM_VERSION ": 'source' it to run its commands again.\n", r->file);
     return NULL;
-}
-
-/* Returns the log, or NULL. */
-static struct record *log_find(struct output **top)
-{
-    struct output **at = output_find(top, OUTPUT_LOG);
-    return at ? (struct record *)*at : NULL;
 }
 
 const char *records_flush(struct output **top)
 {
     const char *wrong = NULL;
-    if (!output_find(top, OUTPUT_LOG) && !output_find(top, OUTPUT_TEE))
-        return NULL;
     fflush(output_base(*top)->out);
     for (struct output **at = top; *at;) {
         struct record *r = (struct record *)*at;
-        bool record = (*at)->kind == OUTPUT_LOG || (*at)->kind == OUTPUT_TEE;
+        bool is_record = (*at)->kind == OUTPUT_LOG || (*at)->kind == OUTPUT_TEE;
         errno = 0;
-        if (record)
+        if (is_record)
             commands_write(r, false);
-        if (record && (fflush(r->file) != 0 || ferror(r->file))) {
-            wrong = errno ? strerror(errno) : "the device is full, or not there any more";
+        if (is_record && (fflush(r->file) != 0 || ferror(r->file))) {
+            wrong = target_error(errno);
             output_pop(at, true);
         } else
             at = &(*at)->below;
     }
     return wrong;
+}
+
+/* ---- What only a log has ---- */
+
+static struct record *log_find(struct output **top)
+{
+    struct output **at = output_find(top, OUTPUT_LOG);
+    return at ? (struct record *)*at : NULL;
 }
 
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once)

@@ -11,39 +11,36 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Streams that pass their text on to standard output; NULL for none. */
-static const FILE *lent[3];
+/* The highest stream that passes its text on to standard output.  NULL until there is one. */
+static const FILE *front;
 
-void terminal_lend(const FILE *stream, bool on)
+void terminal_pass(const FILE *from, const FILE *to)
 {
-    int i = 0;
-    while (i < 2 && lent[i] != (on ? NULL : stream))
-        i++;
-    lent[i] = on ? stream : NULL;
+    if (!front || front == from)
+        front = to;
 }
 
-/* Returns true for a terminal; the three files that a program begins with are asked once. */
-static bool is_terminal(int file)
-{
-    static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: none */
-    if (file < 0 || file > STDERR_FILENO)
-        return file >= 0 && isatty(file);
-    if (known[file] == 0)
-        known[file] = isatty(file) ? 1 : -1;
-    return known[file] > 0;
-}
-
-/* Returns the file of the terminal that shows what the stream takes, or -1. */
+/* Returns the descriptor of the terminal that shows what is written to the stream, or -1.  Whether the
+ * standard streams are terminals is asked only once. */
 static int shown_on(FILE *stream)
 {
-    bool passes = stream == lent[0] || stream == lent[1] || stream == lent[2];
-    int file = fileno(passes ? stdout : stream);
-    return is_terminal(file) ? file : -1;
+    static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: none, 0: not asked yet */
+    int file = fileno(stream == front ? stdout : stream);
+    if (file < 0 || file > STDERR_FILENO)
+        return file >= 0 && isatty(file) ? file : -1;
+    if (known[file] == 0)
+        known[file] = isatty(file) ? 1 : -1;
+    return known[file] > 0 ? file : -1;
+}
+
+bool terminal_shows(FILE *stream)
+{
+    return shown_on(stream) >= 0;
 }
 
 bool terminal_colour(FILE *stream)
 {
-    if (shown_on(stream) < 0)
+    if (!terminal_shows(stream))
         return false;
     const char *term = getenv("TERM"), *no = getenv("NO_COLOR");
     return !(no && *no) && term && *term && strcmp(term, "dumb") != 0;
@@ -67,10 +64,10 @@ int terminal_width(FILE *stream)
 
 bool terminal_utf8(void)
 {
-    static bool begun; /* the files of the locale are read where letters matter, not at every start */
-    if (!begun)
-        setlocale(LC_CTYPE, ""); /* never LC_NUMERIC: the decimal point is a point */
-    begun = true;
+    static bool is_set; /* start-up is faster if the locale is loaded only when letters matter */
+    if (!is_set)
+        setlocale(LC_CTYPE, ""); /* never LC_NUMERIC, which changes the decimal point of printf */
+    is_set = true;
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
@@ -98,90 +95,82 @@ double terminal_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Overwrites the line with blanks, because a dumb terminal has no control sequences. */
-static void wipe(void)
-{
-    fprintf(stderr, "\r%*s\r", 30, "");
-}
+/* ---- Progress ---- */
 
-/* ---- The ticker: a signal handler that writes a few bytes ---- */
+static atomic_int seconds; /* how long the command has been running */
+static atomic_int done;    /* how many millionths of its work are done, or 0 if that is unknown */
+static _Thread_local bool is_muted;
 
-/* Written by the handler, and by whichever thread has the first row. */
-static atomic_int ticks, ticker_quiet;
-
-/* True while the ticker uses SIGALRM; and the handler that it replaced. */
-static bool ticking;
+static bool is_ticking;
 static struct sigaction alarm_before;
 
+/* Writes a number, and returns the place after it. */
+static char *number_write(char *to, long number)
+{
+    if (number >= 10)
+        to = number_write(to, number / 10);
+    *to = (char)('0' + number % 10);
+    return to + 1;
+}
+
+/* Writes the line of the next second.  A signal handler must not call printf. */
 static void on_tick(int number)
 {
+    const int all = 1000000;
+    char text[80] = "\r", *end = text + 1;
+    int now = ++seconds, part = done;
     (void)number;
-    if (ticker_quiet || ticks > 99999)
-        return;
-    char text[] = "\r      s; ^C stops it ";
-    int n = ++ticks;
-    for (char *digit = text + 5; n > 0; n /= 10)
-        *digit-- = (char)('0' + n % 10);
-    (void)!write(STDERR_FILENO, text, sizeof text - 1);
+    if (part > 0) {
+        end = stpcpy(number_write(end, 100L * part / all), " %, ");
+        end = stpcpy(number_write(end, (long)now * (all - part) / part), " s left      ");
+    } else
+        end = stpcpy(number_write(end, now), " s; ^C stops it ");
+    (void)!write(STDERR_FILENO, text, (size_t)(end - text));
 }
 
-static void ticker_set(long first)
+static void timer_set(long interval)
 {
-    const struct itimerval timer = {.it_value = {.tv_sec = first}, .it_interval = {.tv_sec = first}};
-    setitimer(ITIMER_REAL, &timer, NULL);
+    const struct timeval time = {.tv_sec = interval};
+    setitimer(ITIMER_REAL, &(struct itimerval){time, time}, NULL);
 }
 
-void ticker_start(void)
+void progress_begin(void)
 {
-    if (!is_terminal(STDERR_FILENO))
+    if (!terminal_shows(stderr))
         return;
+    progress_end(); /* of the command that runs this one */
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
-    ticks = 0;
-    ticker_quiet = 0;
-    if (!ticking)
-        sigaction(SIGALRM, &action, &alarm_before);
-    ticking = true;
-    ticker_set(1);
+    seconds = done = 0;
+    is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;
+    timer_set(1);
 }
 
-void ticker_stop(void)
+void progress_end(void)
 {
-    if (!ticking)
+    if (!is_ticking)
         return;
-    ticker_set(0);
+    timer_set(0);
     sigaction(SIGALRM, &alarm_before, NULL);
-    ticking = false;
-    if (ticks > 0 && !ticker_quiet)
-        wipe();
-    ticks = 0;
+    is_ticking = false;
+    if (seconds > 0) /* with blanks, because a dumb terminal has no control sequences */
+        fprintf(stderr, "\r%*s\r", 30, "");
 }
 
-static _Thread_local bool muted;
+void progress_show(double fraction)
+{
+    if (!is_muted)
+        done = fraction < 1 ? (int)(1e6 * fraction) : 0;
+}
+
+void progress_count(size_t part, size_t of, void *context)
+{
+    (void)context;
+    progress_show((double)part / (double)of);
+}
 
 bool progress_mute(bool mute)
 {
-    bool before = muted;
-    muted = mute;
+    bool before = is_muted;
+    is_muted = mute;
     return before;
-}
-
-void progress_show(struct progress *p, double fraction)
-{
-    if (muted)
-        return;
-    double now = terminal_clock();
-    if (ticks > 0 && !ticker_quiet && is_terminal(STDERR_FILENO))
-        wipe();
-    ticker_quiet = 1;
-    if (p->begun == 0)
-        p->begun = now;
-    if (fraction >= 1 && p->shown > 0) {
-        wipe();
-        p->shown = 0;
-    }
-    if (fraction >= 1 || now - p->begun < 1 || now - p->shown < 0.2 || !is_terminal(STDERR_FILENO))
-        return;
-    p->shown = now;
-    fprintf(stderr, "\r%.0f %%, %.0f s left ", 100 * fraction, (now - p->begun) * (1 / fraction - 1));
-    fflush(stderr);
 }

@@ -1,53 +1,56 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the terminal, the locale and the environment allow. */
+/* What the terminal and the locale allow, and how far a long command is. */
 #ifndef SHELL_TERMINAL_H
 #define SHELL_TERMINAL_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Returns true for a terminal with colours, if NO_COLOR is not set. */
+/* Returns true if a terminal shows what is written to the stream. */
+bool terminal_shows(FILE *stream);
+
+/* Returns true if the stream is shown on a terminal with colours, and NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
-/* Finds the columns and rows of the terminal of the stream. Returns false, and 0 for both, if there is
- * none. */
+/* Gets the number of columns and rows of the stream's terminal.  Without a terminal returns false, and both
+ * are 0. */
 bool terminal_size(FILE *stream, int *width, int *height);
 
-/* Returns the columns of the terminal of the stream; 0 if there is none. */
+/* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* Gives a stream, whose text comes to standard output later, the size and the colours of its terminal, or
- * takes them back. There are three such streams at most: of log, tee and pager. */
-void terminal_lend(const FILE *stream, bool on);
+/*
+ * Makes stream `to` stand for standard output, whose terminal it has from now on, if stream `from` stood for
+ * it until now.  'log', 'tee' and the pager are such streams: they pass their text on.
+ */
+void terminal_pass(const FILE *from, const FILE *to);
 
-/* Return true if the locale has UTF-8, and if LC_NUMERIC has decimal commas. */
+/* Returns true if the character set of the locale is UTF-8. */
 bool terminal_utf8(void);
+
+/* Returns true if the locale writes a comma as the decimal point. */
 bool terminal_decimal_comma(void);
 
-/* Returns the columns that UTF-8 text takes: its characters, of which none is wide. */
+/* Returns the number of columns that UTF-8 text takes.  Wide characters count as one column. */
 int terminal_columns(const char *text);
-
-/*
- * Shows "3 s; ^C stops it" on standard error while a command works on, second by second, if that is a
- * terminal; progress_show replaces it.
- */
-void ticker_start(void);
-void ticker_stop(void);
-
-struct progress {
-    double begun, shown; /* seconds of the monotonic clock */
-};
 
 /* Returns the seconds of the monotonic clock. */
 double terminal_clock(void);
 
 /*
- * "12 %, 3 s left" on standard error, if that is a terminal and the work has taken more than a second;
- * fraction 1 wipes it away.
+ * progress_begin makes standard error show "3 s; ^C stops it" every second, if it is a terminal, and
+ * progress_end clears that line.  After progress_show it shows "12 %, 3 s left" instead; a fraction of 1 ends
+ * that.
  */
-void progress_show(struct progress *progress, double fraction);
+void progress_begin(void);
+void progress_end(void);
+void progress_show(double fraction);
 
-/* Whether this thread shows none: its work is part of other work.  What it was before. */
+/* Shows the same as progress_show(done / of), as the progress function that the library wants. */
+void progress_count(size_t done, size_t of, void *context);
+
+/* Makes this thread ignore progress_show, or not, since its work is only a part of what is shown.  Returns
+ * whether it was ignored before. */
 bool progress_mute(bool mute);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parallel/points.h"
-#include "io/terminal.h"
 #include "parallel/workers.h"
 
 bool points_answer(const struct query *query, struct problem *problem, struct answer *a,
@@ -16,7 +15,7 @@ bool points_answer(const struct query *query, struct problem *problem, struct an
         .gather = points->gather,
         .count = workers_count(query->state->settings.threads, part.count),
         .out = a->out,
-        .progress = !(a->out && terminal_width(a->out)), /* rows on the terminal are progress enough */
+        .progress = true,
         .interrupt = query->scene->compute.interrupt,
     };
     struct workers_end end = workers_run(&w);

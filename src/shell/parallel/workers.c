@@ -119,7 +119,6 @@ static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, s
 static void worker_run(struct crew *c, void *own, bool shows)
 {
     const struct workers *w = c->asked;
-    struct progress progress = {0, 0};
     struct pace pace = {0, 0};
     size_t from, points, number;
     pthread_mutex_lock(&c->lock);
@@ -131,7 +130,7 @@ static void worker_run(struct crew *c, void *own, bool shows)
         bool kept = out && !ferror(out);
         kept = out && fclose(out) == 0 && kept;
         if (shows)
-            progress_show(&progress, (double)from / (double)w->points);
+            progress_show((double)from / (double)w->points);
         pthread_mutex_lock(&c->lock);
         if (kept) {
             b.done = true;
@@ -143,8 +142,6 @@ static void worker_run(struct crew *c, void *own, bool shows)
             break;
     }
     pthread_mutex_unlock(&c->lock);
-    if (shows)
-        progress_show(&progress, 1);
 }
 
 struct hand {

@@ -135,7 +135,7 @@ static bool draw(const struct picture *p, FILE *drawing, FILE *complaints, struc
         return problem_error(problem, "cannot draw: %s", strerror(wrong));
     if (size <= 0)
         return problem_error(problem, "gnuplot drew nothing");
-    ticker_stop();
+    progress_end();
     rewind(drawing);
     for (size_t n; (n = fread(block, 1, sizeof block, drawing)) > 0;)
         fwrite(block, 1, n, p->out);

@@ -45,7 +45,7 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
 {
     int width, height;
     struct look look = look_of(a->out);
-    ticker_stop();
+    progress_end();
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT;

@@ -140,7 +140,7 @@ static bool line_append(int file, off_t size, const char *text)
         errno = ENOMEM;
         return false;
     }
-    bool whole = io_write(file, line, (size_t)length);
+    bool whole = io_write(file, line, (size_t)length, NULL);
     int reason = errno;
     if (!whole)
         (void)!ftruncate(file, size);

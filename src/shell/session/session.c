@@ -16,7 +16,7 @@ static void note(void *context, const char *text)
 
 void session_init(struct session *session, FILE *out)
 {
-    *session = (struct session){.standard = output_standard(out)};
+    *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = stderr}};
     session->output = &session->standard;
     session_direct(session);
     session->means = (struct means){.note = note, .context = session};
@@ -121,7 +121,7 @@ static void session_write(struct session *session, const struct problem *problem
         source = names_shown(source, shown); /* a name may not hide the message after it */
     int n = 0;
     output_flush(session->output); /* so that both streams keep their order where they share a file */
-    ticker_stop();
+    progress_end();
     session_caret(session, problem->column);
     if (source && problem->column)
         n = snprintf(line, sizeof line, "%s:%ld:%d: ", source, session->line, problem->column);

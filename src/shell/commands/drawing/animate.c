@@ -20,7 +20,6 @@ struct film {
     const struct film_what *what;
     struct movie movie;
     struct sheet sheet;
-    struct progress progress;
     size_t frames, frame;
     int delay; /* between frames, in hundredths of a second */
 };
@@ -39,7 +38,7 @@ static void film_frame(struct film *f, const struct stage *stage)
     fprintf(script, "unset label\nunset arrow\n");
     sheet_palette(&f->sheet, (int)(f->frame % 2), script);
     stage_script(stage, &f->sheet, script);
-    progress_show(&f->progress, (double)++f->frame / (double)f->frames);
+    progress_show((double)++f->frame / (double)f->frames);
 }
 
 /* ---- The row ---- */
@@ -128,7 +127,6 @@ static bool row_times(struct row_film *f)
 static bool row_watch(struct row_film *f)
 {
     enum dom_status status = falling_row_watch(&f->row, f->time, f->film.frames, row_frame, f);
-    progress_show(&f->film.progress, 1);
     return status == DOM_OK || row_status(f->film.query, f->film.problem, status);
 }
 
@@ -341,7 +339,6 @@ static bool train_watch(struct train_film *f)
     enum dom_status status = DOM_OK;
     for (size_t frame = 0; frame < f->film.frames && status == DOM_OK; frame++)
         status = train_frame(f, frame);
-    progress_show(&f->film.progress, 1);
     return status == DOM_OK || problem_status(f->film.problem, f->film.query->scene, status);
 }
 

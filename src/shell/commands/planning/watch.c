@@ -158,8 +158,8 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
     if (!watch_possible(session, problem))
         return false;
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    bool muted = progress_mute(true), begun = watch_begin(&w, problem);
-    ticker_stop();
+    bool begun = watch_begin(&w, problem);
+    progress_end();
     if (begun && tcgetattr(STDIN_FILENO, &before) == 0) {
         keys = before;
         keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
@@ -172,7 +172,6 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
         tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
     }
     gsl_set_error_handler(handler);
-    progress_mute(muted);
     domq_real value = w.x;
     if (w.state == WATCH_STOP)
         raise(SIGTSTP);

@@ -69,7 +69,6 @@ static enum dom_status sample_find(const struct cycle *c, const struct domq_even
 /* Writes the rows of all samples: at tilts equally far apart, and at the events between them. */
 static enum dom_status samples_write(struct cycle *c, struct answer *a, sample_rows *write)
 {
-    struct progress progress = {0, 0};
     enum dom_status status = DOM_OK;
     int event = 0;
     for (int k = 0; k <= STEPS && status == DOM_OK && !answer_lost(a);) {
@@ -81,9 +80,8 @@ static enum dom_status samples_write(struct cycle *c, struct answer *a, sample_r
         status = sample_find(c, at, at ? at->theta : theta, &sample);
         if (status == DOM_OK)
             status = write(c, &sample, a);
-        progress_show(&progress, status == DOM_OK ? (k + 1.0) / (STEPS + 2) : 1);
+        progress_show((k + 1.0) / (STEPS + 2));
     }
-    progress_show(&progress, 1);
     return status;
 }
 

@@ -70,23 +70,20 @@ static bool limits_plot(const struct query *query, struct answer *a, struct char
                         struct problem *problem, const struct limit *limits, int count)
 {
     const struct domq_train *train = &query->scene->train;
-    struct progress progress = {0, 0};
     domq_real top = 1;
     for (int k = 0; k < SAMPLES && !answer_lost(a); k++) {
         domq_real s = S_LOW + (domq_real)k * S_STEP, r;
         struct cell row[LIMITS + 2] = {cell_real(s)};
         for (int i = 0; i < count; i++) {
             enum dom_status status = limit_find(query, &limits[i], s, &r);
-            if (status != DOM_OK) {
-                progress_show(&progress, 1);
+            if (status != DOM_OK)
                 return problem_status(problem, query->scene, status);
-            }
             top = isfinite(r) ? quad_larger(top, r) : top;
             row[i + 1] = cell_real(r);
         }
         row[LIMITS + 1] = cell_real(reach_at(*train, s));
         answer_row(a, row, NULL);
-        progress_show(&progress, (k + 1.0) / SAMPLES);
+        progress_show((k + 1.0) / SAMPLES);
     }
     if (chart)
         limits_chart(train, (double)top, chart);

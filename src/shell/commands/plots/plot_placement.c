@@ -33,7 +33,6 @@ static enum dom_status sigma_most(const struct scene_row *scene, const struct do
 static enum dom_status studies_write(const struct scene_row *scene, struct domq_placement *placement,
                                      domq_real most, struct answer *a, bool *unknown)
 {
-    struct progress progress = {0, 0};
     enum dom_status status = DOM_OK;
     for (int k = 0; k < SIGMAS && status == DOM_OK && !answer_lost(a); k++) {
         struct domq_study study;
@@ -45,9 +44,8 @@ static enum dom_status studies_write(const struct scene_row *scene, struct domq_
                          cell_real((domq_real)study.low), cell_real((domq_real)study.high),
                          cell_count((domq_real)study.rows));
         *unknown = *unknown || study.unknown > 0;
-        progress_show(&progress, (k + 1.0) / (SIGMAS + 1));
+        progress_show((k + 1.0) / (SIGMAS + 1));
     }
-    progress_show(&progress, 1);
     return status;
 }
 

@@ -169,11 +169,6 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-static void gaps_progress(size_t done, size_t of, void *context)
-{
-    progress_show(context, (double)done / (double)of);
-}
-
 /* Returns how far a gap is from the nearest end of its window, or infinity where it has none. */
 static double window_room(const struct domq_window *w)
 {
@@ -221,15 +216,13 @@ static void gaps_chart(const struct domq_window *w, size_t count, struct chart *
 bool plot_gaps(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
     struct scene_row scene;
-    struct progress progress = {0, 0};
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     size_t count = scene.row.count - 1;
     struct domq_window *w = calloc(count ? count : 1, sizeof *w);
     enum dom_status status =
-        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, gaps_progress, &progress, w)
+        w ? domq_row_windows(&scene.row, &scene.compute, DOM_WINDOW_GAP, progress_count, NULL, w)
           : DOM_NO_MEMORY;
-    progress_show(&progress, 1);
     bool done = status == DOM_OK && count > 0;
     if (status != DOM_OK)
         row_status(query, problem, status);

@@ -15,11 +15,6 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void mend_progress(size_t done, size_t of, void *context)
-{
-    progress_show(context, (double)done / (double)of);
-}
-
 /* Returns true if the first domino does not tip over: no gap matters then. */
 static bool push_lacks(const struct domq_verdict *v)
 {
@@ -95,7 +90,6 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     struct scene_row scene;
     struct domq_verdict v;
     struct domq_mend list[DOM_MENDS];
-    struct progress progress = {0, 0};
     size_t found = 0;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
@@ -103,10 +97,8 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     enum dom_status status = domq_row_run(&scene.row, &scene.compute, false, NULL, NULL, &v);
     if (status == DOM_OK && push_lacks(&v) && answer_for_people(a))
         status = push_say(a, &scene, &v);
-    if (status == DOM_OK && v.end != DOM_ROW_FALLS) {
-        status = domq_row_mend(&scene.row, &scene.compute, mend_progress, &progress, list, &found);
-        progress_show(&progress, 1);
-    }
+    if (status == DOM_OK && v.end != DOM_ROW_FALLS)
+        status = domq_row_mend(&scene.row, &scene.compute, progress_count, NULL, list, &found);
     if (status == DOM_OK)
         mends_answer(a, list, found, &v, scene.row.count);
     free(scene.domino);

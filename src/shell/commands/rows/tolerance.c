@@ -37,15 +37,10 @@ struct windows {
     bool falls;
 };
 
-struct search {
-    struct progress progress;
-    int kind;
-};
-
 static void search_progress(size_t done, size_t of, void *context)
 {
-    struct search *s = context;
-    progress_show(&s->progress, (s->kind + (double)done / (double)of) / KINDS);
+    const int *search = context;
+    progress_show((*search + (double)done / (double)of) / KINDS);
 }
 
 /* Returns how far the value is inside of its window; NaN without a window. */
@@ -95,7 +90,7 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
 {
     const struct domq_row *row = &scene->row;
     const bool leans = !row->engine && row->rho == 0; /* the library knows no others */
-    struct search search = {.kind = 0};
+    int search = 0;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};
     w->kind[0] = malloc(KINDS * w->count * sizeof **w->kind);
@@ -105,15 +100,14 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
         w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
     enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    for (; search.kind < KINDS; search.kind++) {
-        const enum dom_window_of kind = (enum dom_window_of)search.kind;
+    for (; search < KINDS; search++) {
+        const enum dom_window_of kind = (enum dom_window_of)search;
         bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE;
         w->kind[kind] = w->kind[0] + kind * w->count;
         if (status == DOM_OK && (leans || kind != DOM_WINDOW_PLUMB))
             status = domq_row_windows(row, &scene->compute, kind, search_progress, &search,
                                       w->kind[kind] + from_second);
     }
-    progress_show(&search.progress, 1);
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
     if (status == DOM_OK && w->falls) {

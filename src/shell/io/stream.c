@@ -1,0 +1,267 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "domino_quad.h"
+#include "io/io.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Opens a stream whose functions get a copy of the cookie, which its close function frees. */
+static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
+{
+    void *copy = malloc(size);
+    FILE *stream = copy ? fopencookie(memcpy(copy, cookie, size), mode, functions) : NULL;
+    if (!stream)
+        free(copy);
+    return stream;
+}
+
+/* ---- Standard output ---- */
+
+enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
+
+/*
+ * Text that was flushed but is not written yet, and errno of the first write that failed.  They belong to
+ * whoever has set `held_lock`: a thread that writes, or the handler of the timer, which never waits for it.
+ */
+static char held[HELD_MOST];
+static size_t held_size;
+static int held_error;
+static atomic_flag held_lock = ATOMIC_FLAG_INIT;
+
+static FILE *standard;
+static const volatile sig_atomic_t *standard_interrupt;
+static timer_t timer;
+
+static void held_begin(void)
+{
+    while (atomic_flag_test_and_set(&held_lock))
+        sched_yield();
+}
+
+static void held_write(void)
+{
+    if (!held_error && !io_write(STDOUT_FILENO, held, held_size, standard_interrupt))
+        held_error = errno;
+    held_size = 0;
+}
+
+static void timer_start(void)
+{
+    const struct itimerspec moment = {.it_value = {.tv_nsec = MOMENT}};
+    timer_settime(timer, 0, &moment, NULL);
+}
+
+static void on_timer(int number)
+{
+    int reason = errno;
+    (void)number;
+    if (!atomic_flag_test_and_set(&held_lock)) {
+        held_write();
+        atomic_flag_clear(&held_lock);
+    } else
+        timer_start();
+    errno = reason;
+}
+
+static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
+{
+    (void)cookie;
+    held_begin();
+    for (size_t done = 0, part; done < size; done += part) {
+        if (held_size == HELD_MOST)
+            held_write();
+        if (held_size == 0)
+            timer_start();
+        part = size - done < HELD_MOST - held_size ? size - done : HELD_MOST - held_size;
+        memcpy(held + held_size, bytes + done, part);
+        held_size += part;
+    }
+    int reason = held_error;
+    atomic_flag_clear(&held_lock);
+    errno = reason ? reason : errno;
+    return reason ? 0 : (ssize_t)size;
+}
+
+void io_stdout_flush(void)
+{
+    fflush(standard ? standard : stdout);
+    held_begin();
+    held_write();
+    atomic_flag_clear(&held_lock);
+}
+
+static int standard_close(void *cookie)
+{
+    (void)cookie;
+    held_begin(); /* for good: the timer may still fire */
+    held_write();
+    errno = held_error ? held_error : errno;
+    return held_error ? -1 : 0;
+}
+
+FILE *io_stdout(const volatile sig_atomic_t *interrupt)
+{
+    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN};
+    const struct sigaction action = {.sa_handler = on_timer, .sa_flags = SA_RESTART};
+    const cookie_io_functions_t functions = {.write = standard_write, .close = standard_close};
+    standard_interrupt = interrupt;
+    if (!standard && !isatty(STDOUT_FILENO) && sigaction(SIGRTMIN, &action, NULL) == 0 &&
+        timer_create(CLOCK_MONOTONIC, &event, &timer) == 0)
+        standard = fopencookie(NULL, "w", functions);
+    standard = standard ? standard : stdout;
+    return standard;
+}
+
+/* ---- Files ---- */
+
+struct channel {
+    int file;
+    const volatile sig_atomic_t *interrupt;
+};
+
+/*
+ * Reads what is there.  If nothing is there yet, the program at the other end may be waiting for answers
+ * before it writes its next command, so they are written before this wait, rather than after each command.
+ */
+static ssize_t channel_read(void *cookie, char *bytes, size_t size)
+{
+    const struct channel *c = cookie;
+    struct pollfd ready = {.fd = c->file, .events = POLLIN};
+    if (poll(&ready, 1, 0) != 1)
+        io_stdout_flush();
+    ssize_t n = -1;
+    do
+        if (!io_wait(c->file, POLLIN, NULL, c->interrupt))
+            return -1;
+    while ((n = read(c->file, bytes, size)) < 0 && (errno == EAGAIN || errno == EINTR));
+    return n;
+}
+
+/* Writes all bytes, because a stream of fopencookie takes a short count for an error. */
+static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
+{
+    const struct channel *c = cookie;
+    size_t done = 0;
+    while (done < size && io_wait(c->file, POLLOUT, NULL, c->interrupt)) {
+        ssize_t n = write(c->file, bytes + done, size - done);
+        if (n < 0 && errno != EAGAIN && errno != EINTR)
+            break;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    return (ssize_t)done;
+}
+
+static int channel_close(void *cookie)
+{
+    int closed = close(((const struct channel *)cookie)->file);
+    free(cookie);
+    return closed;
+}
+
+/* Returns true if reading or writing may have to wait.  Regular files never wait, and a terminal takes what
+ * is written to it, or ^C discards that. */
+static bool may_wait(int file, const char *mode)
+{
+    struct stat status;
+    return !(fstat(file, &status) == 0 && S_ISREG(status.st_mode)) && !(*mode == 'w' && isatty(file));
+}
+
+FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
+{
+    const struct channel channel = {file, interrupt};
+    const cookie_io_functions_t functions = {
+        .read = channel_read, .write = channel_write, .close = channel_close};
+    bool waits = may_wait(file, mode);
+    if (!waits)
+        fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
+    FILE *stream = waits ? cookie_stream(&channel, sizeof channel, mode, functions) : fdopen(file, mode);
+    if (!stream) {
+        int reason = errno;
+        close(file);
+        errno = reason;
+    }
+    return stream;
+}
+
+FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt)
+{
+    struct stat status;
+    int file = io_open(path, O_RDONLY, 0, interrupt);
+    if (file >= 0 && fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
+        close(file);
+        errno = EISDIR;
+        return NULL;
+    }
+    return file >= 0 ? io_stream(file, "r", interrupt) : NULL;
+}
+
+FILE *io_stdin(const volatile sig_atomic_t *interrupt)
+{
+    static FILE *in;
+    static struct channel channel;
+    const cookie_io_functions_t functions = {.read = channel_read};
+    if (!in) {
+        channel = (struct channel){STDIN_FILENO, interrupt};
+        in = may_wait(STDIN_FILENO, "r") ? fopencookie(&channel, "r", functions) : stdin;
+    }
+    if (in)
+        clearerr(in); /* on a terminal ^D ends what one command reads, not all later reading */
+    return in;
+}
+
+FILE *io_temporary(const char *folder)
+{
+    const char *variable = secure_getenv("TMPDIR");
+    char *name;
+    folder = folder ? folder : variable && *variable ? variable : P_tmpdir;
+    int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    if (file < 0 && asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) { /* the file system lacks O_TMPFILE */
+        sigset_t before = io_block();
+        file = mkostemp(name, O_CLOEXEC);
+        if (file >= 0)
+            unlink(name);
+        io_unblock(&before);
+        free(name);
+    }
+    return file >= 0 ? fdopen(file, "w+") : NULL;
+}
+
+/* ---- Memory ---- */
+
+struct memory {
+    char **text;
+    size_t *size;
+};
+
+static ssize_t memory_write(void *cookie, const char *bytes, size_t count)
+{
+    const struct memory *m = cookie;
+    char *text = realloc(*m->text, *m->size + count);
+    if (!text)
+        return 0;
+    memcpy(text + *m->size, bytes, count);
+    *m->text = text;
+    *m->size += count;
+    return (ssize_t)count;
+}
+
+static int memory_close(void *cookie)
+{
+    free(cookie);
+    return 0;
+}
+
+FILE *io_memory(char **text, size_t *size)
+{
+    const cookie_io_functions_t functions = {.write = memory_write, .close = memory_close};
+    const struct memory memory = {text, size};
+    *text = NULL;
+    *size = 0;
+    return cookie_stream(&memory, sizeof memory, "w", functions);
+}
