@@ -2,6 +2,7 @@
 #include "language/csv.h"
 #include "io/escape.h"
 #include "language/text.h"
+#include "language/units.h"
 #include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
@@ -14,7 +15,7 @@ bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, .
     va_start(arguments, format);
     vsnprintf(file->problem.text, sizeof file->problem.text, format, arguments);
     va_end(arguments);
-    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1}; /* a file without a first line */
+    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1}; /* the file is empty */
     return false;
 }
 
@@ -23,7 +24,7 @@ const char *csv_separator_name(const struct csv_file *file)
     return file->separator == ';' ? "';'" : file->separator == ',' ? "','" : "tab";
 }
 
-/* Leaves out the byte order mark, and makes every line end '\n'. */
+/* Removes the byte order mark, and replaces all line ends by '\n'. */
 static void text_unify(char *text)
 {
     char *to = text, before = '\0';
@@ -71,20 +72,20 @@ static void step(struct csv_file *file)
     file->at.column = c == '\n' ? 1 : file->at.column + (((unsigned char)*file->next & 0xc0) != 0x80);
 }
 
-/* Skips blanks, but not the separator, which may be a tab. */
+/* Skips blanks, except a tab that is the separator. */
 static void skip(struct csv_file *file)
 {
     while (*file->next && *file->next != file->separator && strchr(" \t\f\v", *file->next))
         step(file);
 }
 
-/* Returns true where a line ends, or a comment begins. */
+/* Returns true at the end of a line, and where a comment begins. */
 static bool at_end(const struct csv_file *file)
 {
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->blank);
 }
 
-/* Reads a cell and what is after it: its separator, with *more, or the rest of the line. */
+/* Reads a cell, and its separator or the rest of the line. *more tells whether another cell follows. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip(file);
@@ -112,7 +113,7 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
         return csv_wrong(file, open, "this '\"' is never closed; write another '\"' at the end of the cell");
     if (*more && *file->next != file->separator)
         return csv_wrong(file, file->at, "a %s is missing after the closing '\"'", csv_separator_name(file));
-    for (; line && *file->next; step(file)) /* a comment goes to the end of its line */
+    for (; line && *file->next; step(file)) /* skips a comment */
         line = !*more && *file->next != '\n';
     while (to > cell->text && isspace((unsigned char)to[-1]))
         to--;
@@ -121,8 +122,8 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 }
 
 /*
- * Finds the separator: the one of "sep=;", which spreadsheets write above the first line, and which is
- * skipped; or ';' if the first line has one; or a comma, unless a tab comes directly between two names.
+ * Finds the separator. A line "sep=;" above the first line names it, and is skipped. Otherwise it is ';' if
+ * the first line has one, or else a comma, unless a tab is directly between two names.
  */
 static void separator_find(struct csv_file *file)
 {
@@ -162,6 +163,52 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
     if (*file->next == '\0' && file->cut_short)
         return csv_wrong(file, file->at, "%s", file->cut_short);
     return good && !empty;
+}
+
+/* ---- Decimal marks ---- */
+
+/* A comma between parentheses separates the arguments of a function. */
+bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
+{
+    int depth = 0;
+    for (char *c = text; *c; c++) {
+        size_t before = 0, after = strspn(c + 1, "0123456789");
+        while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
+            before++;
+        depth += (*c == '(') - (*c == ')');
+        bool comma = *c == ',' && depth == 0 && after > 0;
+        if (!comma && (*c != '.' || before + after == 0))
+            continue;
+        const char *end = c + 1 + after;
+        if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
+            return csv_wrong(file, at,
+                             "this number has more than one decimal mark; write it without separators of "
+                             "thousands");
+        struct csv_mark *mark = comma ? &file->comma : &file->point;
+        bool is_clear =
+            before < 1 || before > 3 || *(c - before) == '0' || after != 3 || *end == 'e' || *end == 'E';
+        mark->is_used = true;
+        mark->is_clear = mark->is_clear || is_clear;
+        if (!is_clear && mark->at.line == 0) {
+            mark->at = at;
+            name_copy(c - before, before, mark->before, sizeof mark->before);
+            name_copy(c + 1, after, mark->after, sizeof mark->after);
+        }
+        *c = '.';
+        c += after;
+    }
+    return true;
+}
+
+bool csv_marks_check(struct csv_file *file)
+{
+    bool decimal = file->comma.is_clear || file->locale_comma || file->separator == ';';
+    bool comma = file->comma.at.line > 0 && (!decimal || file->point.is_used);
+    const struct csv_mark *m = comma ? &file->comma : &file->point;
+    const char *a = m->before, *b = m->after;
+    return (!comma && (m->at.line == 0 || !file->comma.is_used)) ||
+           csv_wrong(file, m->at, "'%s%c%s' can be read as %s.%s or as %s%s; write %s.%s0 or %s%s", a,
+                     comma ? ',' : '.', b, a, b, a, b, a, b, a, b);
 }
 
 void csv_write(FILE *out, const char *text, const char *quoted)

@@ -8,15 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char digits[] = "0123456789";
-
 struct csv_cell csv_cell(const struct csv_table *csv, int k)
 {
-    int i = k >= 0 ? csv->column[k] - 1 : -1;
+    int i = csv->column[k] - 1;
     return i >= 0 && i < csv->row.cells ? csv->row.cell[i] : (struct csv_cell){.text = "", .at = csv->row.at};
 }
 
-/* Returns true for a cell that has no value. */
 static bool is_empty(const char *text)
 {
     return *text == '\0' || strcmp(text, "-") == 0;
@@ -26,14 +23,14 @@ static bool is_empty(const char *text)
 
 enum { UNIT = 32 };
 
-/* Copies the unit in "mm", "(mm)" or "[mm]"; returns false if the text is not a unit. */
+/* Copies the unit from "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* of as many bytes */
+    if (cube) { /* the sign for a cube, which is as long as "^3" */
         cube[0] = '^';
         cube[1] = '3';
     }
@@ -59,7 +56,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     return true;
 }
 
-/* Reads the line below the names: it may have their units, or is the first row. */
+/* Reads the line below the names, which may have the units, or be the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -97,8 +94,8 @@ static bool is_among(const char *list, const char *name)
     return false;
 }
 
-/* Copies the name of a column in lower case, and returns where its unit is: after a bracket or a comma, or
- * the last word if that is a unit. */
+/* Copies the name of a column in lower case. Returns the unit, which follows a bracket or a comma, or is the
+ * last word. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
@@ -155,7 +152,7 @@ static bool head_read(struct csv_table *csv)
     int others = 0;
     bool good = true;
     if (!csv_read(&csv->file, &csv->head))
-        return !*csv->file.problem.text; /* the file is empty: csv_next describes it */
+        return !*csv->file.problem.text; /* csv_next describes that the file is empty */
     if (csv->head.cells == 1)
         return csv_wrong(&csv->file, csv->head.at,
                          "there is only one column; the first line names %s, separated by ',', ';' or tabs",
@@ -175,8 +172,7 @@ static bool head_read(struct csv_table *csv)
         others += csv->other[i];
         text_free(&text);
     }
-    if (good &&
-        others > CSV_OTHERS_MOST) /* with all columns of the kind there would be too many to read back */
+    if (good && others > CSV_OTHERS_MOST) /* a file with these columns could not be read again */
         return csv_wrong(
             &csv->file, csv->head.at,
             "the file has %d columns that are not used, and at most %d of them can be kept; delete some",
@@ -193,8 +189,8 @@ struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bo
     struct csv_table *csv = malloc(sizeof *csv);
     if (csv) {
         *csv = (struct csv_table){
-            .file = {.at = {1, 1}, .blank = true}, .path = path, .kind = kind, .locale_comma = locale_comma};
-        (void)(csv_load(&csv->file, in) && head_read(csv)); /* the table has the problem */
+            .file = {.at = {1, 1}, .blank = true, .locale_comma = locale_comma}, .path = path, .kind = kind};
+        (void)(csv_load(&csv->file, in) && head_read(csv)); /* a problem is in csv->file */
     }
     return csv;
 }
@@ -210,56 +206,8 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/*
- * Looks at the decimal marks of a cell, and makes decimal commas points.  A comma between parentheses
- * separates the arguments of a function.
- */
-static bool marks_read(struct csv_table *csv, struct csv_place at, char *text)
-{
-    int depth = 0;
-    for (char *c = text; *c; c++) {
-        size_t before = 0, after = strspn(c + 1, digits);
-        while (c - before > text && isdigit((unsigned char)(c - before)[-1]))
-            before++;
-        depth += (*c == '(') - (*c == ')');
-        bool comma = *c == ',' && depth == 0 && after > 0;
-        if (!comma && (*c != '.' || before + after == 0))
-            continue;
-        const char *end = c + 1 + after;
-        if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
-            return csv_wrong(&csv->file, at,
-                             "this number has more than one decimal mark; write it without separators of "
-                             "thousands");
-        struct csv_mark *mark = comma ? &csv->comma : &csv->point;
-        bool sure =
-            before < 1 || before > 3 || *(c - before) == '0' || after != 3 || *end == 'e' || *end == 'E';
-        mark->seen = true;
-        mark->sure = mark->sure || sure;
-        if (!sure && mark->at.line == 0) {
-            mark->at = at;
-            name_copy(c - before, before, mark->before, sizeof mark->before);
-            name_copy(c + 1, after, mark->after, sizeof mark->after);
-        }
-        *c = '.';
-        c += after;
-    }
-    return true;
-}
-
-/* Describes the first number that may be read in two ways, now that all of them are known; returns true if
- * there is none. */
-static bool marks_check(struct csv_table *csv)
-{
-    bool decimal = csv->comma.sure || csv->locale_comma || csv->file.separator == ';';
-    bool comma = csv->comma.at.line > 0 && (!decimal || csv->point.seen);
-    const struct csv_mark *m = comma ? &csv->comma : &csv->point;
-    const char *a = m->before, *b = m->after;
-    return (!comma && (m->at.line == 0 || !csv->comma.seen)) ||
-           csv_wrong(&csv->file, m->at, "'%s%c%s' can be read as %s.%s or as %s%s; write %s.%s0 or %s%s", a,
-                     comma ? ',' : '.', b, a, b, a, b, a, b, a, b);
-}
-
-/* Describes that a unit is missing.  None is assumed: metres in a file of millimetres would be towers. */
+/* Describes that a unit is missing. No unit is assumed, since a row in millimetres would be a row of towers
+ * in metres. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -272,7 +220,23 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates the text of a cell, in SI, without a check of its range. */
+/* Evaluates a text that must be one expression without names. Returns false after an error; the message is
+ * empty if there is more text behind the expression. Writes the place of the error to *end. */
+static bool constant_read(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
+                          const char **end)
+{
+    struct arena arena = {.block = NULL};
+    struct evaluation e = {.angle = 1};
+    struct parse p = {.text = text, .arena = &arena};
+    const struct tree *t = expression_parse(&p);
+    bool good = t && expression_evaluate(&e, t, q);
+    *end = !t ? p.end : !good ? e.at : skip_blanks(p.end);
+    snprintf(message, EXPRESSION_MESSAGE, "%s", t ? e.message : p.message);
+    arena_free(&arena);
+    return good && **end == '\0';
+}
+
+/* Reads the number in a cell, in SI units. Does not check its range. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -280,7 +244,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     struct quantity q = {.value = 0};
     char message[EXPRESSION_MESSAGE];
     const char *rest;
-    bool good = expression_constant(text->line, &q, message, &rest);
+    bool good = constant_read(text->line, &q, message, &rest);
     struct csv_place cell = csv_cell(csv, k).at, at = cell;
     if (rest > text->line)
         at.column += text_column(text, rest) - 1;
@@ -304,7 +268,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 bool csv_check(struct csv_table *csv, int k, domq_real value)
 {
     const struct csv_column *c = &csv->kind->column[k];
-    double near = (double)value; /* the bounds are decimals, and are in the range as doubles */
+    double near = (double)value; /* a bound such as 1e-9 is in the range, although it is not a double */
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
                      : near > c->highest ? "too large"
@@ -318,7 +282,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads the value of a column of the table in this row. */
+/* Reads the value of column k in the current row. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -336,20 +300,20 @@ static bool value_read(struct csv_table *csv, int k)
         return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->advice);
     if (!text_make(&text, typed, strlen(typed)))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
-    bool good = marks_read(csv, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
+    bool good = csv_marks_read(&csv->file, csv_cell(csv, k).at, text.line) && number_read(csv, k, &text) &&
                 (unused || csv_check(csv, k, csv->value[k]));
     text_free(&text);
     return good;
 }
 
-/* Describes that the row has more cells than the first line, and how a decimal comma in it was read. */
+/* Describes that the row has more cells than the first line, perhaps since it has a decimal comma. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;
     char reading[160] = "";
     for (int i = 0; i + 1 < cells && !*reading && csv->file.separator == ','; i++) {
         const struct csv_cell *a = &row->cell[i], *b = a + 1;
-        int one = (int)strspn(a->text, digits), two = (int)strspn(b->text, digits);
+        int one = (int)strspn(a->text, "0123456789"), two = (int)strspn(b->text, "0123456789");
         if (one && two && !a->text[one] && !a->quoted && b->at.column == a->at.column + one + 1)
             snprintf(reading, sizeof reading,
                      "; '%.9s,%.9s' is read as the cells %.9s and %.9s: if it is one number, write %.9s.%.9s",
@@ -360,7 +324,7 @@ static bool cells_many(struct csv_table *csv, int cells)
                      csv->head.cells, csv_separator_name(&csv->file), reading);
 }
 
-/* Reads the next row, without a first line that comes again, as where files were joined. */
+/* Reads the next row. Skips repeated first lines, which files have that were concatenated. */
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;
@@ -382,13 +346,13 @@ bool csv_next(struct csv_table *csv)
             csv_wrong(&csv->file, csv->file.at,
                       "the file has no %s; the first line names %s, and each line after it is one %s",
                       kind->items, kind->names, kind->item);
-        return !*csv->file.problem.text && marks_check(csv) && false;
+        return !*csv->file.problem.text && csv_marks_check(&csv->file) && false;
     }
     if (csv->rows == kind->rows_most)
         return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, and no more can be read",
                          kind->rows_most, kind->items);
     int cells = csv->row.cells;
-    while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* as spreadsheets write them */
+    while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets add empty cells */
         cells--;
     bool good = cells <= csv->head.cells || cells_many(csv, cells);
     for (int k = 0; k < kind->columns && good; k++)

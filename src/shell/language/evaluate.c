@@ -2,7 +2,6 @@
 /* Evaluates trees. The value of a comparison is 1 or 0, and a condition is true unless its value is 0. */
 #include "language/expression.h"
 #include "language/quad.h"
-#include "language/text.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -262,18 +261,4 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     }
     e->at = t->at;
     return evaluation_fail(e, "'%s' has no value in a file", t->name);
-}
-
-bool expression_constant(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
-                         const char **end)
-{
-    struct arena arena = {.block = NULL};
-    struct evaluation e = {.angle = 1};
-    struct parse p = {.text = text, .arena = &arena};
-    const struct tree *t = expression_parse(&p);
-    bool good = t && expression_evaluate(&e, t, q);
-    *end = !t ? p.end : !good ? e.at : skip_blanks(p.end);
-    snprintf(message, EXPRESSION_MESSAGE, "%s", t ? e.message : p.message);
-    arena_free(&arena);
-    return good && **end == '\0';
 }

@@ -99,13 +99,6 @@ struct evaluation {
 /* Evaluates a tree. Returns false after an error, with evaluation->message. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
-/*
- * Parses and evaluates a text that must be one expression without names. Returns false after an error; the
- * message is empty if there is more text after the expression. Writes the place of the error to *end.
- */
-bool expression_constant(const char *text, struct quantity *result, char message[EXPRESSION_MESSAGE],
-                         const char **end);
-
 /* Set the message of an evaluation, for an error in the line or in its values. Both macros are false. */
 void evaluation_message(struct evaluation *evaluation, bool of_value, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -2,7 +2,6 @@
 #include "session/effects.h"
 #include "language/names.h"
 #include "language/quad.h"
-#include "session/open_csv.h"
 #include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>

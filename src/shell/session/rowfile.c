@@ -1,18 +1,71 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/rowfile.h"
 #include "io/io.h"
+#include "io/terminal.h"
+#include "language/names.h"
 #include "language/quad.h"
+#include <errno.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Returns the path of a file in the folder of the script that names it, or the name itself if there is no
+ * such file. Returns NULL if there is no memory. The caller frees the path. */
+static char *path_beside(const struct means *means, const char *name)
+{
+    const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
+    char *path = NULL;
+    if (slash && asprintf(&path, "%.*s%s", (int)(slash + 1 - means->script), means->script, name) < 0)
+        return NULL;
+    if (path && access(path, F_OK) == 0)
+        return path;
+    free(path);
+    return strdup(name);
+}
+
+bool csv_end(struct csv_table *csv, struct problem *problem)
+{
+    char shown[NAMES_SHOWN];
+    bool good = csv && *csv->file.problem.text == '\0';
+    if (csv && !good) {
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path, shown);
+        problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
+                      csv->file.problem.text);
+    }
+    csv_close(csv);
+    return good;
+}
+
+struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
+                            bool standard, const struct csv_kind *kind, struct problem *problem)
+{
+    const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
+    char shown[NAMES_SHOWN];
+    standard = standard && strcmp(name, "-") == 0;
+    char *path = path_beside(means, name);
+    FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_read(path, interrupt);
+    struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
+    if (!csv)
+        problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+    if (in && !standard)
+        fclose(in);
+    if (!csv)
+        free(path);
+    else if (*csv->file.problem.text && !csv_end(csv, problem))
+        csv = NULL;
+    return csv;
+}
+
+/* ---- Rows ---- */
 
 enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOMINO, KINDS };
 
 #define LENGTH                                                                                               \
-    "m", "m, mm, cm, km, in, ft, yd", "mm",                                                                  \
-        "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
+    CSV_LENGTH, "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
 #define WEIGHT "write a number in the unit of the first line, as in "
 #define PLAIN  "", "none", "", "write a plain number: "
 
-/* The bounds of masses are those of single precision. */
+/* Masses can be as small and as large as in single precision. */
 static const struct csv_column columns[KINDS] = {
     {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
@@ -38,7 +91,7 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino; the arrays are full at 0, 1, 2, 4, ... */
+/* Makes room for one more domino. The arrays double when the count is 0 or a power of 2. */
 static bool row_grow(struct listed_row *rows)
 {
     if ((rows->count & (rows->count - 1)) != 0)
@@ -87,8 +140,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all rows; others takes what the table does not know of the first line and of each row, ended by NULs.
- */
+/* Reads all rows. Writes the other columns of each line to `others`, with a NUL byte after each line. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MASS] && csv->column[DENSITY])

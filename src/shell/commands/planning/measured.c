@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/planning/measured.h"
-#include "session/open_csv.h"
+#include "session/rowfile.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,8 +9,8 @@ enum { GAP, SPEED, ERROR, KINDS };
 #define SPEEDS "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
 
 static const struct csv_column columns[KINDS] = {
-    {"gap", "spacing,distance,separation", CSV_REQUIRED, "m", "m, mm, cm, km, in, ft, yd", "mm",
-     "write a length such as 9 mm", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    {"gap", "spacing,distance,separation", CSV_REQUIRED, CSV_LENGTH, "write a length such as 9 mm",
+     CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
     {"speed", "velocity,v", CSV_REQUIRED, SPEEDS, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
     {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEEDS, CSV_ABOVE_0, 3e8,
      "more than 0, up to 3e8 m/s"},

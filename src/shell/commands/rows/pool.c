@@ -6,7 +6,7 @@
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
-#include "session/open_csv.h"
+#include "session/rowfile.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
