@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help, all of it from the tables of commands and parameters. */
+/* Help, which comes from the tables of commands and parameters. */
 #include "answer/format.h"
-#include "answer/wrap.h"
-#include "commands/help_page.h"
-#include "commands/help_rows.h"
 #include "commands/tables.h"
+#include "commands/topics.h"
 #include "language/quad.h"
 #include "prompt/input.h"
-#include "session/parameters.h"
 #include "session/session.h"
 #include <string.h>
-
-enum { KEY_WIDTH = 12, UNIT_WIDTH = 6 }; /* at least, so that most pages are alike */
 
 /* What 'help' begins with: lines to type, in this order, and what they do. */
 static const struct first_line {
@@ -25,42 +20,29 @@ static const struct first_line {
     {"effect row 12", "a row of 12 dominoes; 'effect row FILE' reads your own"},
     {"set r 1.2", "each domino is 1.2 times as large as the one before it"},
     {"fall", "how each domino falls, and whether all do"},
+    {"lesson", "a tour in ten steps, from the tower to a row of your own"},
     {"help rmax", "explains a command; 'apropos tower' finds commands"},
     {"quit", "ends the session; ^C stops a computation"},
 };
 
-/* Returns the column in which summaries begin: after the longest usage of a command. */
-static int summary_column(void)
-{
-    char usage[USAGE_SIZE];
-    int widest = 0;
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++) {
-            int wide = (int)strlen(command_usage(c, usage));
-            widest = wide > widest ? wide : widest;
-        }
-    return widest + 2;
-}
-
 static void help_list(FILE *out)
 {
     char usage[USAGE_SIZE], typed[USAGE_SIZE + 2], names[256] = "Parameters:";
-    int column = summary_column();
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
         snprintf(typed, sizeof typed, "> %s", first_lines[i].line);
-        help_entry(out, typed, column + 2, first_lines[i].does);
+        topic_entry(out, typed, first_lines[i].does);
     }
     for (const struct command_group *g = command_groups(); g->title; g++) {
         fprintf(out, "\n%s\n", g->title);
         for (const struct command *c = g->commands; c->name; c++) {
             snprintf(typed, sizeof typed, "  %s", command_usage(c, usage));
-            help_entry(out, typed, column + 2, c->summary);
+            topic_entry(out, typed, c->summary);
         }
     }
     putc('\n', out);
     for (const struct parameter *p = session_parameters; p->name; p++) {
-        if (p->effect && p[-1].effect == NULL) {
+        if (p->effect && !p[-1].effect) {
             help_say(out, "%s", names);
             snprintf(names, sizeof names, "Effects:");
         }
@@ -71,62 +53,57 @@ static void help_list(FILE *out)
     help_say(out, "'help NAME' explains one of these, 'apropos WORD' finds one.");
 }
 
-/* Prints what a value of an effect is, and its range. */
-static void help_value(FILE *out, const struct domq_effect_argument *a, const char *range)
-{
-    char text[512];
-    snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
-             a->or_file ? "; or " : "", a->or_file ? a->or_file : "", a->optional ? "; may be left out" : "");
-    int left = fprintf(out, "  %-8s ", a->name);
-    write_wrapped(out, text, left, help_width(out));
-    putc('\n', out);
-}
+/* ---- A parameter or an effect ---- */
 
-static void help_effect_state(const struct session *session, const struct parameter *p)
+/* Prints the values that an effect takes, with their ranges. */
+static void help_effect_values(const struct session *session, const struct parameter *p)
 {
-    char setting[EFFECT_SETTING], shown[NAMES_SHOWN];
-    putc('\n', session->out);
-    help_say(session->out, "Source: %s", p->effect->source);
-    if (session->state.scene.effect[p->which].on)
-        help_say(session->out, "The effect is on: %s",
-                 names_shown(effect_setting(&session->state.scene, p->which, setting), shown));
-    else
-        help_say(session->out, "The effect is off, and takes no time.");
-}
-
-static void help_parameter(struct session *session, const struct parameter *p)
-{
-    char range[64], text[WIDE_TEXT], usage[USAGE_SIZE];
-    FILE *out = session->out;
-    if (p->effect)
-        effect_usage(p->which, usage);
-    else
-        snprintf(usage, sizeof usage, "%s VALUE", p->name);
-    help_say(out, "%s%s: %s", p->effect ? "effect " : "", p->effect ? usage : p->name, parameter_meaning(p));
-    if (parameter_help(p))
-        help_text(out, parameter_help(p));
-    putc('\n', out);
-    parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits, text,
-                   sizeof text);
-    if (!p->effect)
-        fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
-    for (int i = 0; parameter_value(p, i); i++) {
+    char range[64], text[512];
+    const struct domq_effect_argument *a;
+    for (int i = 0; (a = parameter_value(p, i)) != NULL; i++) {
         parameter_range(&session->state, p, i, range, sizeof range);
-        if (p->effect)
-            help_value(out, parameter_value(p, i), range);
-        else
-            fprintf(out, "  range    %s\n", range);
+        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
+                 a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
+                 a->optional ? "; may be left out" : "");
+        int left = fprintf(session->out, "  %-8s ", a->name);
+        help_wrapped(session->out, text, left);
+    }
+}
+
+static void help_parameter(struct session *session, const struct topic *t)
+{
+    const struct parameter *p = t->parameter;
+    const struct effect_state *effect = &session->state.scene.effect[p->which];
+    char range[64], text[WIDE_TEXT], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* behind "set" or "effect" */
+    FILE *out = session->out;
+    help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
+    putc('\n', out);
+    if (t->text)
+        help_say(out, "%s\n", t->text);
+    if (p->effect)
+        help_effect_values(session, p);
+    else {
+        parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits, text,
+                       sizeof text);
+        fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
+        parameter_range(&session->state, p, 0, range, sizeof range);
+        fprintf(out, "  range    %s\n", range);
     }
     parameter_text(p, parameter_fallback(&session->state, p), 6, text, sizeof text);
     fprintf(out, "  default  %s\n", text);
-    const char *name;
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
-    if (p->effect)
-        help_effect_state(session, p);
     putc('\n', out);
-    help_say(out, "'set %s' changes it, 'reset %s' sets the default.", usage, p->name);
+    if (p->effect) {
+        help_say(out, "Source: %s", p->effect->source);
+        help_say(out, effect->on ? "The effect is on: %s\n" : "The effect is off, and takes no time.\n",
+                 names_shown(effect_setting(&session->state.scene, p->which, setting), shown));
+    }
+    help_say(out, "'set %s' changes it, 'reset %s' sets the default.", values, p->name);
 }
+
+/* ---- A command ---- */
 
 /* Runs the example in a session of its own, with the defaults, so that its output is what the reader gets. */
 static void help_example(struct session *session, const char *example)
@@ -145,132 +122,119 @@ static void help_example(struct session *session, const char *example)
     session_close(&fresh);
 }
 
-/* Runs another command for its answer to people. */
-static void run_topic(struct session *session, const char *name)
+/* Shows the parameters, as 'show' does. */
+static void help_show(struct session *session)
 {
-    const struct command *c = command_find(name);
     const struct arguments none = {.count = 0};
-    struct problem unheard = {.kind = PROBLEM_NONE};
+    struct problem ignored = {.kind = PROBLEM_NONE};
     struct query query = session_query(session);
     struct answer answer = {
-        .out = session->out, .style = session->state.settings.style, .columns = c->columns, .rows = c->rows};
+        .out = session->out, .style = session->state.settings.style, .columns = show_columns, .rows = true};
     answer.style.format = &format_table;
     query.given = &none;
-    c->run(&query, &answer, &unheard);
+    fputs("\nThe parameters now:\n", session->out);
+    run_show(&query, &answer, &ignored);
 }
 
-/* Prints keys, units and meanings below each other, however long they are. */
-static void help_columns(FILE *out, const struct column *columns)
+/* Explains the numbers of an answer, or refers to the first command whose answer has the same. */
+static void help_columns(FILE *out, const struct command *c)
 {
-    int key = KEY_WIDTH, unit = UNIT_WIDTH;
-    for (const struct column *c = columns; c && c->key; c++) {
-        int key_wide = (int)strlen(c->key), unit_wide = (int)strlen(c->unit);
-        key = key_wide > key ? key_wide : key;
-        unit = unit_wide > unit ? unit_wide : unit;
+    int key = 12, unit = 6; /* at least, so that most pages are alike */
+    struct topic first;
+    for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
+        continue;
+    if (first.command != c) {
+        fprintf(out, "\nIt answers as '%s' does; 'help %s' explains each number.\n", first.name, first.name);
+        return;
     }
-    for (const struct column *c = columns; c && c->key; c++) {
-        int left = fprintf(out, "  %-*s %-*s ", key, c->key, unit, c->unit);
-        write_wrapped(out, c->meaning, left, help_width(out));
-        putc('\n', out);
+    fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
+    for (const struct column *k = c->columns; k->key; k++) {
+        key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
+        unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;
+    }
+    for (const struct column *k = c->columns; k->key; k++) {
+        int left = fprintf(out, "  %-*s %-*s ", key, k->key, unit, k->unit);
+        help_wrapped(out, k->meaning, left);
     }
 }
 
-/* Returns the first command whose answer has these columns. */
-static const struct command *first_with(const struct column *columns)
+static void help_command(struct session *session, const struct topic *t)
 {
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (c->columns == columns)
-                return c;
-    return NULL;
-}
-
-static void help_command(struct session *session, const struct command *c)
-{
-    char usage[USAGE_SIZE];
+    const struct command *c = t->command;
     FILE *out = session->out;
-    help_say(out, "%s: %s", command_usage(c, usage), c->summary);
-    if (c->equation)
-        help_say(out, "Equation: %s", c->equation);
-    if (c->help)
-        help_text(out, c->help);
-    const struct command *first = c->columns ? first_with(c->columns) : NULL;
-    if (first && first != c)
-        fprintf(out, "\nIt answers as '%s' does; 'help %s' explains each number.\n", first->name,
-                first->name);
-    else if (c->columns && c->columns->key)
-        fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
-    if (first == c)
-        help_columns(out, c->columns);
     int fewest;
+    help_say(out, "%s: %s", t->usage, t->summary);
+    if (t->equation)
+        help_say(out, "Equation: %s", t->equation);
+    if (t->text) {
+        putc('\n', out);
+        help_say(out, "%s", t->text);
+    }
+    if (c->columns && c->columns->key)
+        help_columns(out, c);
     if (command_values(c, &fewest) >= 0)
         help_say(out, "In an expression '%s' stands for its %s.", c->name, c->principal);
-    if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE) {
-        fputs("\nThe parameters now:\n", out);
-        run_topic(session, "show");
-    }
-    if (c->example)
-        help_example(session, c->example);
-    if (c->see) {
+    if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE)
+        help_show(session);
+    if (t->example)
+        help_example(session, t->example);
+    if (t->see) {
         putc('\n', out);
-        help_say(out, "See also: %s", c->see);
+        help_say(out, "See also: %s", t->see);
     }
 }
 
-/* Answers with a row for the topic, or for each one. */
-static void help_rows(struct answer *a, const char *topic)
+/* ---- help ---- */
+
+/* Explains everything of this name. */
+static void help_name(struct session *session, const char *name)
 {
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (!topic || strcmp(c->name, topic) == 0)
-                help_row_command(a, c);
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (!topic || strcmp(p->name, topic) == 0)
-            help_row_parameter(a, p);
+    struct topic topic;
+    bool is_command = false;
+    for (int k = 0; topic_at(k, &topic); k++) {
+        if (strcmp(topic.name, name) != 0)
+            continue;
+        if (is_command)
+            fprintf(session->out, "\nThe %s of this name:\n\n", topic.kind);
+        (topic.command ? help_command : help_parameter)(session, &topic);
+        if (!topic.command && !is_command && topic.example)
+            help_example(session, topic.example);
+        is_command = topic.command != NULL;
+    }
+}
+
+static void help_rows(struct answer *a, const char *name)
+{
+    struct topic topic;
+    for (int k = 0; topic_at(k, &topic); k++)
+        if (!name || strcmp(topic.name, name) == 0)
+            topic_row(a, &topic);
 }
 
 /* Explains what 'let' has defined. */
-static void help_variable(struct session *session, const struct arguments *given, struct answer *a)
+static void help_variable(const struct session *session, const struct arguments *given, struct answer *a)
 {
     const struct variable *v = given->variable;
-    char head[VARIABLE_HEAD], value[VARIABLE_VALUE];
+    char head[VARIABLE_HEAD];
+    struct topic topic;
+    topic_of_variable(v, &topic);
     if (!answer_for_people(a)) {
-        help_rows_begin(a);
-        help_row_variable(a, v);
+        topic_row(a, &topic);
         return;
     }
-    fprintf(session->out, "%s = %s\n\n", variable_head(v, head),
-            v->body ? v->body : variable_value(v, value));
+    fprintf(session->out, "%s = %s\n\n", variable_head(v, head), topic.summary);
     help_say(session->out, "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.",
-             v->body ? "function" : "variable", head, v->name);
+             topic.kind, head, v->name);
 }
 
-static void help_topic(struct session *session, const char *topic)
+/* Lists the topics that a word means, which is the name of none. */
+static void help_several(FILE *out, const char *word)
 {
-    char example[EFFECT_EXAMPLE];
-    const struct command *c = command_find(topic);
-    const struct parameter *p = parameter_find(topic);
-    if (c)
-        help_command(session, c);
-    if (c && p)
-        fprintf(session->out, "\nThe %s of this name:\n\n", p->effect ? "effect" : "parameter");
-    if (p)
-        help_parameter(session, p);
-    if (p && p->effect && !c)
-        help_example(session, effect_example(p->which, example));
-}
-
-/* Lists what people know by a word that is no name here. */
-static void help_meant(FILE *out, const char *word)
-{
-    const char *topic;
-    char usage[USAGE_SIZE];
+    const char *name;
     help_say(out, "'%s' is about one of these; 'help NAME' explains it:", word);
-    for (int k = 0; (topic = topic_meant(word, k)) != NULL; k++) {
-        const struct command *c = command_find(topic);
-        const struct parameter *p = parameter_find(topic);
-        snprintf(usage, sizeof usage, "%s", topic);
-        help_entry(out, usage, summary_column(), c ? c->summary : parameter_meaning(p));
+    for (int k = 0; (name = topic_meant(word, k)) != NULL; k++) {
+        const struct command *c = command_find(name);
+        topic_entry(out, name, c ? c->summary : parameter_meaning(parameter_find(name)));
     }
 }
 
@@ -278,95 +242,56 @@ static bool run_help(struct session *session, const struct arguments *given, str
                      struct problem *problem)
 {
     (void)problem;
-    if (given->variable) {
+    bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
+    const char *word = given->count && !has_name ? given->word[0] : NULL,
+               *name = has_name ? topic_names(NULL, (int)given->number[0])
+                       : word   ? topic_meant(word, 0)
+                                : NULL;
+    if (!people)
+        topic_rows_begin(a);
+    if (given->variable)
         help_variable(session, given, a);
-        return true;
-    }
-    const char *word = given->word[0], *topic = NULL;
-    bool named = given->count && given->number[0] >= 0;
-    if (given->count)
-        topic = named ? topic_names(NULL, (int)given->number[0]) : topic_meant(word, 0);
-    const char *other = given->count && !named ? topic_meant(word, 1) : NULL;
-    if (!answer_for_people(a)) {
-        help_rows_begin(a);
-        help_rows(a, topic);
-        for (int k = 1; other; other = topic_meant(word, ++k))
-            help_rows(a, other);
-    } else if (!topic) {
+    else if (!people && word)
+        for (int k = 0; (name = topic_meant(word, k)) != NULL; k++)
+            help_rows(a, name);
+    else if (!people)
+        help_rows(a, name);
+    else if (!name)
         help_list(session->out);
-    } else if (other) {
-        help_meant(session->out, word);
-    } else {
-        help_topic(session, topic);
-    }
+    else if (word && topic_meant(word, 1))
+        help_several(session->out, word);
+    else
+        help_name(session, name);
     return true;
 }
 
-/* Returns true if the word is in the text, in any case. */
-static bool mentions(const char *text, const char *word)
-{
-    return text && strcasestr(text, word);
-}
-
-/* How a topic mentions a word: in its name, summary or synonyms; or only in its details. */
-enum mention { MENTION_NONE, MENTION_DETAIL, MENTION_TOPIC };
-
-static enum mention command_mentions(const struct command *c, const char *word)
-{
-    if (mentions(c->name, word) || mentions(c->summary, word) || mentions(c->synonyms, word))
-        return MENTION_TOPIC;
-    bool detail = mentions(c->help, word) || mentions(c->equation, word);
-    for (const struct column *k = c->columns; k && k->key && !detail; k++)
-        detail = mentions(k->key, word) || mentions(k->meaning, word);
-    return detail ? MENTION_DETAIL : MENTION_NONE;
-}
-
-static enum mention parameter_mentions(const struct parameter *p, const char *word)
-{
-    bool topic = mentions(p->name, word) || mentions(parameter_meaning(p), word) ||
-                 mentions(parameter_synonyms(p), word);
-    for (const struct word *w = p->words; !p->effect && w && w->name && !topic; w++)
-        topic = mentions(w->name, word);
-    return topic ? MENTION_TOPIC : mentions(parameter_help(p), word) ? MENTION_DETAIL : MENTION_NONE;
-}
-
-/* Lists the commands, parameters and effects that mention the word so; returns how many there are. */
-static int apropos_list(struct session *session, struct answer *a, const char *word, enum mention how)
-{
-    FILE *out = session->out;
-    bool people = answer_for_people(a);
-    char typed[USAGE_SIZE];
-    int found = 0, column = summary_column();
-    for (const struct command_group *g = command_groups(); g->title; g++)
-        for (const struct command *c = g->commands; c->name; c++)
-            if (command_mentions(c, word) == how) {
-                if (people)
-                    help_entry(out, command_usage(c, typed), column, c->summary);
-                else
-                    help_row_command(a, c);
-                found++;
-            }
-    for (const struct parameter *p = session_parameters; p->name; p++)
-        if (parameter_mentions(p, word) == how) {
-            snprintf(typed, sizeof typed, "%s %s", p->effect ? "effect" : "set", p->name);
-            if (people)
-                help_entry(out, typed, column, parameter_meaning(p));
-            else
-                help_row_parameter(a, p);
-            found++;
-        }
-    return found;
-}
+/* ---- apropos and complete ---- */
 
 static bool run_apropos(struct session *session, const struct arguments *given, struct answer *a,
                         struct problem *problem)
 {
     const char *word = given->word[0];
+    bool people = answer_for_people(a);
     char shown[NAMES_SHOWN];
-    if (!answer_for_people(a))
-        help_rows_begin(a);
-    int found = apropos_list(session, a, word, MENTION_TOPIC);
-    found += apropos_list(session, a, word, MENTION_DETAIL);
+    int found = 0;
+    struct topic topic;
+    if (!people)
+        topic_rows_begin(a);
+    for (int details = 0; details < 2; details++) /* the topics about the word come first */
+        for (int k = 0; topic_at(k, &topic); k++) {
+            bool is_about = topic_mentions(&topic, word);
+            if (details ? is_about || !topic_details_mention(&topic, word) : !is_about)
+                continue;
+            found++;
+            if (!people) {
+                topic_row(a, &topic);
+                continue;
+            }
+            if (topic.parameter)
+                snprintf(topic.usage, sizeof topic.usage, "%s %s", topic.parameter->effect ? "effect" : "set",
+                         topic.name);
+            topic_entry(session->out, topic.usage, topic.summary);
+        }
     return found > 0 || problem_error(problem,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
                                       "or 'help', which lists all commands",
@@ -417,10 +342,11 @@ const struct command help_commands[] = {
     {.name = "lesson",
      .synonyms = "tutorial tour learn course introduction begin start",
      .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
-     .help = "At a terminal the lesson waits until you type the line that it shows, or press Enter; any other "
-             "command may come in between, and 'q' leaves. It runs in a session of its own, so that your "
-             "parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same way; "
-             "examples/tutorial.dom is written so.",
+     .help =
+         "At a terminal the lesson waits until you type the line that it shows, or press Enter; any other "
+         "command may come in between, and 'q' leaves. It runs in a session of its own, so that your "
+         "parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same way; "
+         "examples/tutorial.dom is written so.",
      .see = "help",
      .runs = true,
      .act = run_lesson},

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/topics.h"
+#include "answer/wrap.h"
+#include "io/terminal.h"
+#include <stdarg.h>
+#include <string.h>
+
+static void topic_of_command(const struct command *c, struct topic *t)
+{
+    size_t used = 0;
+    *t = (struct topic){.command = c,
+                        .name = c->name,
+                        .kind = "command",
+                        .summary = c->summary,
+                        .equation = c->equation,
+                        .text = c->help,
+                        .example = c->example,
+                        .see = c->see,
+                        .synonyms = c->synonyms};
+    command_usage(c, t->usage);
+    for (const struct column *k = c->columns; k && k->key; k++)
+        used += (size_t)snprintf(t->keys + used, sizeof t->keys - used, "%s%s", used ? " " : "", k->key);
+}
+
+static void topic_of_parameter(const struct parameter *p, struct topic *t)
+{
+    char values[EFFECT_USAGE];
+    *t = (struct topic){.parameter = p,
+                        .name = p->name,
+                        .kind = p->effect ? "effect" : "parameter",
+                        .summary = parameter_meaning(p),
+                        .equation = p->effect ? p->effect->source : NULL,
+                        .text = parameter_help(p),
+                        .synonyms = parameter_synonyms(p)};
+    if (p->effect) {
+        snprintf(t->usage, sizeof t->usage, "effect %s", effect_usage(p->which, values));
+        t->example = effect_example(p->which, t->shown);
+    } else
+        snprintf(t->usage, sizeof t->usage, "set %s VALUE", p->name);
+}
+
+void topic_of_variable(const struct variable *v, struct topic *t)
+{
+    char head[VARIABLE_HEAD];
+    *t = (struct topic){.name = v->name, .kind = v->body ? "function" : "variable", .see = "let"};
+    t->summary = v->body ? v->body : variable_value(v, t->value);
+    snprintf(t->usage, sizeof t->usage, "let %s = VALUE", variable_head(v, head));
+}
+
+bool topic_at(int k, struct topic *topic)
+{
+    for (const struct command_group *g = command_groups(); g->title; g++)
+        for (const struct command *c = g->commands; c->name; c++)
+            if (k-- == 0) {
+                topic_of_command(c, topic);
+                return true;
+            }
+    for (const struct parameter *p = session_parameters; p->name; p++)
+        if (k-- == 0) {
+            topic_of_parameter(p, topic);
+            return true;
+        }
+    return false;
+}
+
+static bool mentions(const char *text, const char *word)
+{
+    return text && strcasestr(text, word);
+}
+
+bool topic_mentions(const struct topic *t, const char *word)
+{
+    bool found = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
+    const struct word *w = t->parameter && !t->parameter->effect ? t->parameter->words : NULL;
+    for (; w && w->name && !found; w++)
+        found = mentions(w->name, word);
+    return found;
+}
+
+bool topic_details_mention(const struct topic *t, const char *word)
+{
+    const struct column *k = t->command ? t->command->columns : NULL;
+    bool found = mentions(t->text, word) || (t->command && mentions(t->equation, word));
+    for (; k && k->key && !found; k++)
+        found = mentions(k->key, word) || mentions(k->meaning, word);
+    return found;
+}
+
+/* ---- For programs ---- */
+
+static const struct column topic_columns[] = {
+    {"name", "", "the name of the topic", 0},
+    {"kind", "", "command, parameter, effect, variable or function", 0},
+    {"usage", "", "how it is typed", 0},
+    {"summary", "", "what it does, in one line", 0},
+    {"equation", "", "equations of the paper, or the source of an effect", 0},
+    {"text", "", "more about it", 0},
+    {"keys", "", "keys of the answer, with blanks between", 0},
+    {"example", "", "commands that show it", 0},
+    {"see", "", "related commands, with blanks between", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+void topic_rows_begin(struct answer *answer)
+{
+    answer_columns(answer, topic_columns);
+}
+
+void topic_row(struct answer *answer, const struct topic *t)
+{
+    answer_cells(answer, cell_word(t->name), cell_word(t->kind), cell_word(t->usage), cell_word(t->summary),
+                 cell_word(t->equation), cell_word(t->text), cell_word(*t->keys ? t->keys : NULL),
+                 cell_word(t->example), cell_word(t->see));
+}
+
+/* ---- For people ---- */
+
+/* Returns the width of the terminal, but no more than reads well. */
+static int help_width(FILE *out)
+{
+    int width = terminal_width(out);
+    return width && width < 100 ? width : 100;
+}
+
+void help_wrapped(FILE *out, const char *text, int left)
+{
+    write_wrapped(out, text, left, help_width(out));
+    putc('\n', out);
+}
+
+void help_say(FILE *out, const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    help_wrapped(out, text, 0);
+}
+
+/* Returns the column in which summaries begin: behind the longest usage of a command, indented by two. */
+static int summary_column(void)
+{
+    struct topic topic;
+    size_t widest = 0;
+    for (int k = 0; topic_at(k, &topic) && topic.command; k++)
+        widest = strlen(topic.usage) > widest ? strlen(topic.usage) : widest;
+    return (int)widest + 4;
+}
+
+void topic_entry(FILE *out, const char *usage, const char *summary)
+{
+    enum { ROOM = 30, INDENT = 6 }; /* columns for a summary beside the usage; blanks before one below */
+    int column = summary_column();
+    bool below = help_width(out) < column + ROOM;
+    if (below)
+        fprintf(out, "%s\n%*s", usage, INDENT, "");
+    else
+        fprintf(out, "%-*s", column, usage);
+    help_wrapped(out, summary, below ? INDENT : column);
+}
