@@ -203,9 +203,9 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
                              (double)c.from, (double)c.to);
     answer_plan(a, ROW(number, number, number, number, number));
     c.answer = *a;
-    const struct points points = {
-        .total = (size_t)c.n, .point = curve_point, .own = &c, .size = sizeof c, .gather = curve_gather};
-    if (!points_answer(query, problem, a, &points, &by_point))
+    const struct workers workers = {
+        .points = (size_t)c.n, .point = curve_point, .context = &c, .size = sizeof c, .merge = curve_gather};
+    if (!points_answer(query, problem, a, workers, &by_point))
         return by_point ? problem_status(problem, query->scene, c.status) : false;
     if (c.gaps)
         answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");

@@ -8,237 +8,235 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Long beside the lock and a write, short beside what a person notices. */
+/* How long a block should take: long beside the lock and a write, but too short for a person to notice. */
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    GROWTH = 4,  /* of a block over the one before: the next points may take longer */
-    WINDOW = 16, /* blocks a worker that may wait to be written */
-    MOST = 4096, /* points in a block */
-    THREADS_MAX = 256
+    GROWTH = 4,  /* how much larger a block may be than the one before, as later points may take longer */
+    WINDOW = 16, /* how many blocks a worker may be ahead of the output */
+    BLOCK_MOST = 4096,
+    THREADS_MOST = 256
 };
 
-/* The rows of points that one worker has computed. */
+/* The rows of some points. */
 struct block {
     char *text;
     size_t size;
-    bool done, ended;
-    const void *own;
+    bool is_done;
+    bool is_last;        /* a point has ended the work */
+    const void *context; /* the copy of the worker that computed the block */
 };
 
-struct crew {
-    const struct workers *asked;
+struct pool {
+    const struct workers *job;
     pthread_mutex_t lock;
-    pthread_cond_t room;           /* a block was written, or all is over */
+    pthread_cond_t room;           /* signalled when blocks were written, or the work has ended */
     size_t next;                   /* the first point that no worker has taken */
-    size_t taken, written, window; /* blocks; block k is waiting[k % window] */
+    size_t taken, written, window; /* numbers of blocks; block k is waiting[k % window] */
     struct block *waiting;
-    bool over;
+    bool is_over;
     struct workers_end end;
 };
 
-/* The speed of a worker. */
-struct pace {
-    size_t points; /* of its last block */
+struct worker {
+    struct pool *pool;
+    void *context;
+    pthread_t thread;
+    size_t points; /* the size of the last block, and how long it took */
     double seconds;
 };
 
-/* Returns how many points take the time of a block; fewer near the end, so that all workers end together. */
-static size_t block_points(const struct workers *w, const struct pace *pace, size_t left)
+/* Returns the size of the next block.  Near the end blocks are smaller, so that all workers end together. */
+static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
 {
-    double fit = pace->points ? BLOCK_SECONDS * (double)pace->points / (pace->seconds + 1e-9) : 1;
-    double most = pace->points ? (double)GROWTH * (double)pace->points : 1;
-    size_t share = w->count > 1 ? left / (2 * (size_t)w->count) + 1 : left;
+    double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
+    double most = me->points ? (double)GROWTH * (double)me->points : 1;
+    size_t share = job->count > 1 ? left / (2 * (size_t)job->count) + 1 : left;
     size_t points = (size_t)(fit < most ? fit : most) + 1;
-    points = points < MOST ? points : MOST;
+    points = points < BLOCK_MOST ? points : BLOCK_MOST;
     return points < share ? points : share;
 }
 
-/* Computes the points of one block with the worker `own`; returns false if a point ended the work. */
-static bool block_run(const struct workers *w, void *own, size_t from, size_t points, struct pace *pace,
-                      FILE *out)
+/* Computes the points of a block.  Returns false if one of them ends the work. */
+static bool block_compute(struct worker *me, size_t from, FILE *out)
 {
+    const struct workers *job = me->pool->job;
     double begun = terminal_clock();
     bool goes_on = true;
-    bool shown = progress_mute(true);
-    for (size_t k = 0; k < points && goes_on && !dom_raised(w->interrupt); k++)
-        goes_on = w->point(own, w->first + from + k, out);
-    progress_mute(shown);
-    *pace = (struct pace){points, terminal_clock() - begun};
+    bool was_muted = progress_mute(true); /* the progress of a single point */
+    for (size_t k = 0; k < me->points && goes_on && !dom_raised(job->interrupt); k++)
+        goes_on = job->point(me->context, job->first + from + k, out);
+    progress_mute(was_muted);
+    me->seconds = terminal_clock() - begun;
     return goes_on;
 }
 
-/* ---- The crew ---- */
+/* ---- The pool; the caller of these functions holds the lock ---- */
 
-static void crew_end(struct crew *c, struct workers_end end)
+/* Ends the work.  The first reason counts. */
+static void pool_end(struct pool *p, struct workers_end end)
 {
-    c->end = c->over ? c->end : end;
-    c->over = true;
-    pthread_cond_broadcast(&c->room);
+    p->end = p->is_over ? p->end : end;
+    p->is_over = true;
+    pthread_cond_broadcast(&p->room);
 }
 
-/* Writes the blocks whose turn it is. */
-static void crew_write(struct crew *c)
+/* Writes the blocks that are next in order. */
+static void pool_write(struct pool *p)
 {
-    FILE *out = c->asked->out;
-    size_t before = c->written;
+    FILE *out = p->job->out;
+    size_t before = p->written;
     struct block *b;
-    while (!c->over && c->written < c->taken && (b = &c->waiting[c->written % c->window])->done) {
+    while (!p->is_over && p->written < p->taken && (b = &p->waiting[p->written % p->window])->is_done) {
         if (out && ((b->size > 0 && fwrite(b->text, 1, b->size, out) != b->size) || ferror(out)))
-            crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
-        else if (b->ended) {
-            memcpy(c->asked->own, b->own, c->asked->size);
-            crew_end(c, (struct workers_end){.how = WORKERS_ENDED});
-        } else if (dom_raised(c->asked->interrupt))
-            crew_end(c, (struct workers_end){.how = WORKERS_INTERRUPTED});
+            pool_end(p, (struct workers_end){WORKERS_LOST, errno});
+        else if (b->is_last) {
+            memcpy(p->job->context, b->context, p->job->size);
+            pool_end(p, (struct workers_end){.how = WORKERS_ENDED});
+        } else if (dom_raised(p->job->interrupt))
+            pool_end(p, (struct workers_end){.how = WORKERS_INTERRUPTED});
         free(b->text);
         *b = (struct block){.text = NULL};
-        c->written++;
+        p->written++;
     }
-    if (c->written > before && out && fflush(out) != 0)
-        crew_end(c, (struct workers_end){.how = WORKERS_LOST, .error = errno});
-    if (c->written > before)
-        pthread_cond_broadcast(&c->room);
+    if (p->written == before)
+        return;
+    if (out && fflush(out) != 0)
+        pool_end(p, (struct workers_end){WORKERS_LOST, errno});
+    pthread_cond_broadcast(&p->room);
 }
 
-/* Takes the next points, and the number of their block; returns 0 points if there are no more. */
-static size_t crew_take(struct crew *c, const struct pace *pace, size_t *from, size_t *block)
+/* Takes points for the next block, and its number.  Returns false if there are no more. */
+static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
-    while (!c->over && c->taken - c->written >= c->window)
-        pthread_cond_wait(&c->room, &c->lock);
-    size_t left = c->over ? 0 : c->asked->points - c->next;
-    size_t points = left ? block_points(c->asked, pace, left) : 0;
-    *from = c->next;
-    *block = c->taken;
-    c->next += points;
-    c->taken += points > 0;
-    return points;
+    while (!p->is_over && p->taken - p->written >= p->window)
+        pthread_cond_wait(&p->room, &p->lock);
+    size_t left = p->is_over ? 0 : p->job->points - p->next;
+    if (left == 0)
+        return false;
+    me->points = block_points(p->job, me, left);
+    *from = p->next;
+    *block = p->taken++;
+    p->next += me->points;
+    return true;
 }
 
-/* Computes blocks until there are no more.  The first worker, the caller's thread, shows the progress. */
-static void worker_run(struct crew *c, void *own, bool shows)
+/* Computes blocks until there are no more. */
+static void *worker_run(void *worker)
 {
-    const struct workers *w = c->asked;
-    struct pace pace = {0, 0};
-    size_t from, points, number;
-    pthread_mutex_lock(&c->lock);
-    while ((points = crew_take(c, &pace, &from, &number)) > 0) {
-        pthread_mutex_unlock(&c->lock);
-        struct block b = {.text = NULL, .own = own};
+    struct worker *me = worker;
+    struct pool *p = me->pool;
+    size_t from, number;
+    bool is_last = false;
+    pthread_mutex_lock(&p->lock);
+    while (!is_last && pool_take(p, me, &from, &number)) {
+        pthread_mutex_unlock(&p->lock);
+        struct block b = {.is_done = true, .context = me->context};
         FILE *out = io_memory(&b.text, &b.size);
-        b.ended = !out || !block_run(w, own, from, points, &pace, out);
-        bool kept = out && !ferror(out);
-        kept = out && fclose(out) == 0 && kept;
-        if (shows)
-            progress_show((double)from / (double)w->points);
-        pthread_mutex_lock(&c->lock);
-        if (kept) {
-            b.done = true;
-            c->waiting[number % c->window] = b;
-            crew_write(c);
-        } else
-            crew_end(c, (struct workers_end){.how = WORKERS_NO_MEMORY});
-        if (b.ended)
-            break;
+        is_last = b.is_last = !out || !block_compute(me, from, out);
+        bool has_text = out && !ferror(out);
+        has_text = out && fclose(out) == 0 && has_text;
+        if (p->job->progress) /* a thread other than the caller's is muted */
+            progress_show((double)from / (double)p->job->points);
+        pthread_mutex_lock(&p->lock);
+        if (has_text) {
+            p->waiting[number % p->window] = b;
+            pool_write(p);
+        } else {
+            free(b.text);
+            pool_end(p, (struct workers_end){.how = WORKERS_NO_MEMORY});
+        }
     }
-    pthread_mutex_unlock(&c->lock);
-}
-
-struct hand {
-    struct crew *crew;
-    void *own;
-    pthread_t thread;
-};
-
-static void *hand_run(void *context)
-{
-    struct hand *hand = context;
-    worker_run(hand->crew, hand->own, false);
+    pthread_mutex_unlock(&p->lock);
     return NULL;
 }
 
-/* Starts the threads with all signals blocked, so that signals still come to the caller's thread. */
-static unsigned hands_begin(struct hand *hand, unsigned count)
+static void *thread_run(void *worker)
 {
-    unsigned begun = 1;
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before);
-    while (begun < count && pthread_create(&hand[begun].thread, NULL, hand_run, &hand[begun]) == 0)
-        begun++;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return begun;
+    progress_mute(true);
+    return worker_run(worker);
 }
 
-struct workers_end workers_run(const struct workers *w)
+/* Runs all workers, the first one in the caller's thread.  The other threads block all signals, so that
+ * handlers run in the caller's thread. */
+static void pool_run(struct pool *p, struct worker *worker)
 {
-    struct crew c = {.asked = w, .window = WINDOW * (size_t)w->count, .end = {.how = WORKERS_DONE}};
-    struct hand *hand = calloc(w->count, sizeof *hand);
-    char *own = malloc(w->count * w->size);
-    c.waiting = calloc(c.window, sizeof *c.waiting);
-    if (hand && own && c.waiting) {
-        for (unsigned k = 0; k < w->count; k++) {
-            hand[k] = (struct hand){.crew = &c, .own = own + k * w->size};
-            memcpy(hand[k].own, w->own, w->size);
+    unsigned begun = 1;
+    sigset_t before = io_block();
+    while (begun < p->job->count &&
+           pthread_create(&worker[begun].thread, NULL, thread_run, &worker[begun]) == 0)
+        begun++;
+    io_unblock(&before);
+    worker_run(&worker[0]);
+    for (unsigned k = 1; k < begun; k++)
+        pthread_join(worker[k].thread, NULL);
+}
+
+struct workers_end workers_run(const struct workers *job)
+{
+    struct pool pool = {.job = job,
+                        .lock = PTHREAD_MUTEX_INITIALIZER,
+                        .room = PTHREAD_COND_INITIALIZER,
+                        .window = WINDOW * (size_t)job->count};
+    struct worker *worker = calloc(job->count, sizeof *worker);
+    char *contexts = malloc(job->count * job->size);
+    pool.waiting = calloc(pool.window, sizeof *pool.waiting);
+    if (worker && contexts && pool.waiting) {
+        for (unsigned k = 0; k < job->count; k++) {
+            worker[k] = (struct worker){.pool = &pool, .context = contexts + k * job->size};
+            memcpy(worker[k].context, job->context, job->size);
         }
-        pthread_mutex_init(&c.lock, NULL);
-        pthread_cond_init(&c.room, NULL);
-        unsigned begun = hands_begin(hand, w->count);
-        worker_run(&c, hand[0].own, w->progress);
-        for (unsigned k = 1; k < begun; k++)
-            pthread_join(hand[k].thread, NULL);
-        for (size_t k = 0; k < c.window; k++)
-            free(c.waiting[k].text);
-        pthread_cond_destroy(&c.room);
-        pthread_mutex_destroy(&c.lock);
-        for (unsigned k = 0; k < w->count && c.end.how == WORKERS_DONE && w->gather; k++)
-            w->gather(w->own, hand[k].own);
+        pool_run(&pool, worker);
+        for (size_t k = 0; k < pool.window; k++)
+            free(pool.waiting[k].text);
+        for (unsigned k = 0; k < job->count && pool.end.how == WORKERS_DONE && job->merge; k++)
+            job->merge(job->context, worker[k].context);
     } else
-        c.end.how = WORKERS_NO_MEMORY;
-    free(c.waiting);
-    free(own);
-    free(hand);
-    return c.end;
+        pool.end.how = WORKERS_NO_MEMORY;
+    free(pool.waiting);
+    free(contexts);
+    free(worker);
+    return pool.end;
 }
 
 unsigned workers_count(domq_real threads, size_t points)
 {
-    cpu_set_t ours;
+    cpu_set_t allowed;
     size_t n = (size_t)threads;
     if (n == 0)
-        n = sched_getaffinity(0, sizeof ours, &ours) == 0 ? (size_t)CPU_COUNT(&ours) : 1;
+        n = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? (size_t)CPU_COUNT(&allowed) : 1;
     n = n < points ? n : points;
-    return n == 0 ? 1 : n < THREADS_MAX ? (unsigned)n : THREADS_MAX;
+    return n == 0 ? 1 : n < THREADS_MOST ? (unsigned)n : THREADS_MOST;
 }
 
 /* ---- Tasks of the library ---- */
 
-struct job {
-    dom_task *task;
+struct task {
+    dom_task *run;
     void *context;
 };
 
-static bool job_point(void *own, size_t point, FILE *out)
+static bool task_run(void *context, size_t point, FILE *out)
 {
-    const struct job *job = own;
+    const struct task *task = context;
     (void)out;
-    job->task(point, job->context);
+    task->run(point, task->context);
     return true;
 }
 
-enum dom_status workers_tasks(size_t count, dom_task *task, void *context, void *pool)
+enum dom_status workers_tasks(size_t count, dom_task *run, void *context, void *pool)
 {
     static const enum dom_status status[] = {[WORKERS_DONE] = DOM_OK,
                                              [WORKERS_INTERRUPTED] = DOM_INTERRUPTED,
                                              [WORKERS_NO_MEMORY] = DOM_NO_MEMORY};
     const struct task_pool *p = pool;
-    struct job job = {task, context};
-    const struct workers w = {.points = count,
-                              .point = job_point,
-                              .own = &job,
-                              .size = sizeof job,
-                              .count = workers_count(p->threads, count),
-                              .progress = p->progress,
-                              .interrupt = p->interrupt};
-    return status[workers_run(&w).how];
+    struct task task = {run, context};
+    const struct workers job = {.points = count,
+                                .point = task_run,
+                                .context = &task,
+                                .size = sizeof task,
+                                .count = workers_count(p->threads, count),
+                                .progress = p->progress,
+                                .interrupt = p->interrupt};
+    return status[workers_run(&job).how];
 }

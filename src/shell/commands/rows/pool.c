@@ -169,11 +169,11 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
     a->style.errors = false; /* counts are exact */
     answer_plan(a, NULL);
     b.answer = *a;
-    const struct points points = {.total = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,
-                                  .point = block_write,
-                                  .own = &b,
-                                  .size = sizeof b};
-    return points_answer(query, problem, a, &points, &by_point) ||
+    const struct workers workers = {.points = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,
+                                    .point = block_write,
+                                    .context = &b,
+                                    .size = sizeof b};
+    return points_answer(query, problem, a, workers, &by_point) ||
            (by_point && row_status(query, problem, b.status));
 }
 

@@ -449,12 +449,12 @@ static bool sweep_rows(const struct query *query, struct problem *problem, struc
     sweep_largest(a, &w->sweep->grid);
     answer_plan(a, w->swept.first);
     w->answer = *a;
-    const struct points points = {.total = w->sweep->grid.points,
-                                  .point = sweep_point,
-                                  .own = w,
-                                  .size = sizeof *w,
-                                  .gather = sweep_gather};
-    return points_answer(query, problem, a, &points, &by_point) ||
+    const struct workers workers = {.points = w->sweep->grid.points,
+                                    .point = sweep_point,
+                                    .context = w,
+                                    .size = sizeof *w,
+                                    .merge = sweep_gather};
+    return points_answer(query, problem, a, workers, &by_point) ||
            (by_point && sweep_error(query, problem, w));
 }
 
