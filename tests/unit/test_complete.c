@@ -3,7 +3,6 @@
 #include "support.h"
 
 #include "commands/tables.h"
-#include "interpreter/forms.h"
 #include "interpreter/question.h"
 #include "prompt/input.h"
 #include <stdio.h>

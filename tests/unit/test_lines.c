@@ -6,7 +6,7 @@
 #include "answer/format.h"
 #include "answer/wrap.h"
 #include "commands/tables.h"
-#include "interpreter/forms.h"
+#include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "language/quad.h"
@@ -189,9 +189,7 @@ static const struct command *command_of(struct session *session, const char *lin
     struct arena arena = {.block = NULL};
     assert_true(text_make(&text, line, strlen(line)));
     struct reader r = {.query = &query, .problem = &problem, .text = &text, .at = text.line, .arena = &arena};
-    const struct command *c = read_form(&r);
-    if (!c && problem.kind == PROBLEM_NONE)
-        c = read_command(&r, command_names);
+    const struct command *c = command_read(&r);
     *column = problem.place;
     *at = problem.kind == PROBLEM_NONE ? (int)(r.at - text.line) : -1;
     text_free(&text);

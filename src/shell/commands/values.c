@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values of expressions: print them, convert them, and give them names. */
 #include "commands/tables.h"
-#include "interpreter/forms.h"
+#include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
 #include <ctype.h>

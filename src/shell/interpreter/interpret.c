@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs lines: the commands in them, with their answers in the files after '>'. */
 #include "answer/format.h"
-#include "interpreter/forms.h"
 #include "interpreter/question.h"
 #include "io/terminal.h"
 #include "picture/ending.h"
@@ -152,7 +151,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     bool append = r->at[1] == '>';
     r->at = skip_blanks(r->at + (append ? 2 : 1));
-    problem->place = reader_column(r, r->at);
+    reader_place(r, r->at);
     char *path = read_file(r), shown[NAMES_SHOWN];
     r->at = skip_blanks(r->at);
     const char *wrong = NULL;
@@ -198,24 +197,18 @@ static bool is_silent(const struct session *session, const struct command *c, bo
     return due && (file || sourced || !session->wrote);
 }
 
-/* Runs a command: binds its arguments, and answers where the answer goes. */
-static bool run_question(struct session *session, struct reader *r, const struct question *q, bool file)
+/* Binds the arguments of a command and runs it. */
+static bool run_question(struct session *session, struct reader *r, const struct question *q,
+                         bool is_redirected)
 {
-    struct state state;
-    struct query query = *r->query, changed;
-    struct arguments given = {.count = 0};
-    bool done = command_allowed(&session->means, q->command, r->problem);
-    if (done && q->with) {
-        done = question_with(q, &query, &state, &changed, r->problem);
-        query = changed;
-    } else
-        query.next = &session->state;
-    done = done && question_bind(q, &query, &given, r->problem);
-    query.given = &given;
+    struct bound b;
+    struct query query = *r->query;
+    query.next = &session->state;
+    bool done = question_bind(q, &query, &b, r->problem);
     if (done)
-        done = file ? run_redirected(session, r, q->command, &query)
-                    : run_paged(session, q->command, &query, r->problem);
-    arguments_free(&given);
+        done = is_redirected ? run_redirected(session, r, q->command, &b.query)
+                             : run_paged(session, q->command, &b.query, r->problem);
+    bound_free(&b);
     return done;
 }
 

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values of names in expressions. */
-#include "interpreter/lookup.h"
+#include "interpreter/symbols.h"
 #include "language/quad.h"
 #include <string.h>
 
-/* What an evaluation needs to give names values. */
+/* The context of an evaluation. */
 struct lookup {
     const struct query *query;
-    const struct quantity *argument; /* of the function that is evaluated */
-    struct problem *problem;         /* of a command that has no answer */
+    const struct quantity *argument; /* the arguments of the function that is evaluated */
+    struct problem *problem;         /* for a command without an answer */
 };
 
 static bool cell_quantity(struct evaluation *e, const char *name, const struct command *c, int i,
@@ -25,25 +24,7 @@ static bool cell_quantity(struct evaluation *e, const char *name, const struct c
     return true;
 }
 
-static bool ans_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
-{
-    const struct lookup *lookup = e->context;
-    const struct ans *ans = lookup->query->ans;
-    *result = ans->value;
-    return !t->refers || cell_quantity(e, t->name, t->refers, t->index, ans->cells, result);
-}
-
-/* Evaluates the children of a tree, at most EXPRESSION_ARGUMENTS. */
-static bool arguments_evaluate(struct evaluation *e, const struct tree *t, struct quantity *argument)
-{
-    const struct tree *child = t->child;
-    for (int i = 0; i < t->count; i++, child = child->next)
-        if (!expression_evaluate(e, child, &argument[i]))
-            return false;
-    return true;
-}
-
-/* Runs a command such as rmax(0.3), and takes one number of its answer as the value. */
+/* Runs a command such as rmax(0.3). The value is one number of its answer. */
 static __attribute__((noinline)) bool command_quantity(struct evaluation *e, const struct tree *t,
                                                        const struct quantity *argument,
                                                        struct quantity *result)
@@ -64,7 +45,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
            cell_quantity(e, t->name, c, t->index, cells, result);
 }
 
-/* Evaluates a function of 'let'; its own arguments are the only ones that its text knows. */
+/* Evaluates a function of 'let'. Its body can use its own arguments, but not those of a function around it.
+ */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {
@@ -97,7 +79,7 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem);
 }
 
-/* Evaluates a value in a state of its own. */
+/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
 static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
                                                     struct quantity *result)
 {
@@ -127,6 +109,8 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
 {
     const struct lookup *lookup = e->context;
     const struct parameter *p = t->refers;
+    const struct ans *ans = lookup->query->ans;
+    const struct tree *child = t->child;
     struct quantity argument[EXPRESSION_ARGUMENTS];
     switch ((enum symbol)t->symbol) {
     case SYMBOL_PARAMETER:
@@ -137,15 +121,17 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
         *result = lookup->argument[t->index];
         return true;
     case SYMBOL_ANS:
-        return ans_quantity(e, t, result);
+        *result = ans->value;
+        return !t->refers || cell_quantity(e, t->name, t->refers, t->index, ans->cells, result);
     case SYMBOL_WITH:
         return with_quantity(e, t, result);
     case SYMBOL_ROUTINE:
     case SYMBOL_COMMAND:
         break;
     }
-    if (!arguments_evaluate(e, t, argument))
-        return false;
+    for (int i = 0; i < t->count; i++, child = child->next)
+        if (!expression_evaluate(e, child, &argument[i]))
+            return false;
     e->at = t->at;
     return t->symbol == SYMBOL_ROUTINE ? routine_quantity(e, t, argument, result)
                                        : command_quantity(e, t, argument, result);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/preview.h"
-#include "interpreter/forms.h"
 #include "interpreter/question.h"
 #include <stdlib.h>
 #include <string.h>

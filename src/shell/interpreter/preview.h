@@ -3,7 +3,7 @@
 #ifndef SHELL_PREVIEW_H
 #define SHELL_PREVIEW_H
 
-#include "interpreter/words.h"
+#include "interpreter/reader.h"
 #include "session/session.h"
 
 /* The cursor is a character that no parser accepts, so that parsing ends there. */

@@ -1,92 +1,66 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A question: a command with its arguments, parsed. Parsing finds names and the syntax, once; binding gives
- * the arguments values in a state, as often as a sweep has points. Nothing changes a question after it was
- * parsed, so that threads share it. It lives in the arena of the line.
+ * A question is a command with its arguments, parsed. Names and syntax are looked at once, when the question
+ * is parsed; its values are computed in a state when it is bound, which a sweep does at every point. A parsed
+ * question does not change, so that threads can share it. It lives in the arena of the line.
  */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
 
-#include "interpreter/resolve.h"
-#include "interpreter/words.h"
+#include "interpreter/item.h"
 
 struct question {
     const struct command *command;
-    int key; /* of the answer's columns, where one of them is asked for; -1: the whole answer */
-    int count;
+    int key;   /* the column of the answer that is asked for, or -1 for the whole answer */
+    int count; /* number of arguments */
     struct item item[ARGUMENTS_MAX];
-    const struct parameter *parameter; /* that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL */
-    const struct variable
-        *variable; /* that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names, or NULL */
-    void *own;     /* what argument.parse has found; in the arena */
-    const struct assignment *with; /* what holds for this answer alone, or NULL */
+    const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
+    const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
+    void *own;                         /* the result of argument.parse */
+    const struct assignment *with;     /* what follows 'with', or NULL */
     const struct text *text;
-    const char *name; /* the question as it was typed */
+    const char *name; /* the question as it was typed, for messages */
 };
 
-/* Parses the arguments of question->command, up to the end of the command, a '>' or a stop of the reader. */
+/* Parses the line's command with its arguments. */
+bool command_parse(struct reader *reader, struct question *question);
+
+/* Parses the arguments of question->command, up to the end of the command, '>' or a stop of the reader. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question with its command: COMMAND, COMMAND.KEY, or an expression, which is what 'print' answers.
- * With `number` it must be about one number. */
-bool question_parse_any(struct reader *reader, struct question *question, bool number);
+/* Parses a question inside of another command: COMMAND, COMMAND.KEY or an expression, which 'print' answers.
+ * With `is_number`, the question must ask for one number. */
+bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
-/* Lists for names.h the commands that a question may be about: their answer has a number, or decides
- * something. */
+/* Lists for names.h the commands that a question inside of another command can ask. */
 const char *question_names(const void *context, int k);
 
-/* Returns a question as it was typed, without blanks at its end and as a message can show it; in the arena.
- */
+/* Returns the text of a question for messages, without blanks at its end; in the arena. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* Gives the arguments values in the state of a query. Free them with arguments_free, also after a problem. */
-bool question_bind(const struct question *question, const struct query *query, struct arguments *given,
-                   struct problem *problem);
+/* A question about to be answered: its values, and the state in which they hold. */
+struct bound {
+    struct query query;
+    struct arguments given;
+    struct state state; /* only after 'with'; else that of the query is used */
+};
 
-/* Makes a copy of the query's state with what stands after 'with' in a question. Returns false with a
+/* Binds a question in the state of a query, whose arguments are not used. Call bound_free also after a
  * problem. */
-bool question_with(const struct question *question, const struct query *query, struct state *state,
-                   struct query *changed, struct problem *problem);
+bool question_bind(const struct question *question, const struct query *query, struct bound *bound,
+                   struct problem *problem);
+void bound_free(struct bound *bound);
 
-/* Binds and answers; query->given is not used. */
+/* Binds and answers a question. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Answers with one number: that of the key, or the value of an expression; and its unit. */
+/* Answers with one number, the one of the key or the value of an expression, in SI units. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Describes a problem, with the keys of the answer, where a question is about no number of it. */
+/* Returns true if the question asks for one number. Otherwise describes a problem with the keys of the
+ * answer. */
 bool question_needs_number(const struct question *question, struct problem *problem);
-
-/* ---- For the parsers of single commands ---- */
-
-/* Parses an expression for an argument, which outlives the question. */
-bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
-
-/* Parses the i-th value of a parameter: one of its words, or an expression. name: the value in messages. */
-bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
-                      struct item *item);
-
-/* Parses one of the argument's names; a word that is none of them is a problem that lists the names. */
-bool item_parse_choice(struct reader *reader, const struct argument *argument, struct item *item);
-
-/* Parses a value in a list of names and values, where the next name may follow; an effect that is on takes
- * its usual value. Returns NULL after an error. */
-const struct item *item_parse_listed(struct reader *reader, const struct parameter *parameter,
-                                     struct item *item);
-
-/* Computes the value of an item and checks it. quantity may be NULL. */
-bool item_bind(const struct item *item, const struct text *text, const struct query *query,
-               struct quantity *quantity, domq_real *number, struct problem *problem);
-
-/* Parses the name of a parameter of the model or of an effect, as in a grid. form: what would be right. */
-const struct parameter *parameter_parse(struct reader *reader, const char *form);
-
-/* Lists for names.h the parameters of the model, then the effects. */
-const char *model_names(const void *context, int k);
-
-/* Frees the memory of arguments. */
-void arguments_free(struct arguments *given);
 
 #endif

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/resolve.h"
+#include "interpreter/symbols.h"
 #include "session/parameters.h"
 #include <stdarg.h>
 #include <string.h>
 
-/* The most values within values, and functions within functions: each takes a part of the stack, which is
- * small where a test asks for that. */
-enum { HEIGHT_MAX = 400, ROUTINES_MAX = 62 };
+/* Upper bounds of values within values, and of functions within functions. Each level takes part of the
+ * stack, which may be as small as 128 kB. */
+enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
-/* Sets the message of an error, and returns -1. */
+/* Sets the message of an error in a tree, and returns -1. */
 static int __attribute__((format(printf, 3, 4)))
 fail(struct resolver *r, const struct tree *t, const char *format, ...)
 {
@@ -20,14 +20,25 @@ fail(struct resolver *r, const struct tree *t, const char *format, ...)
     return -1;
 }
 
-static int resolved(struct resolver *r, struct tree *t);
+/* Makes a tree a symbol, and returns 0, the height of its children. */
+static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
+{
+    t->kind = TREE_SYMBOL;
+    t->symbol = (int)kind;
+    t->refers = refers;
+    t->index = index;
+    return 0;
+}
 
-/* Resolves the children of a tree; returns the height of the highest, -1 after an error. */
-static int children(struct resolver *r, struct tree *t)
+/* The functions below resolve a tree or its children. They return the height of the tree, or of the highest
+ * child, or -1 after an error. */
+static int tree_resolve(struct resolver *r, struct tree *t);
+
+static int children_resolve(struct resolver *r, struct tree *t)
 {
     int most = 0;
     for (struct tree *child = t->child; child && most >= 0; child = child->next) {
-        int height = resolved(r, child);
+        int height = tree_resolve(r, child);
         most = height < 0 || height > most ? height : most;
     }
     return most;
@@ -45,23 +56,23 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
         return NULL;
     }
     const struct variable *outer = r->scope;
-    *routine = (struct routine){.function = f, .body = body, .busy = true, .next = r->routines};
+    *routine = (struct routine){.function = f, .body = body, .is_open = true, .next = r->routines};
     r->routines = routine;
     r->scope = f;
     r->depth++;
-    routine->height = resolved(r, body);
+    routine->height = tree_resolve(r, body);
     r->depth--;
     r->scope = outer;
-    routine->busy = false;
+    routine->is_open = false;
     if (routine->height >= 0)
         return routine;
     char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
-    if (!r->named) {
+    if (!r->names_function) {
         memcpy(inside, r->message, sizeof inside);
         fail(r, t, "in '%s': %.180s", variable_head(f, head), inside);
     }
     r->at = t->at;
-    r->named = true;
+    r->names_function = true;
     return NULL;
 }
 
@@ -74,22 +85,32 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
                     f->count == 1 ? "" : "s");
     while (routine && routine->function != f)
         routine = routine->next;
-    if (routine && routine->busy)
+    if (routine && routine->is_open)
         return fail(r, t, "'%s' uses itself", variable_head(f, head));
-    int height = children(r, t);
+    int height = children_resolve(r, t);
     if (height < 0 || (!routine && !(routine = routine_parse(r, t, f))))
         return -1;
-    t->kind = TREE_SYMBOL;
-    t->symbol = SYMBOL_ROUTINE;
-    t->refers = routine;
+    symbol(t, SYMBOL_ROUTINE, routine, 0);
     return height > routine->height ? height : routine->height;
 }
 
-/* ---- Commands ---- */
+/* ---- Commands and their keys ---- */
+
+/* Returns the index of the column that a tree's key names, or of the principal column if it has no key.
+ * Returns -1 after an error. */
+static int column_resolve(struct resolver *r, const struct tree *t, const struct command *c)
+{
+    char message[NAMES_MESSAGE], what[64];
+    if (!t->key)
+        return command_principal(c);
+    snprintf(what, sizeof what, "key of %s", c->name);
+    int index = names_find(command_keys, c, what, t->key, message);
+    return index < 0 ? fail(r, t, "%s", message) : index;
+}
 
 static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
-    char message[NAMES_MESSAGE], what[64], usage[USAGE_SIZE];
+    char usage[USAGE_SIZE];
     int fewest, most = command_values(c, &fewest);
     if (!c->principal)
         return fail(r, t,
@@ -101,17 +122,22 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
                     command_usage(c, usage));
     if (t->count < fewest || t->count > most)
         return fail(r, t, "%d value%s for '%s'", t->count, t->count == 1 ? "" : "s", command_usage(c, usage));
-    t->index = command_principal(c);
-    if (t->key) {
-        snprintf(what, sizeof what, "key of %s", c->name);
-        t->index = names_find(command_keys, c, what, t->key, message);
-        if (t->index < 0)
-            return fail(r, t, "%s", message);
-    }
-    t->kind = TREE_SYMBOL;
-    t->symbol = SYMBOL_COMMAND;
-    t->refers = c;
-    return children(r, t);
+    int index = column_resolve(r, t, c);
+    if (index < 0)
+        return -1;
+    symbol(t, SYMBOL_COMMAND, c, index);
+    return children_resolve(r, t);
+}
+
+static int ans_resolve(struct resolver *r, struct tree *t)
+{
+    const struct command *c = r->ans->command;
+    if (r->ans->printed && !t->key)
+        return symbol(t, SYMBOL_ANS, NULL, 0);
+    if (!c)
+        return fail(r, t, "there is no earlier answer");
+    int index = column_resolve(r, t, c);
+    return index < 0 ? -1 : symbol(t, SYMBOL_ANS, c, index);
 }
 
 /* ---- Names ---- */
@@ -129,50 +155,23 @@ static int unknown(struct resolver *r, const struct tree *t)
                 t->name, close);
 }
 
-static int ans_resolve(struct resolver *r, struct tree *t)
-{
-    char message[NAMES_MESSAGE], what[64];
-    const struct command *c = r->ans->command;
-    t->kind = TREE_SYMBOL;
-    t->symbol = SYMBOL_ANS;
-    t->refers = NULL;
-    if (r->ans->printed && !t->key)
-        return 0;
-    if (!c)
-        return fail(r, t, "there is no earlier answer");
-    t->refers = c;
-    t->index = command_principal(c);
-    snprintf(what, sizeof what, "key of %s", c->name);
-    if (t->key && (t->index = names_find(command_keys, c, what, t->key, message)) < 0)
-        return fail(r, t, "%s", message);
-    return 0;
-}
-
 static int name_resolve(struct resolver *r, struct tree *t)
 {
-    bool bare = t->count == 0 && !t->key;
-    for (int i = 0; bare && r->scope && i < r->scope->count; i++)
-        if (strcmp(r->scope->argument[i], t->name) == 0) {
-            t->kind = TREE_SYMBOL;
-            t->symbol = SYMBOL_ARGUMENT;
-            t->index = i;
-            return 0;
-        }
+    bool is_bare = t->count == 0 && !t->key;
+    for (int i = 0; is_bare && r->scope && i < r->scope->count; i++)
+        if (strcmp(r->scope->argument[i], t->name) == 0)
+            return symbol(t, SYMBOL_ARGUMENT, NULL, i);
     const struct variable *v = t->key ? NULL : variable_find(&r->state->variables, t->name);
     if (v && v->body)
         return routine_resolve(r, t, v);
-    if (v && bare) {
+    if (v && is_bare) {
         t->kind = TREE_NUMBER;
         t->value = v->value;
         return 0;
     }
-    const struct parameter *p = bare ? parameter_find(t->name) : NULL;
-    if (p && parameter_is_number(p)) {
-        t->kind = TREE_SYMBOL;
-        t->symbol = SYMBOL_PARAMETER;
-        t->refers = p;
-        return 0;
-    }
+    const struct parameter *p = is_bare ? parameter_find(t->name) : NULL;
+    if (p && parameter_is_number(p))
+        return symbol(t, SYMBOL_PARAMETER, p, 0);
     if (t->count == 0 && strcmp(t->name, "ans") == 0)
         return ans_resolve(r, t);
     const struct command *c = command_find(t->name);
@@ -181,23 +180,21 @@ static int name_resolve(struct resolver *r, struct tree *t)
 
 static int with_resolve(struct resolver *r, struct tree *t)
 {
-    int most = 0;
+    int most = children_resolve(r, t);
     for (const struct assignment *a = t->refers; a && most >= 0; a = a->next)
         if (a->item.value) {
-            int height = resolved(r, (struct tree *)a->item.value);
+            int height = tree_resolve(r, (struct tree *)a->item.value);
             most = height < 0 || height > most ? height : most;
         }
-    int height = most < 0 ? -1 : children(r, t);
-    return height < 0 || height > most ? height : most;
+    return most;
 }
 
-/* Resolves a tree; returns its height, -1 after an error. */
-static int resolved(struct resolver *r, struct tree *t)
+static int tree_resolve(struct resolver *r, struct tree *t)
 {
     int height = t->kind == TREE_NAME                                 ? name_resolve(r, t)
                  : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
-                                                                      : children(r, t);
-    if (height >= HEIGHT_MAX || r->depth > ROUTINES_MAX)
+                                                                      : children_resolve(r, t);
+    if (height >= HEIGHT_MAX || r->depth > DEPTH_MAX)
         return fail(r, t, "the expression is nested too deeply");
     return height < 0 ? -1 : height + 1;
 }
@@ -205,5 +202,5 @@ static int resolved(struct resolver *r, struct tree *t)
 bool resolve(struct resolver *r, struct tree *tree)
 {
     r->message[0] = '\0';
-    return resolved(r, tree) >= 0;
+    return tree_resolve(r, tree) >= 0;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* assert: another command, and an error unless what it decides is true. */
 #include "commands/planning/planning.h"
-#include "interpreter/forms.h"
+#include "interpreter/command_read.h"
 #include <string.h>
 
 const char *assert_names(const void *context, int k)
@@ -22,11 +22,7 @@ bool assert_parse(struct reader *r, struct question *q)
     if (!asked)
         return problem_error(r->problem, "out of memory");
     asked->key = -1;
-    asked->command = read_form(r);
-    if (r->problem->kind == PROBLEM_NONE && (!asked->command || strcmp(asked->command->name, "print") != 0)) {
-        r->at = begin;
-        asked->command = read_command(r, assert_names);
-    }
+    asked->command = command_read_inner(r, assert_names);
     if (!asked->command)
         return false;
     bool is_condition = strcmp(asked->command->name, "print") == 0;

@@ -4,7 +4,7 @@
 #include "answer/format.h"
 #include "commands/sweeps/swept.h"
 #include "commands/tables.h"
-#include "interpreter/forms.h"
+#include "interpreter/command_read.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 #include <stdint.h>
@@ -57,17 +57,6 @@ static const char *swept_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the command of each point; an expression means 'print'. */
-static const struct command *asked_command(struct reader *r)
-{
-    const char *begin = r->at;
-    const struct command *c = read_form(r);
-    if (c && strcmp(c->name, "print") == 0)
-        return c;
-    r->at = begin;
-    return r->problem->kind == PROBLEM_NONE ? read_command(r, swept_names) : NULL;
-}
-
 /* Parses the answers of a list: commands with a principal number, COMMAND.KEY, or expressions. */
 static bool several_parse(struct reader *r, struct sweep_parsed *s)
 {
@@ -103,7 +92,7 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
     const char *begin = r->at;
     s->question.key = -1;
     r->stops = ",";
-    const struct command *c = s->question.command = asked_command(r);
+    const struct command *c = s->question.command = command_read_inner(r, swept_names);
     if (!c)
         return false;
     if (c->unswept)

@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/command_read.h"
+#include "session/parameters.h"
+#include <ctype.h>
+#include <string.h>
+
+/* ---- Definitions ---- */
+
+/* Reads a name with the blanks around it. Returns the place after them, or NULL if there is no name. */
+static const char *definition_name(const char *c, char name[VARIABLE_NAME])
+{
+    c = skip_blanks(c);
+    size_t n = name_start(*c) ? name_length(c) : 0;
+    return n > 0 && name_copy(c, n, name, VARIABLE_NAME) ? skip_blanks(c + n) : NULL;
+}
+
+const char *definition_head(const char *c, struct variable *v)
+{
+    *v = (struct variable){.body = NULL};
+    c = definition_name(c, v->name);
+    for (const char *separator = "("; c && *c == *separator; separator = ",") {
+        if (v->count == EXPRESSION_ARGUMENTS)
+            return NULL;
+        c = definition_name(c + 1, v->argument[v->count++]);
+    }
+    if (c && v->count > 0)
+        c = *c == ')' ? skip_blanks(c + 1) : NULL;
+    return c && c[0] == '=' && c[1] != '=' ? c + 1 : NULL;
+}
+
+/* ---- Shorthands ---- */
+
+/* The name that a line begins with, and what is known by that name. */
+struct head {
+    const char *begin, *end, *next; /* `next` is the first character after the name and blanks. */
+    char name[VARIABLE_NAME];       /* "" if the line begins with no name, or with a long one */
+    const struct command *command;
+    const struct variable *variable;
+    bool is_alone; /* The name is all of the command. */
+};
+
+static struct head head_read(const struct reader *r)
+{
+    struct head h = {.begin = r->at};
+    h.end = h.begin + (name_start(*h.begin) ? name_length(h.begin) : 0);
+    h.next = skip_blanks(h.end);
+    if (!name_copy(h.begin, (size_t)(h.end - h.begin), h.name, sizeof h.name))
+        *h.name = '\0';
+    h.command = command_find(h.name);
+    h.is_alone = h.end > h.begin && (command_ends(h.next) || *h.next == '>');
+    return h;
+}
+
+/* Returns true for a blank, and for what else can end a word that is a command of its own. */
+static bool word_ends(const char *c)
+{
+    return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
+}
+
+bool goes_on(const char *c)
+{
+    bool is_apart = isspace((unsigned char)c[-1]);
+    return (*c && strchr("*/^<", *c)) || ((*c == '>' || *c == '!' || *c == '=') && c[1] == '=') ||
+           (strncmp(c, "and", 3) == 0 && isspace((unsigned char)c[3])) ||
+           (strncmp(c, "or", 2) == 0 && isspace((unsigned char)c[2])) ||
+           ((*c == '+' || *c == '-') && (!is_apart || isspace((unsigned char)c[1]))) ||
+           (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
+}
+
+/* Returns true if the line is an expression, which may be wrong. */
+static bool is_expression(const struct state *state, const struct head *h)
+{
+    const char *c = h->begin;
+    int fewest;
+    if (h->end == c)
+        return *c && (isdigit((unsigned char)*c) || strchr("(.+-", *c));
+    if (!word_ends(h->end))
+        return strchr("(*/^+-.", *h->end) != NULL;
+    if (h->command)
+        return command_values(h->command, &fewest) >= 0 && goes_on(h->next);
+    if (strcmp(h->name, "not") == 0)
+        return h->next > h->end;
+    return names_exact(value_names, state, h->name) >= 0 &&
+           ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
+}
+
+/* Returns true for a command without a value that is written as a function: "quit()", "print(2)". Skips its
+ * name, and "()". */
+static bool is_called(struct reader *r, const struct head *h)
+{
+    int fewest;
+    bool is_empty = h->end[0] == '(' && h->end[1] == ')' && word_ends(h->end + 2);
+    if (!h->command || *h->end != '(' || command_values(h->command, &fewest) >= 0 ||
+        (!is_empty && strcmp(h->name, "print") != 0))
+        return false;
+    reader_named(r, h->begin, h->end);
+    r->at = h->end + (is_empty ? 2 : 0);
+    return true;
+}
+
+/* Returns true for what other calculators call their last values: '_', '%', '%1', 'ans2'. */
+static bool is_history(const struct head *h)
+{
+    const char *c = h->begin;
+    size_t n = (size_t)(h->end - c);
+    bool is_numbered = n > 3 && strncmp(c, "ans", 3) == 0 && strspn(c + 3, "0123456789") == n - 3;
+    return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
+}
+
+/* Returns the command that an assignment means, or NULL with a problem if nothing has its name. */
+static const struct command *assignment_read(struct reader *r, const struct variable *v)
+{
+    char message[NAMES_MESSAGE];
+    bool usual;
+    const struct parameter *p = parameter_find(v->name);
+    reader_place(r, r->at);
+    if (p && v->count == 0)
+        return command_find("set");
+    if (variable_find(&r->query->state->variables, v->name))
+        return command_find("let");
+    int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
+    if (k == NAMES_CLOSE)
+        problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
+    else if (v->count == 0 && (p = parameter_by_synonym(v->name, &usual)) != NULL)
+        problem_error(r->problem,
+                      "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable", v->name,
+                      p->name, v->name);
+    else
+        problem_error(r->problem, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
+                      v->count ? "(...)" : "", v->count ? "function" : "variable");
+    return NULL;
+}
+
+/* Returns the command that a shorthand means. Returns NULL if the line is none, or with a problem. */
+static const struct command *shorthand_read(struct reader *r)
+{
+    struct head h = head_read(r);
+    struct variable v;
+    if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) { /* as in most lines of a file */
+        reader_place(r, h.begin);
+        reader_named(r, h.begin, h.end);
+        r->at = h.end;
+        return h.command;
+    }
+    if (*h.begin == '?') {
+        r->at += strspn(r->at, "?");
+        return command_find("help");
+    }
+    if (h.end > h.begin && *h.next == '?' && command_ends(skip_blanks(h.next + strspn(h.next, "?"))))
+        return command_find("help");
+    if (definition_head(h.begin, &v))
+        return assignment_read(r, &v);
+    if (h.end > h.begin && strncmp(h.next, "==", 2) == 0)
+        return command_find("print");
+    h.variable = *h.name ? variable_find(&r->query->state->variables, h.name) : NULL;
+    bool is_history_name = is_history(&h);
+    if (is_history_name || ((*h.begin == '.' || *h.begin == '\\') && name_start(h.begin[1]))) {
+        reader_place(r, h.begin);
+        if (is_history_name)
+            problem_error(r->problem,
+                          "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps it for later lines");
+        else
+            problem_error(r->problem,
+                          "commands have no '%c' before their names; 'help' lists them, 'apropos WORD' finds "
+                          "one",
+                          *h.begin);
+        return NULL;
+    }
+    if (is_called(r, &h))
+        return h.command;
+    if (h.is_alone && h.variable && h.variable->body)
+        return command_find("show");
+    if (is_expression(r->query->state, &h))
+        return command_find("print");
+    return h.is_alone && !h.command && parameter_find(h.name) ? command_find("show") : NULL;
+}
+
+/* ---- Names of commands ---- */
+
+/* Returns the index of the command for which an ambiguous abbreviation is reserved, or NAMES_SEVERAL. */
+static int reserved_command(const char *name)
+{
+    const char *all;
+    for (int k = 0; (all = command_names(NULL, k)) != NULL; k++) {
+        const char *shortest = command_find(all)->shortest;
+        if (shortest && strlen(name) >= strlen(shortest) && strncmp(all, name, strlen(name)) == 0)
+            return k;
+    }
+    return NAMES_SEVERAL;
+}
+
+/* Returns the first command with this synonym, or NULL. */
+static const char *synonym_command(const char *word)
+{
+    const char *name;
+    for (int k = 0; strlen(word) > 2 && (name = command_names(NULL, k)) != NULL; k++)
+        if (is_synonym(command_find(name)->synonyms, word))
+            return name;
+    return NULL;
+}
+
+/* Reports that no command has this name, and what the name may mean; k and message are those of names_find.
+ */
+static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
+{
+    const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
+    bool usual;
+    const struct parameter *p = parameter_by_synonym(name, &usual);
+    char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
+    snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name, shown));
+    if (variable_find(&r->query->state->variables, name))
+        problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
+                      name);
+    else if (!meant && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
+        problem_error(r->problem, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
+                      name);
+    else if (p && (usual || (!meant && !p->setting && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
+             parameter_hint(name, plain, sizeof plain))
+        problem_error(r->problem, "%s", plain);
+    else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))
+        problem_error(r->problem, "%s", message);
+    else if (meant)
+        problem_error(r->problem, "%s; did you mean '%s'?", message, meant);
+    else
+        problem_error(r->problem, "%s; 'help' lists the commands", message);
+}
+
+/* Reads the name of a command, which may be abbreviated. Returns NULL with a problem. */
+static const struct command *name_read(struct reader *r, names_list *offered)
+{
+    char message[NAMES_MESSAGE], exact[VARIABLE_NAME];
+    const char *begin = r->at;
+    size_t length = strcspn(begin, r->stops ? " \t\r\f\v;>,=" : " \t\r\f\v;>");
+    const struct command *command =
+        name_copy(begin, length, exact, sizeof exact) ? command_find(exact) : NULL;
+    offer_names(r, offered, NULL);
+    reader_place(r, begin);
+    r->at += length;
+    if (!command) {
+        const char *name = arena_text(r->arena, begin, length);
+        if (!name) {
+            problem_error(r->problem, "out of memory");
+            return NULL;
+        }
+        int k = names_find(command_names, NULL, "command", name, message);
+        if (k == NAMES_SEVERAL)
+            k = reserved_command(name);
+        command = k < 0 ? NULL : command_find(command_names(NULL, k));
+        const struct parameter *p = parameter_find(name);
+        if (p && !p->effect && (!command || !command->argument[0].kind)) {
+            command = NULL;
+            k = NAMES_CLOSE;
+            snprintf(message, sizeof message,
+                     "'%s' is a parameter; '%s = VALUE' gives it a value, '%s' shows it", name, name, name);
+        }
+        if (!command)
+            command_unknown(r, name, k, message);
+    }
+    if (command)
+        reader_named(r, begin, r->at);
+    return command;
+}
+
+const struct command *command_read(struct reader *r)
+{
+    const struct command *command = shorthand_read(r);
+    if (command || r->problem->kind != PROBLEM_NONE)
+        return command;
+    offer_kind(r, OFFER_VARIABLE);
+    return name_read(r, command_names);
+}
+
+const struct command *command_read_inner(struct reader *r, names_list *offered)
+{
+    const char *begin = r->at;
+    const struct command *command = shorthand_read(r);
+    if (command && strcmp(command->name, "print") == 0)
+        return command;
+    r->at = begin;
+    return r->problem->kind == PROBLEM_NONE ? name_read(r, offered) : NULL;
+}

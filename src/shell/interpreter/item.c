@@ -1,0 +1,343 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/item.h"
+#include "session/parameters.h"
+#include <ctype.h>
+#include <string.h>
+
+static const char no_memory[] = "out of memory";
+
+bool is_value_name(const struct state *state, const char *name)
+{
+    return names_exact(value_names, state, name) >= 0;
+}
+
+/* ---- Expressions ---- */
+
+/* Returns true if the word after a value may stand there. Otherwise it was meant as a unit, and a problem
+ * says what is wrong with that unit. */
+static bool may_follow(struct reader *r, const char *at)
+{
+    char word[NAMES_SHOWN], shown[NAMES_SHOWN];
+    if (!name_copy(at, name_length(at), word, sizeof word) || is_value_name(r->query->state, word) ||
+        strcmp(word, "to") == 0 || strcmp(word, "with") == 0)
+        return true;
+    const char *close = names_closest(expression_units, NULL, word);
+    reader_place(r, at);
+    names_shown(word, shown);
+    if (strcmp(word, "in") == 0)
+        return problem_error(r->problem,
+                             "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
+    if (close && strcmp(close, word) == 0)
+        return problem_error(r->problem, "the unit '%s' must follow a number or a ')', as in '4.8 cm'",
+                             shown);
+    return close ? problem_error(r->problem, "'%s' is not a unit; did you mean '%s'?", shown, close)
+                 : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
+}
+
+/* Describes an error in an expression, with the word at its place; `name` is the argument's. */
+static bool expression_wrong(struct problem *problem, enum problem_kind kind, const struct text *text,
+                             const char *name, const char *at, const char *message)
+{
+    char shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    if (problem->kind != PROBLEM_NONE)
+        return false;
+    if (text)
+        problem->place = text_column(text, at);
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " \t;"), at);
+    return problem_report(problem, kind, *word ? "%s at '%s': %s" : "%s%s: %s", name,
+                          names_shown(word, shown), message);
+}
+
+/* Describes what directly follows a value, where a blank or an operator has to be. */
+static bool end_wrong(struct reader *r, const char *name, const char *end)
+{
+    char shown[NAMES_SHOWN];
+    reader_place(r, end);
+    return problem_error(r->problem, "%s ends before '%s'; %s", name, names_shown(end, shown),
+                         *end == ',' && isdigit((unsigned char)end[1]) ? "decimals have a point, as in 0.5"
+                         : *end == '%'                                 ? "write a share as 0.95 or 95/100"
+                                       : "here an operator or a blank is missing");
+}
+
+/* Returns true if the text ends in a number, which a unit may follow. */
+static bool ends_in_number(const char *begin, const char *end)
+{
+    const char *c = end;
+    while (c > begin && (isdigit((unsigned char)c[-1]) || c[-1] == '.'))
+        c--;
+    return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
+}
+
+/* Records what may stand at the cursor: a value, the rest of an expression, or the unit of its last number.
+ */
+static void expression_offer(const struct reader *r, const struct argument *a, const struct parse *p,
+                             bool good)
+{
+    struct reader behind = *r;
+    behind.at = good ? skip_blanks(p->end) : p->end;
+    offer_value(r, a, false);
+    if (!good && p->end > r->at)
+        offer_value(&behind, a, true);
+    if (good && ends_in_number(r->at, p->end))
+        offer_kind(&behind, OFFER_UNIT);
+}
+
+/* Parses "with NAME VALUE ..." after a value in parentheses, for struct parse. */
+static struct tree *with_parse(struct parse *p, struct tree *value)
+{
+    struct reader *outer = p->context, r = *outer;
+    const char *at = p->end;
+    r.at = skip_blanks(at + strlen("with"));
+    r.stops = ")";
+    r.unresolved = true;
+    r.last = false;
+    const struct assignment *with = assignments_parse(&r);
+    struct tree *t = with ? arena_take(p->arena, sizeof *t) : NULL;
+    if (!t)
+        return NULL;
+    p->end = r.at;
+    *t = (struct tree){
+        .kind = TREE_SYMBOL, .symbol = SYMBOL_WITH, .at = at, .refers = with, .child = value, .count = 1};
+    return t;
+}
+
+/* Resolves the names of an item. The text of a function is not in the line, so that places in it are not
+ * known. */
+static bool item_resolve(struct reader *r, const struct item *item, struct tree *tree)
+{
+    struct reader inside = *r;
+    inside.text = NULL;
+    struct resolver resolver = {.state = r->query->state,
+                                .ans = r->query->ans,
+                                .arena = r->arena,
+                                .with = with_parse,
+                                .context = &inside};
+    return resolve(&resolver, tree) || expression_wrong(r->problem, PROBLEM_WRONG, r->text,
+                                                        item->argument->name, resolver.at, resolver.message);
+}
+
+bool item_parse(struct reader *r, const struct argument *a, struct item *item)
+{
+    struct parse p = {
+        .text = r->at, .arena = r->arena, .no_unit = r->no_unit, .with = with_parse, .context = r};
+    struct tree *tree = expression_parse(&p);
+    *item = (struct item){.argument = a, .value = tree, .at = r->at};
+    if (r->offer)
+        expression_offer(r, a, &p, tree != NULL);
+    if (!tree)
+        return expression_wrong(r->problem, PROBLEM_WRONG, r->text, a->name, p.end, p.message);
+    bool is_end = isspace((unsigned char)*p.end) || (command_ends(p.end) && *p.end != '#') || *p.end == '>' ||
+                  (r->stops && strchr(r->stops, *p.end));
+    if (!is_end)
+        return end_wrong(r, a->name, p.end);
+    const char *next = skip_blanks(p.end);
+    if (r->last && isalpha((unsigned char)*next) && next > p.end && !may_follow(r, next))
+        return false;
+    r->at = p.end;
+    domq_real number;
+    return r->unresolved ||
+           (item_resolve(r, item, tree) &&
+            (!r->evaluates || item_bind(item, r->text, r->query, NULL, &number, r->problem)));
+}
+
+bool item_bind(const struct item *item, const struct text *text, const struct query *query,
+               struct quantity *quantity, domq_real *number, struct problem *problem)
+{
+    struct quantity q = {.value = item->number};
+    struct evaluation e;
+    if (text && item->at)
+        problem->place = text_column(text, item->at);
+    if (item->value && !query_evaluate(query, &e, item->value, &q, problem))
+        return expression_wrong(problem, e.of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG, text,
+                                item->argument->name, e.at, e.message);
+    if (quantity)
+        *quantity = q;
+    *number = q.value;
+    return !item->value || argument_check(query, item->argument, q, number, problem);
+}
+
+/* ---- Words for values ---- */
+
+/*
+ * Reads a word that may stand for a value, and returns its index in a list, or what names_find returns. An
+ * abbreviation counts, and an unknown word has a message, unless the word may be an expression, such as the
+ * parameter h in 'set q h'; `is_word_only` excludes that. If the word is not in the list, the reader stays
+ * where it is.
+ */
+static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
+                     bool is_word_only, char message[NAMES_MESSAGE])
+{
+    const char *begin = r->at, *word = read_word(r, false);
+    message[0] = '\0';
+    if (!word)
+        return NAMES_UNKNOWN;
+    bool is_word = is_word_only || (*word && word[strspn(word, "abcdefghijklmnopqrstuvwxyz")] == '\0' &&
+                                    !is_value_name(r->query->state, word));
+    int k = is_word ? names_find(list, context, what, word, message) : names_exact(list, context, word);
+    if (k < 0)
+        r->at = begin;
+    return k;
+}
+
+bool item_parse_value(struct reader *r, const struct parameter *p, int i, const char *name, struct item *item)
+{
+    const char *begin = r->at;
+    char message[NAMES_MESSAGE], what[32], range[64];
+    if (p->words && i == 0) {
+        offer_names(r, parameter_offered, p);
+        snprintf(what, sizeof what, "value of %s", p->name);
+        int k = word_find(r, parameter_words, p, what, p->words_only, message);
+        if (k >= 0) {
+            *item = (struct item){.number = p->words[k].value, .at = begin};
+            return true;
+        }
+        parameter_range(r->query->state, p, 0, range, sizeof range);
+        if (*message)
+            return problem_error(r->problem,
+                                 p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
+                                 message, p->name, range);
+    }
+    struct argument *a = arena_take(r->arena, sizeof *a);
+    if (!a)
+        return problem_error(r->problem, "%s", no_memory);
+    *a = (struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name, .which = i};
+    return item_parse(r, a, item);
+}
+
+/* Writes all names of a list. */
+static void names_all(names_list *list, char all[128])
+{
+    const char *name;
+    all[0] = '\0';
+    for (int n = 0; (name = list(NULL, n)) != NULL; n++) {
+        size_t used = strlen(all);
+        snprintf(all + used, 128 - used, "%s%s", n ? ", " : "", name);
+    }
+}
+
+bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
+{
+    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[128];
+    bool usual;
+    offer_names(r, a->choices, NULL);
+    *item = (struct item){.at = r->at};
+    const char *word = item->word = read_word(r, false);
+    if (!word)
+        return problem_error(r->problem, "%s", no_memory);
+    int k = names_find(a->choices, NULL, a->of, word, message);
+    item->number = k;
+    if (k >= 0)
+        return true;
+    names_shown(word, shown);
+    names_all(a->choices, all);
+    const struct parameter *meant = a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
+    if (meant && meant->effect && k != NAMES_CLOSE)
+        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, shown, meant->name);
+    if (k != NAMES_CLOSE)
+        return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, shown, all);
+    return problem_error(r->problem, "%s", message);
+}
+
+bool item_parse_place(struct reader *r, const struct argument *a, struct item *item)
+{
+    char message[NAMES_MESSAGE];
+    const char *begin = r->at;
+    offer_names(r, a->choices, NULL);
+    int k = word_find(r, a->choices, NULL, a->of, false, message);
+    if (k < 0)
+        return *message ? item_parse_choice(r, a, item) : item_parse(r, a, item);
+    *item = (struct item){.number = -1 - k, .at = begin};
+    return true;
+}
+
+/* ---- Parameters and their values ---- */
+
+const char *model_names(const void *context, int k)
+{
+    const struct parameter *p = session_parameters;
+    (void)context;
+    while (p->name && (p->setting || k-- > 0))
+        p++;
+    return p->name;
+}
+
+const struct parameter *parameter_parse(struct reader *r, const char *form)
+{
+    char message[NAMES_MESSAGE], shown[NAMES_SHOWN];
+    bool usual;
+    reader_place(r, r->at);
+    offer_names(r, model_names, NULL);
+    char *word = read_word(r, false);
+    if (!word) {
+        problem_error(r->problem, "%s", no_memory);
+        return NULL;
+    }
+    int k = names_find(model_names, NULL, "parameter", word, message);
+    if (k >= 0)
+        return parameter_find(model_names(NULL, k));
+    const struct parameter *setting = parameter_find(word),
+                           *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
+    names_shown(word, shown);
+    if (setting)
+        problem_error(r->problem,
+                      "'%s' is a setting of the calculator; use a parameter of the model or an effect here",
+                      shown);
+    else if (meant)
+        problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
+    else if (*r->at == ',')
+        problem_error(r->problem, "',' separates values, and not parameters; a blank is enough before the "
+                                  "next parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");
+    else if (isalpha((unsigned char)*shown))
+        problem_error(r->problem, "%s", message);
+    else
+        problem_error(r->problem, "'%s' is not the name of a parameter; %s", shown, form);
+    return NULL;
+}
+
+bool item_parse_listed(struct reader *r, const struct parameter *p, struct item *item)
+{
+    const char *no_unit = r->no_unit;
+    struct offer *o = reader_offer(r);
+    bool has_mass = expression_unit(p->value->unit).mass != 0;
+    if (o)
+        o->parameter = p;
+    r->no_unit = has_mass ? "s" : "sg"; /* Elsewhere a 'g' after the value is gravity. */
+    bool good = item_parse_value(r, p, 0, p->value->name, item);
+    r->no_unit = no_unit;
+    if (good && p->effect && !item->value && item->number == EFFECT_ON)
+        item->number = p->value->usual;
+    return good;
+}
+
+const struct assignment *assignments_parse(struct reader *r)
+{
+    static const char form[] = "'with' takes parameters and effects, as in 'rmax with q hollow d 0.1'";
+    const struct assignment *first = NULL, **last = &first;
+    for (int count = 0; !reader_ends(r); count++) {
+        const struct parameter *p = parameter_parse(r, form);
+        struct assignment *a = p ? arena_take(r->arena, sizeof *a) : NULL;
+        if (p && count == ASSIGNED_MAX)
+            problem_error(r->problem, "'with' takes %d parameters at most", ASSIGNED_MAX);
+        if (!a || count == ASSIGNED_MAX)
+            return NULL;
+        r->at = skip_blanks(r->at);
+        r->at = skip_blanks(r->at + (*r->at == '='));
+        reader_place(r, r->at);
+        if (reader_ends(r)) {
+            problem_error(r->problem,
+                          "the value of %s after 'with' is missing, as in 'rmax with q hollow d 0.1'",
+                          p->name);
+            return NULL;
+        }
+        a->parameter = p;
+        if (!item_parse_listed(r, p, &a->item))
+            return NULL;
+        *last = a;
+        last = &a->next;
+    }
+    if (!first) {
+        reader_place(r, r->at);
+        problem_error(r->problem, "%s", form);
+    }
+    return first;
+}

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/reader.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <readline/tilde.h>
+
+const char unclosed[] = "this '\"' is never closed";
+
+void reader_place(const struct reader *r, const char *at)
+{
+    if (r->text)
+        r->problem->place = text_column(r->text, at);
+}
+
+/* ---- Words ---- */
+
+/* Reads a word; `is_typed`: as it stands in the line that was typed. */
+static char *word_read(struct reader *r, bool quotes, bool is_typed)
+{
+    char ends[16];
+    bool is_quoted = quotes && *r->at == '"';
+    const char *begin = r->at + is_quoted, *end;
+    if (is_quoted) {
+        const char *behind = text_quote(r->at);
+        if (!behind)
+            return NULL;
+        end = behind - 1;
+        r->at = behind;
+    } else {
+        snprintf(ends, sizeof ends, " \t\r\f\v;%s", r->stops ? r->stops : "");
+        r->at = end = begin + strcspn(begin, ends);
+    }
+    if (is_typed) {
+        begin = text_typed(r->text, begin);
+        end = text_typed(r->text, end);
+    }
+    char *word = arena_text(r->arena, begin, (size_t)(end - begin)), *to = word;
+    for (const char *c = word; is_quoted && c && *c; c++) {
+        *to++ = *c;
+        c += *c == '"' && c[1] == '"';
+    }
+    if (is_quoted && word)
+        *to = '\0';
+    return word;
+}
+
+char *read_word(struct reader *r, bool quotes)
+{
+    return word_read(r, quotes, false);
+}
+
+char *read_text(struct reader *r)
+{
+    return word_read(r, true, true);
+}
+
+char *read_file(struct reader *r)
+{
+    char *name = read_text(r);
+    if (!name || *name != '~')
+        return name;
+    char *path = tilde_expand_word(name);
+    name = path ? arena_text(r->arena, path, strlen(path)) : NULL;
+    free(path);
+    return name;
+}
+
+bool word_is_next(const struct reader *r, const char *word)
+{
+    size_t n = strlen(word);
+    return strncmp(r->at, word, n) == 0 && !strchr("_.(", r->at[n] ? r->at[n] : ' ') &&
+           !isalnum((unsigned char)r->at[n]);
+}
+
+/* Lists for names.h one word, which is the context. */
+static const char *single_word(const void *word, int k)
+{
+    return k == 0 ? word : NULL;
+}
+
+bool reader_takes(struct reader *r, const char *word)
+{
+    bool is_next = word_is_next(r, word);
+    offer_names(r, single_word, word);
+    if (is_next)
+        r->at = skip_blanks(r->at + strlen(word));
+    return is_next;
+}
+
+/* ---- Ends ---- */
+
+bool command_ends(const char *c)
+{
+    return *c == '\0' || *c == ';' || *c == '#';
+}
+
+bool reader_ends(struct reader *r)
+{
+    r->at = skip_blanks(r->at);
+    return command_ends(r->at) || *r->at == '>' || *r->at == '|' || (r->stops && strchr(r->stops, *r->at)) ||
+           word_is_next(r, "with");
+}
+
+/* ---- The cursor of a line that is being typed ---- */
+
+struct offer *reader_offer(const struct reader *r)
+{
+    struct offer *o = r->offer;
+    return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
+}
+
+void offer_kind(const struct reader *r, enum offer_kind kind)
+{
+    struct offer *o = reader_offer(r);
+    if (o)
+        o->kinds |= kind;
+}
+
+void offer_names(const struct reader *r, names_list *list, const void *context)
+{
+    struct offer *o = reader_offer(r);
+    for (int i = 0; o && i < o->lists; i++)
+        if (o->names[i] == list && o->context[i] == context)
+            return;
+    if (o && list && o->lists < OFFER_LISTS) {
+        o->names[o->lists] = list;
+        o->context[o->lists++] = context;
+    }
+}
+
+void offer_value(const struct reader *r, const struct argument *a, bool is_inside)
+{
+    struct offer *o = reader_offer(r);
+    if (o) {
+        o->value = *a;
+        o->is_inside = is_inside;
+    }
+}
+
+void reader_named(const struct reader *r, const char *begin, const char *end)
+{
+    if (!r->offer)
+        return;
+    r->offer->typed = (size_t)(end - begin);
+    if (r->offer->is_command)
+        memset(r->offer->is_command + (begin - r->text->line), true, (size_t)(end - begin));
+}
