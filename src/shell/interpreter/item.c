@@ -153,7 +153,12 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
     if (quantity)
         *quantity = q;
     *number = q.value;
-    return !item->value || argument_check(query, item->argument, q, number, problem);
+    if (!item->value)
+        return true;
+    if (item->argument->kind == ARGUMENT_LENGTH && *item->at == '+')
+        return problem_error(problem, "%s is the gap itself, not a change of it; leave out the '+'",
+                             item->argument->name);
+    return argument_check(query, item->argument, q, number, problem);
 }
 
 /* ---- Words for values ---- */
