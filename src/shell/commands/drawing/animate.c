@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* animate: the row as it falls, with a clock, or the cycles of the train, each r times larger than the one
- * before. */
+/* animate: the row as it falls, with a clock; or cycles of the train, each r times larger than the one
+ * before.
+ */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
@@ -16,20 +17,26 @@ enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* heights of a frame, in dots */
 struct film {
     const struct query *query;
     struct problem *problem;
-    struct answer *answer; /* takes data; NULL: the film is drawn */
-    const struct film_what *what;
+    struct answer *answer; /* takes the frames as data; NULL if they are drawn */
+    const struct draw_what *what;
     struct movie movie;
     struct sheet sheet;
-    size_t frames, frame;
-    int delay; /* between frames, in hundredths of a second */
+    size_t frames, frame; /* the number of frames, and of those that are drawn */
+    int delay;            /* between two frames, in hundredths of a second */
 };
 
-/* Begins to draw, on sheets for this stage, which has a caption of as many lines as the frames will have. */
-static bool film_begin(struct film *f, const struct stage *stage)
+/* Makes the film. All frames are as large as the picture of `stage`, whose caption has as many lines. `watch`
+ * gives each frame to the answer, or to film_frame, and returns false after describing a problem. */
+static bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
 {
-    f->sheet = sheet_of(stage, SHEET_LEAST, SHEET_MOST);
-    return movie_begin(&f->movie, f->query->given->word[0], (int)f->sheet.width, (int)f->sheet.height,
-                       f->delay, f->query->scene->compute.interrupt, f->problem);
+    if (!f->answer) {
+        f->sheet = sheet_of(stage, SHEET_LEAST, SHEET_MOST);
+        if (!movie_begin(&f->movie, f->query->given->word[0], (int)f->sheet.width, (int)f->sheet.height,
+                         f->delay, f->query->scene->compute.interrupt, f->problem))
+            return false;
+    }
+    bool done = watch(f);
+    return f->answer ? done : movie_end(&f->movie, done, f->problem);
 }
 
 static void film_frame(struct film *f, const struct stage *stage)
@@ -44,30 +51,30 @@ static void film_frame(struct film *f, const struct stage *stage)
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-#define FOLLOWED 30 /* times that the largest domino may be taller than the smallest, and both are seen */
-#define HELD     1  /* s, of the last frame */
+#define FOLLOWED 30 /* the view follows the front where the largest domino is this many times the smallest   \
+                     */
+#define HELD 1      /* s, for which the last frame is shown */
 
 struct row_film {
     struct film film;
     struct falling_row row;
-    domq_real *time; /* of each frame, s */
-    bool follows;    /* the view follows the front */
+    domq_real *time; /* of each frame, in s */
+    bool follows;
 };
 
-/* Shows the front and what it has just felled. */
+/* Shows the front and what it has just felled. On its way to the next domino the view grows as steadily as
+ * the dominoes do. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *own = &f->row.stage.domino[head - 1];
     double size = own->height, begun = falling_row_hit(&f->row, head - 1), at = own->foot;
     if (head < f->row.stage.count) {
         const struct drawn *next = own + 1;
-        double until = falling_row_hit(&f->row, head),
-               part = until > begun ? (time - begun) / (until - begun) : 0;
-        part = fmin(fmax(part, 0), 1);
-        /* From one to the next as steadily as sizes grow. */
-        double grown = pow(next->height / size, part), far = next->height - size;
-        at += (fabs(far) > 1e-9 * size ? (grown - 1) * size / far : part) * (next->foot - at);
-        size *= grown;
+        double until = falling_row_hit(&f->row, head);
+        double part = until > begun ? fmin(fmax((time - begun) / (until - begun), 0), 1) : 0;
+        double growth = pow(next->height / size, part), more = next->height - size;
+        at += (fabs(more) > 1e-9 * size ? (growth - 1) * size / more : part) * (next->foot - at);
+        size *= growth;
     }
     sheet_follow(&f->film.sheet, at, 2.6 * size);
 }
@@ -76,6 +83,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
 {
     struct row_film *f = context;
     struct answer *a = f->film.answer;
+    domq_real pace = f->film.what->value[DRAW_SPEED];
     char moment[SENTENCE], more[SENTENCE], speed[64] = "";
     if (a) {
         answer_cells(a, cell_real(m->time), cell_count((domq_real)m->head), cell_real(m->tilt[m->head - 1]));
@@ -88,9 +96,8 @@ static bool row_frame(const struct domq_moment *m, void *context)
         falling_row_verdict(&f->row, more);
     else
         falling_row_summary(&f->row, more);
-    if (!over && f->film.what->speed != 1)
-        snprintf(speed, sizeof speed, " (%.30s times as fast as it is)",
-                 measured(f->film.what->speed, "", 3).text);
+    if (!over && pace != 1)
+        snprintf(speed, sizeof speed, " (%.30s times as fast as it is)", measured(pace, "", 3).text);
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
@@ -98,68 +105,54 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Lists the times of the frames; false: an error was reported. */
+/* Lists the times of the frames. The last one, infinity, is the end of the motion. */
 static bool row_times(struct row_film *f)
 {
-    const struct film *film = &f->film;
+    struct film *film = &f->film;
+    domq_real speed = film->what->value[DRAW_SPEED];
     double begins = row_run_tipped(&f->row.run, 0) ? falling_row_hit(&f->row, 0) : 0,
-           step = film->delay / 100.0 * (double)film->what->speed;
+           step = film->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
         return problem_no_answer(film->problem,
                                  "one domino comes so close to a stop that later times have no value");
-    double moving = ceil((f->row.end - begins) / step - 1e-9);
-    size_t held = (size_t)(HELD * 100 / film->delay);
-    if (moving + (double)held > FRAMES_MOST)
+    double moving = ceil((f->row.end - begins) / step - 1e-9), held = HELD * 100 / film->delay;
+    if (moving + held > FRAMES_MOST)
         return problem_no_answer(
             film->problem,
             "that would be %.0f frames, and at most %d are drawn; a larger speed, 'speed "
             "%s', or a smaller rate makes fewer",
             moving, FRAMES_MOST,
-            measured(film->what->speed * (domq_real)(1.05 * (moving + (double)held) / FRAMES_MOST), "", 3)
-                .text);
-    f->film.frames = (size_t)moving + 1 + (film->answer ? 0 : held);
+            measured(speed * (domq_real)(1.05 * (moving + held) / FRAMES_MOST), "", 3).text);
+    film->frames = (size_t)(moving + 1 + (film->answer ? 0 : held));
     f->time = malloc(film->frames * sizeof *f->time);
     for (size_t k = 0; k < film->frames && f->time; k++)
-        f->time[k] = k < (size_t)moving ? (domq_real)(begins + step * (double)k) : (domq_real)HUGE_VAL;
+        f->time[k] = (domq_real)((double)k < moving ? begins + step * (double)k : HUGE_VAL);
     return f->time || problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
 }
 
-static bool row_watch(struct row_film *f)
+static bool row_watch(struct film *film)
 {
-    enum dom_status status = falling_row_watch(&f->row, f->time, f->film.frames, row_frame, f);
-    return status == DOM_OK || row_status(f->film.query, f->film.problem, status);
+    struct row_film *f = (struct row_film *)film;
+    enum dom_status status = falling_row_watch(&f->row, f->time, film->frames, row_frame, f);
+    return status == DOM_OK || row_status(film->query, film->problem, status);
 }
 
-/* Returns true if the view is to follow the front: the smallest domino could not be seen beside the largest.
- */
-static bool row_grows(const struct stage *stage)
-{
-    double smallest = stage->top;
-    for (size_t k = 0; k < stage->count; k++)
-        smallest = fmin(smallest, stage->domino[k].height);
-    return stage->top > FOLLOWED * smallest;
-}
-
-static bool animate_row(struct film *film)
+static bool animate_row(const struct film *film)
 {
     static const struct marks marks = {.ends = "black", .weakest = "red"};
     struct row_film f = {.film = *film};
-    f.film.delay = (int)quad(round)(100 / film->what->rate);
+    struct stage *stage = &f.row.stage;
+    f.film.delay = (int)quad(round)(100 / film->what->value[DRAW_RATE]);
     if (!falling_row_make(film->query, film->problem, marks, &f.row))
         return false;
-    struct stage *stage = &f.row.stage;
-    bool done = row_times(&f);
-    if (done && film->answer) {
+    if (film->answer)
         answer_columns(film->answer, film->answer->columns)[1] =
             (struct column){"domino", "", "the last that was hit", 0};
-        done = row_watch(&f);
-    } else if (done) {
-        falling_row_reach(&f.row, true);
-        stage->row = NULL; /* no sizes are written */
-        snprintf(stage->caption, CAPTION, "%s", "1\n2");
-        f.follows = row_grows(stage);
-        done = film_begin(&f.film, stage) && movie_end(&f.film.movie, row_watch(&f), film->problem);
-    }
+    falling_row_reach(&f.row, true);
+    stage->row = NULL; /* the sizes of the dominoes are not written */
+    snprintf(stage->caption, CAPTION, "1\n2");
+    f.follows = stage->top > FOLLOWED * falling_row_smallest(&f.row);
+    bool done = row_times(&f) && film_make(&f.film, stage, row_watch);
     free(f.time);
     falling_row_free(&f.row);
     return done;
@@ -168,25 +161,25 @@ static bool animate_row(struct film *film)
 /* ---- The train ---- */
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-#define GROWN_MOST 40 /* of the first head over the last: a smaller one would be nothing but a dot */
-#define FILM_TOL   ((domq_real)1 / 1000000000)
+#define GROWN_MOST 40 /* the most that the last head is as large as the first, which would else be a dot */
+#define FILM_TOL   ((domq_real)1 / 1000000000) /* more than an eye can see */
 
-/* The cycles one after the other, lengths in heights of the first head, times in its tau. */
+/* The cycles one after the other. Lengths are in heights of the first head, and times in its tau. */
 struct train_film {
     struct film film;
     struct domq_train train;
     struct domq_compute compute;
     int cycles;
-    double r, pitch, duration, step; /* duration of the first cycle; step from frame to frame */
+    double r, pitch, duration, step; /* of the first cycle; the time between two frames */
     double tau;                      /* of the first head in s */
     bool stops;
-    struct stage whole; /* without dominoes: what all frames show */
+    struct stage whole; /* what all frames show, without dominoes */
     char ruler[96];
 };
 
-/* The cycle that a time is in, when it began, where its head stands, and how large it is. */
+/* The cycle at a time: its number from 0, when it began, and where and how large its head is. */
 struct place {
-    int cycle; /* from 0 */
+    int cycle;
     double begun, slower, scale, shift;
 };
 
@@ -203,7 +196,7 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns how many cycles make the last head no more than so many times as large as the first; at least 1. */
+/* Returns how many cycles make the last head at most so many times as large as the first; at least 1. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;
@@ -212,24 +205,20 @@ static int cycles_within(double r, double grown_most, int most)
     return n;
 }
 
-/* Counts the cycles; reports an error unless the picture can show so many: the first head can still be seen.
- */
 static bool cycles_count(struct train_film *f)
 {
-    const struct film_what *what = f->film.what;
+    const struct draw_what *what = f->film.what;
+    domq_real cycles = what->value[DRAW_CYCLES];
     int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
-    f->cycles = cycles_within(f->r, 4, 5);
-    if (!what->counted)
+    bool good = cycles >= 1 && cycles <= most && cycles == quad(floor)(cycles);
+    f->cycles = good ? (int)cycles : cycles_within(f->r, 4, 5);
+    if (good || !what->has[DRAW_CYCLES])
         return true;
-    if (what->cycles >= 1 && what->cycles <= most && what->cycles == quad(floor)(what->cycles)) {
-        f->cycles = (int)what->cycles;
-        return true;
-    }
     f->film.problem->place = what->column;
     return problem_no_answer(f->film.problem,
                              "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
                              "picture can show at this r",
-                             quad_shown(what->cycles).text, most);
+                             quad_shown(cycles).text, most);
 }
 
 static bool train_film_make(struct train_film *f)
@@ -240,7 +229,6 @@ static bool train_film_make(struct train_film *f)
     const struct scene *scene = f->film.query->scene;
     f->train = scene->train;
     f->compute = scene->compute;
-    /* More than that no eye sees. */
     f->compute.precision = DOM_DOUBLE;
     f->compute.tol = FILM_TOL;
     f->r = (double)f->train.r;
@@ -261,19 +249,20 @@ static bool train_film_make(struct train_film *f)
     f->cycles = f->stops ? 1 : f->cycles;
     f->duration = (double)events[count - 1].time;
     struct place last = place_at(f, (double)INFINITY);
-    double behind = f->pitch * f->r / (f->r - 1); /* all dominoes that leaned on the first head */
+    double behind = f->pitch * f->r / (f->r - 1); /* the dominoes that lean on the first head */
     double whole = last.begun + f->duration * last.slower;
     f->whole.top = pow(f->r, f->cycles);
     f->whole.right = last.shift + last.scale * f->r * f->pitch + 0.1 * f->whole.top;
     f->whole.left = behind < 1.8 ? -1.05 * behind : -1.8;
     f->film.frames = (size_t)ceil(FRAMES_FIRST * whole / f->duration) + 1;
     f->step = whole / (double)(f->film.frames - 1);
+    snprintf(f->whole.caption, CAPTION, "1");
     snprintf(f->ruler, sizeof f->ruler, "x in heights of the first head, %.4g mm; 0: the head",
              (double)(1000 * scene->scale.h));
     return true;
 }
 
-/* Puts the train of a cycle where its head stands, and behind the next domino those that wait. */
+/* Puts the train of a cycle where its head stands, and adds the dominoes beyond the next one. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];
@@ -317,15 +306,13 @@ static enum dom_status train_frame(struct train_film *f, size_t frame)
         return status;
     status = stage_train(&stage, &f->train, &f->compute, theta, (p.shift - f->whole.left) / p.scale + 0.1);
     if (status == DOM_OK) {
-        int at =
-            snprintf(stage.caption, CAPTION, "t = %.1f ms, slowed down %.3g times: ", 1e3 * f->tau * time,
-                     FRAMES_DELAY / 100.0 / (f->step * f->tau));
-        if (!f->stops)
-            snprintf(stage.caption + at, CAPTION - (size_t)at, "cycle %d of %d", p.cycle + 1, f->cycles);
-        else
-            snprintf(stage.caption + at, CAPTION - (size_t)at,
-                     frame + 1 == f->film.frames ? "the train stops"
-                                                 : "the train does not get over its barrier");
+        char cycle[48];
+        snprintf(cycle, sizeof cycle, "cycle %d of %d", p.cycle + 1, f->cycles);
+        snprintf(stage.caption, CAPTION, "t = %.1f ms, slowed down %.3g times: %s", 1e3 * f->tau * time,
+                 FRAMES_DELAY / 100.0 / (f->step * f->tau),
+                 !f->stops                     ? cycle
+                 : frame + 1 == f->film.frames ? "the train stops"
+                                               : "the train does not get over its barrier");
         stage.ruler = f->ruler;
         stage_place(&stage, f, p);
         film_frame(&f->film, &stage);
@@ -334,23 +321,18 @@ static enum dom_status train_frame(struct train_film *f, size_t frame)
     return status;
 }
 
-static bool train_watch(struct train_film *f)
+static bool train_watch(struct film *film)
 {
     enum dom_status status = DOM_OK;
-    for (size_t frame = 0; frame < f->film.frames && status == DOM_OK; frame++)
-        status = train_frame(f, frame);
-    return status == DOM_OK || problem_status(f->film.problem, f->film.query->scene, status);
+    for (size_t frame = 0; frame < film->frames && status == DOM_OK; frame++)
+        status = train_frame((struct train_film *)film, frame);
+    return status == DOM_OK || problem_status(film->problem, film->query->scene, status);
 }
 
 static bool animate_train(const struct film *film)
 {
     struct train_film f = {.film = *film};
-    if (!train_film_make(&f))
-        return false;
-    if (film->answer)
-        return train_watch(&f);
-    snprintf(f.whole.caption, CAPTION, "1");
-    return film_begin(&f.film, &f.whole) && movie_end(&f.film.movie, train_watch(&f), film->problem);
+    return train_film_make(&f) && film_make(&f.film, &f.whole, train_watch);
 }
 
 /* ---- The command ---- */
@@ -364,11 +346,11 @@ const struct column animate_columns[] = {
 
 bool run_animate(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static const struct film_what usual = {.speed = 1, .rate = 25};
-    struct film film = {.query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a};
-    const struct film_what *what = film.what = query->given->own ? query->given->own : &usual;
-    bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->counted;
-    if (what->timed && !row)
+    const struct draw_what *what = draw_what(query);
+    struct film film = {
+        .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .what = what};
+    bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->has[DRAW_CYCLES];
+    if ((what->has[DRAW_SPEED] || what->has[DRAW_RATE]) && !row)
         return problem_error(problem,
                              "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
                              "'effect row 10'");

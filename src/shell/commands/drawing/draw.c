@@ -54,36 +54,38 @@ static bool stage_rows(const struct stage *stage, enum dom_status forces, struct
 
 /* ---- The row ---- */
 
-/* Finds the time that is asked for; false: an error was reported. */
+/* Finds the time when a domino is hit. */
+static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
+                        domq_real *time)
+{
+    size_t count = row->stage.count, end = row->run.verdict.domino;
+    if (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino))
+        return problem_no_answer(
+            problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
+            quad_shown(domino).text, count, count);
+    size_t number = (size_t)domino;
+    *time = (domq_real)falling_row_hit(row, number - 1);
+    return !isnan(*time) || number <= end ||
+           problem_no_answer(problem,
+                             "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that",
+                             number, end);
+}
+
+/* Finds the moment that is asked for. */
 static bool moment_time(struct problem *problem, const struct draw_what *what, const struct falling_row *row,
                         domq_real *time)
 {
     problem->place = what->column;
-    *time = what->at == ROW_AT_END ? (domq_real)HUGE_VAL : what->time;
-    if (what->at == ROW_AT_END)
-        return true;
-    if (what->at == ROW_AT_DOMINO) {
-        size_t count = row->stage.count, end = row->run.verdict.domino;
-        if (!(what->domino >= 1 && what->domino <= (domq_real)count) ||
-            what->domino != quad(floor)(what->domino))
-            return problem_no_answer(
-                problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
-                quad_shown(what->domino).text, count, count);
-        size_t k = (size_t)what->domino - 1;
-        *time = (domq_real)falling_row_hit(row, k);
-        return !isnan(*time) || k + 1 <= end ||
-               problem_no_answer(
-                   problem, "domino %zu is never hit: the row ends at domino %zu; 'draw at end' shows that",
-                   k + 1, end);
-    }
+    if (what->has[DRAW_DOMINO])
+        return domino_time(problem, what->value[DRAW_DOMINO], row, time);
+    *time = what->end ? (domq_real)HUGE_VAL : what->value[DRAW_TIME];
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* As it was answered, in few digits, the end may have been rounded up. */
-    if ((double)*time > row->end * 1.005)
-        return problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
-                                 measured((domq_real)row->end, "s", 4).text);
-    return true;
+    /* The end may have been read from an answer, whose few digits may be rounded up. */
+    return what->end || !((double)*time > row->end * 1.005) ||
+           problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
+                             measured((domq_real)row->end, "s", 4).text);
 }
 
 /* Shows the row at a moment, or, without one, as it is set up; with its caption. */
@@ -121,9 +123,9 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
     a->of_row = true;
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
-    bool good = what->at == ROW_STANDS ? moment_show(NULL, &row) : moment_time(problem, what, &row, &time);
+    bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
     enum dom_status status = DOM_OK;
-    if (good && what->at != ROW_STANDS)
+    if (good && draw_at(what))
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
     if (status != DOM_OK) {
@@ -181,10 +183,10 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 {
     struct stage stage;
     /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
-    const struct walk *walk = what->tilted ? NULL : walk_now(query);
+    const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
-    domq_real theta = walk ? walk->theta : what->theta;
+    domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     a->of_row = what->train; /* it was asked for */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
@@ -210,10 +212,10 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
 
 static bool run_draw(const struct query *query, struct answer *a, struct problem *problem)
 {
-    static const struct draw_what nothing;
-    const struct draw_what *what = query->given->own ? query->given->own : &nothing;
-    bool row = query->scene->effect[DOM_EFFECT_row].on, train = what->train || what->forces || what->tilted;
-    if (what->at != ROW_STANDS && !row) {
+    const struct draw_what *what = draw_what(query);
+    bool row = query->scene->effect[DOM_EFFECT_row].on,
+         train = what->train || what->forces || what->has[DRAW_TILT];
+    if (draw_at(what) && !row) {
         problem->place = query->given->column[0];
         return problem_error(problem, "'draw at' shows a moment of a row; first enter 'effect row N', for "
                                       "example 'effect row 10'");
@@ -251,7 +253,7 @@ const struct command draw_commands[] = {
      .train = true,
      .argument =
          {{.name = "FILE", .kind = ARGUMENT_FILE},
-          {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = film_bind}},
+          {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
      .summary = "the row, or cycles of the train, as they run in time, into FILE",
      .help =
          "'animate row.gif' shows the row from the push until the last domino lies, or until it stops, in "

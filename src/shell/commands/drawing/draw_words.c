@@ -6,199 +6,182 @@
 
 /* ---- Parsing ---- */
 
-static const struct argument moment_argument = {.name = "the moment", .kind = ARGUMENT_ANY},
-                             domino_argument = {.name = "the domino", .kind = ARGUMENT_ANY},
-                             tilt_argument = {.name = "T", .kind = ARGUMENT_TILT},
-                             speed_argument = {.name = "the speed", .kind = ARGUMENT_NUMBER},
-                             rate_argument = {.name = "rate", .kind = ARGUMENT_ANY},
-                             cycles_argument = {.name = "N", .kind = ARGUMENT_ANY};
+struct draw_parsed {
+    struct draw_what what;
+    struct item item[DRAW_VALUES];
+};
 
-/* Returns true where a name begins that is neither a value nor one of the words: it was meant as one of them.
- */
+static const struct argument arguments[DRAW_VALUES] = {
+    [DRAW_TIME] = {.name = "the moment", .kind = ARGUMENT_ANY},
+    [DRAW_DOMINO] = {.name = "the domino", .kind = ARGUMENT_ANY},
+    [DRAW_TILT] = {.name = "T", .kind = ARGUMENT_TILT},
+    [DRAW_CYCLES] = {.name = "N", .kind = ARGUMENT_ANY},
+    [DRAW_SPEED] = {.name = "the speed", .kind = ARGUMENT_NUMBER},
+    [DRAW_RATE] = {.name = "the rate", .kind = ARGUMENT_ANY},
+};
+
+static const char draw_usage[] =
+    "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces";
+static const char film_usage[] =
+    "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
+
+/* Returns true where a word begins that cannot be a value: it was meant as one of the words. */
 static bool is_stray(const struct reader *r)
 {
     char word[64];
-    size_t n = strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
-    snprintf(word, sizeof word, "%.*s", (int)(n < 63 ? n : 63), r->at);
+    int n = (int)strspn(r->at, "abcdefghijklmnopqrstuvwxyz");
+    snprintf(word, sizeof word, "%.*s", n, r->at);
     return n > 0 && (isspace((unsigned char)r->at[n]) || r->at[n] == '>' || command_ends(r->at + n)) &&
            names_exact(value_names, r->query->state, word) < 0;
 }
 
-static bool wrong_word(struct reader *r, const char *what, const char *usage)
+/* Describes the next word as unknown, or as more than the command takes. */
+static bool wrong_word(struct reader *r, bool many, const char *usage)
 {
     char shown[NAMES_SHOWN];
     const char *word = read_word(r, false);
-    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown), what, usage);
+    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown),
+                         many ? "is one argument too many" : "is neither a value nor one of the words",
+                         usage);
 }
 
-static const char unknown[] = "is neither a value nor one of the words",
-                  too_many[] = "is one argument too many";
-
-static bool value_parse(struct reader *r, const struct argument *a, struct item *item)
+static bool value_parse(struct reader *r, struct draw_parsed *p, enum draw_value value)
 {
     reader_place(r, r->at);
-    return reader_ends(r) ? problem_error(r->problem, "%s is missing", a->name) : item_parse(r, a, item);
+    p->what.has[value] = true;
+    return reader_ends(r) ? problem_error(r->problem, "%s is missing", arguments[value].name)
+                          : item_parse(r, &arguments[value], &p->item[value]);
 }
-
-static bool nothing_more(struct reader *r, const char *usage)
-{
-    reader_place(r, r->at);
-    return reader_ends(r) || wrong_word(r, too_many, usage);
-}
-
-static const char draw_usage[] =
-    "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces";
-
-/* Words and values as they were parsed. */
-struct draw_parsed {
-    struct draw_what what;
-    struct item value; /* the moment, the domino or the tilt */
-};
-struct film_parsed {
-    struct film_what what;
-    struct item speed, rate, cycles;
-};
 
 /* Parses the moment that follows 'at'. */
 static bool moment_parse(struct reader *r, struct draw_parsed *p)
 {
-    struct draw_what *what = &p->what;
     reader_place(r, r->at);
-    what->column = r->problem->place;
+    p->what.column = r->problem->place;
     if (reader_ends(r))
         return problem_error(r->problem, "the moment is missing; %s", draw_usage);
-    what->at = ROW_AT_TIME;
-    if (reader_takes(r, "end")) {
-        what->at = ROW_AT_END;
-        return nothing_more(r, draw_usage);
-    }
-    if (reader_takes(r, "domino")) {
-        what->at = ROW_AT_DOMINO;
+    bool domino = reader_takes(r, "domino");
+    p->what.end = !domino && reader_takes(r, "end");
+    r->last = !domino;
+    if (domino && reader_ends(r)) {
         reader_place(r, r->at);
-        if (reader_ends(r))
-            return problem_error(r->problem, "the number of the domino is missing, as in 'draw at domino 8'");
-        return value_parse(r, &domino_argument, &p->value) && nothing_more(r, draw_usage);
+        return problem_error(r->problem, "the number of the domino is missing, as in 'draw at domino 8'");
     }
-    if (is_stray(r))
-        return wrong_word(r, unknown, draw_usage);
-    r->last = true;
-    return value_parse(r, &moment_argument, &p->value) && nothing_more(r, draw_usage);
+    if (!domino && !p->what.end && is_stray(r))
+        return wrong_word(r, false, draw_usage);
+    if (!p->what.end && !value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME))
+        return false;
+    reader_place(r, r->at);
+    return reader_ends(r) || wrong_word(r, true, draw_usage);
+}
+
+static struct draw_parsed *parsed_make(struct reader *r, struct question *q)
+{
+    struct draw_parsed *p = q->own = arena_take(r->arena, sizeof *p);
+    if (!p)
+        problem_error(r->problem, "out of memory");
+    return p;
 }
 
 bool draw_parse(struct reader *r, struct question *q)
 {
-    struct draw_parsed *p = q->own = arena_take(r->arena, sizeof *p);
-    if (!p)
-        return problem_error(r->problem, "out of memory");
-    struct draw_what *what = &p->what;
-    if (reader_takes(r, "at"))
-        return moment_parse(r, p);
-    what->train = reader_takes(r, "train");
+    struct draw_parsed *p = parsed_make(r, q);
+    if (!p || reader_takes(r, "at"))
+        return p && moment_parse(r, p);
+    p->what.train = reader_takes(r, "train");
     while (!reader_ends(r)) {
+        bool full = p->what.forces || p->what.has[DRAW_TILT];
         reader_place(r, r->at);
         r->last = false;
-        if (what->forces && word_is_next(r, "forces"))
-            return problem_error(r->problem, "'forces' is said twice; T is an angle, 'draw 0.1 forces'");
-        if (what->forces)
-            return wrong_word(r, too_many, draw_usage);
-        if (reader_takes(r, "forces"))
-            what->forces = true;
-        else if (what->tilted || is_stray(r))
-            return wrong_word(r, what->tilted ? too_many : unknown, draw_usage);
-        else if (!value_parse(r, &tilt_argument, &p->value))
+        if (!p->what.forces && reader_takes(r, "forces"))
+            p->what.forces = true;
+        else if (full || is_stray(r))
+            return wrong_word(r, full, draw_usage);
+        else if (!value_parse(r, p, DRAW_TILT))
             return false;
-        else
-            what->tilted = true;
     }
     return true;
+}
+
+bool film_parse(struct reader *r, struct question *q)
+{
+    struct draw_parsed *p = parsed_make(r, q);
+    while (p && !reader_ends(r)) {
+        bool counted = p->what.has[DRAW_CYCLES], good = true;
+        reader_place(r, r->at);
+        r->last = false;
+        if (reader_takes(r, "speed"))
+            good = value_parse(r, p, DRAW_SPEED);
+        else if (reader_takes(r, "rate"))
+            good = value_parse(r, p, DRAW_RATE);
+        else if (!p->what.train && reader_takes(r, "train"))
+            p->what.train = true;
+        else if (counted || is_stray(r))
+            return wrong_word(r, counted, film_usage);
+        else {
+            p->what.column = r->problem->place;
+            good = value_parse(r, p, DRAW_CYCLES);
+        }
+        if (!good)
+            return false;
+    }
+    return p != NULL;
+}
+
+/* ---- Binding ---- */
+
+/* Checks a value: the moment is a time, speed and rate are plain numbers in a range, and a rate may also be
+ * given as 20/s. */
+static bool value_check(enum draw_value value, struct quantity quantity, struct problem *problem)
+{
+    char kind[64];
+    domq_real number = quantity.value;
+    bool plain = quantity_bare(quantity);
+    switch (value) {
+    case DRAW_TIME:
+        return quantity_plain(quantity) || quantity_alike(quantity, (struct quantity){.time = 1}) ||
+               problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
+                             expression_kind(quantity, kind, sizeof kind));
+    case DRAW_SPEED:
+        if (plain && number >= (domq_real)0.001 && number <= 1000)
+            return true;
+        return problem_error(problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 "
+                                              "half as fast"
+                                            : "the speed is a plain number");
+    case DRAW_RATE:
+        plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
+        if (plain && number >= 1 && number <= 50)
+            return true;
+        return problem_error(problem, plain ? "the rate is a number of frames in a second in 1 .. 50"
+                                            : "the rate is a plain number");
+    default:
+        return true;
+    }
+}
+
+static const struct draw_what usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] = 25}};
+
+const struct draw_what *draw_what(const struct query *query)
+{
+    return query->given->own ? query->given->own : &usual;
 }
 
 bool draw_bind(const struct question *q, const struct query *query, struct arguments *given,
                struct problem *problem)
 {
     const struct draw_parsed *p = q->own;
-    struct quantity quantity;
-    char kind[64];
     struct draw_what *what = malloc(sizeof *what);
     if (!what)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     given->own = what;
     given->own_free = free;
     *what = p->what;
-    domq_real *number = what->at == ROW_AT_DOMINO ? &what->domino
-                        : what->at == ROW_AT_TIME ? &what->time
-                                                  : &what->theta;
-    if (!p->value.value)
-        return true;
-    if (!item_bind(&p->value, q->text, query, &quantity, number, problem))
-        return false;
-    return what->at != ROW_AT_TIME || quantity_plain(quantity) ||
-           quantity_alike(quantity, (struct quantity){.time = 1}) ||
-           problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
-                         expression_kind(quantity, kind, sizeof kind));
-}
-
-static const char film_usage[] =
-    "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
-
-bool film_parse(struct reader *r, struct question *q)
-{
-    struct film_parsed *p = q->own = arena_take(r->arena, sizeof *p);
-    if (!p)
-        return problem_error(r->problem, "out of memory");
-    struct film_what *what = &p->what;
-    *what = (struct film_what){.speed = 1, .rate = 25};
-    while (!reader_ends(r)) {
-        reader_place(r, r->at);
-        r->last = false;
-        bool speed = reader_takes(r, "speed"), rate = !speed && reader_takes(r, "rate");
-        if (speed || rate) {
-            what->timed = true;
-            if (!value_parse(r, speed ? &speed_argument : &rate_argument, speed ? &p->speed : &p->rate))
-                return false;
-        } else if (!what->train && reader_takes(r, "train")) {
-            what->train = true;
-        } else if (what->counted || is_stray(r)) {
-            return wrong_word(r, what->counted ? too_many : unknown, film_usage);
-        } else {
-            what->counted = true;
-            what->column = r->problem->place;
-            if (!value_parse(r, &cycles_argument, &p->cycles))
-                return false;
-        }
+    memcpy(what->value, usual.value, sizeof what->value);
+    for (int k = 0; k < DRAW_VALUES; k++) {
+        struct quantity quantity;
+        if (what->has[k] && (!item_bind(&p->item[k], q->text, query, &quantity, &what->value[k], problem) ||
+                             !value_check((enum draw_value)k, quantity, problem)))
+            return false;
     }
     return true;
-}
-
-/* Binds a speed or a rate, a plain number in a range; a rate may be said as 20/s. */
-static bool pace_bind(const struct item *item, const struct question *q, const struct query *query, bool rate,
-                      domq_real *number, struct problem *problem)
-{
-    struct quantity quantity;
-    if (!item->value)
-        return true;
-    if (!item_bind(item, q->text, query, &quantity, number, problem))
-        return false;
-    if (!quantity_bare(quantity) && !(rate && quantity_alike(quantity, (struct quantity){.time = -1})))
-        return problem_error(problem, "%s is a plain number", rate ? "the rate" : "the speed");
-    if (rate ? *number >= 1 && *number <= 50 : *number >= (domq_real)0.001 && *number <= 1000)
-        return true;
-    return problem_error(problem,
-                         rate ? "the rate is a number of frames in a second in 1 .. 50"
-                              : "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast");
-}
-
-bool film_bind(const struct question *q, const struct query *query, struct arguments *given,
-               struct problem *problem)
-{
-    const struct film_parsed *p = q->own;
-    struct film_what *what = malloc(sizeof *what);
-    if (!what)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = what;
-    given->own_free = free;
-    *what = p->what;
-    return pace_bind(&p->speed, q, query, false, &what->speed, problem) &&
-           pace_bind(&p->rate, q, query, true, &what->rate, problem) &&
-           (!p->cycles.value || item_bind(&p->cycles, q->text, query, NULL, &what->cycles, problem));
 }

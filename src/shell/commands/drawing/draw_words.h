@@ -1,39 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words that follow 'draw' and 'animate FILE', each with its value. */
+/* The words and values that follow 'draw' and 'animate FILE'. */
 #ifndef SHELL_DRAW_WORDS_H
 #define SHELL_DRAW_WORDS_H
 
 #include "interpreter/question.h"
 
-/* What 'draw' is to show. */
+enum draw_value {
+    DRAW_TIME,   /* the moment of the row, in s */
+    DRAW_DOMINO, /* the domino that is hit at the moment of the row; not checked */
+    DRAW_TILT,   /* the tilt of the train */
+    DRAW_CYCLES, /* the number of cycles of the train; not checked */
+    DRAW_SPEED,  /* 1 is real time */
+    DRAW_RATE,   /* frames in a second */
+    DRAW_VALUES
+};
+
 struct draw_what {
-    bool train;  /* of the endless train, though a row is on */
-    bool forces; /* with its forces */
-    bool tilted; /* at the tilt theta */
-    domq_real theta;
-    enum { ROW_STANDS, ROW_AT_TIME, ROW_AT_DOMINO, ROW_AT_END } at; /* the row's moment */
-    domq_real time;                                                 /* s */
-    domq_real domino;
-    int column; /* of the moment in the line, for messages */
+    bool train;            /* the endless train, even if there is a row */
+    bool forces, end;      /* the words 'forces' and 'at end' are given */
+    bool has[DRAW_VALUES]; /* the value is given */
+    domq_real value[DRAW_VALUES];
+    int column; /* where the moment or the number of cycles stands in the line */
 };
 
-/* How 'animate' is to run. */
-struct film_what {
-    bool train;
-    bool counted;
-    domq_real cycles; /* of the train, if they are counted; not checked */
-    int column;       /* where that stands */
-    domq_real speed;  /* 1: real time */
-    domq_real rate;   /* frames in a second */
-    bool timed;       /* speed or rate is given */
-};
+/* Returns what the words of a bound question ask for. */
+const struct draw_what *draw_what(const struct query *query);
 
-/* Parse and bind the words; given->own is a struct draw_what or a struct film_what. */
+/* Returns true for a moment of the row: 'draw at'. */
+static inline bool draw_at(const struct draw_what *what)
+{
+    return what->end || what->has[DRAW_TIME] || what->has[DRAW_DOMINO];
+}
+
+/* Parse the words of 'draw' and of 'animate', and bind those of both. */
 bool draw_parse(struct reader *reader, struct question *question);
-bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,
-               struct problem *problem);
 bool film_parse(struct reader *reader, struct question *question);
-bool film_bind(const struct question *question, const struct query *query, struct arguments *given,
+bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,
                struct problem *problem);
 
 #endif

@@ -13,15 +13,15 @@ static bool end_seen(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Returns what domino k does; moved: it has left its place. */
-static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool moved)
+/* Returns what domino k does at a moment. has_moved: it has left its place. */
+static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool has_moved)
 {
     const struct domq_verdict *v = &row->run.verdict;
     if (v->end != DOM_ROW_FALLS && k + 1 == v->domino)
         return ENDS;
     if (row->stage.count > 1 && k + 1 == v->weakest && isfinite(v->spare))
         return WEAKEST;
-    return !moved ? STANDS : k + 1 == head ? HEAD : FALLS;
+    return !has_moved ? STANDS : k + 1 == head ? HEAD : FALLS;
 }
 
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
@@ -29,17 +29,17 @@ void falling_row_pose(struct falling_row *row, const struct domq_moment *moment)
     const struct domq_row *r = &row->run.scene.row;
     double at = 0, rho = (double)r->rho;
     for (size_t k = 0; k < row->stage.count; k++) {
-        const struct domq_domino *own = &row->run.scene.domino[k];
+        const struct domq_domino *domino = &row->run.scene.domino[k];
         struct drawn *d = &row->stage.domino[k];
-        double lean = (double)own->lean, tilt = moment ? (double)moment->tilt[k] : lean;
+        double lean = (double)domino->lean, tilt = moment ? (double)moment->tilt[k] : lean;
         bool head = moment && k + 1 == moment->head;
         *d = (struct drawn){.number = (int)k + 1,
                             .part = part_of(row, k, moment ? moment->head : 0, tilt > lean || head),
-                            .height = (double)own->height,
-                            .thickness = (double)own->thickness,
+                            .height = (double)domino->height,
+                            .thickness = (double)domino->thickness,
                             .theta = tilt};
-        d->radius = rho != 0 && own->radius > 0 ? (double)own->radius : rho * d->height;
-        at += k > 0 ? (double)own->gap : 0;
+        d->radius = rho != 0 && domino->radius > 0 ? (double)domino->radius : rho * d->height;
+        at += k > 0 ? (double)domino->gap : 0;
         d->foot = at + (moment ? row->slid[k] : 0) + d->thickness;
         at += d->thickness;
         drawn_stand(d);
@@ -56,11 +56,19 @@ void falling_row_reach(struct falling_row *row, bool lying)
     }
 }
 
-bool falling_row_make(const struct query *query, struct problem *problem, struct marks mark,
+double falling_row_smallest(const struct falling_row *row)
+{
+    double smallest = row->stage.top;
+    for (size_t k = 0; k < row->stage.count; k++)
+        smallest = fmin(smallest, row->stage.domino[k].height);
+    return smallest;
+}
+
+bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
                       struct falling_row *row)
 {
     const domq_real ever = (domq_real)HUGE_VAL;
-    *row = (struct falling_row){.mark = mark, .end = (double)NAN};
+    *row = (struct falling_row){.marks = marks, .end = (double)NAN};
     if (!row_run(query, problem, true, &row->run))
         return false;
     size_t count = row->run.scene.row.count;
@@ -92,9 +100,9 @@ double falling_row_hit(const struct falling_row *row, size_t k)
 {
     const struct domq_domino *d = &row->run.scene.domino[0];
     domq_real flat = d->thickness / d->height;
-    /* The angle beyond the edge grows e times in each of these. */
-    domq_real each = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
-    return row_run_tipped(&row->run, k) ? -3 * (double)each
+    /* The time in which the angle beyond the edge grows e times. */
+    domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
+    return row_run_tipped(&row->run, k) ? -3 * (double)growth
            : k < row->run.hits          ? (double)row->run.fall[k].time
                                         : (double)NAN;
 }
@@ -109,9 +117,9 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
     return domq_row_watch(&scene->row, &scene->compute, times, count, visit, context, &verdict);
 }
 
-/* ---- In words ---- */
+/* ---- Sentences ---- */
 
-/* Returns what the clock counts from. */
+/* Returns the event at which the clock begins. */
 static const char *start_of(const struct falling_row *row)
 {
     return row_run_tipped(&row->run, 0) ? "first hit" : "push";
@@ -119,14 +127,11 @@ static const char *start_of(const struct falling_row *row)
 
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE])
 {
-    double smallest = row->stage.top;
-    for (size_t k = 0; k < row->stage.count; k++)
-        smallest = fmin(smallest, row->stage.domino[k].height);
-    struct measured least = measured((domq_real)smallest, "m", 3),
+    struct measured least = measured((domq_real)falling_row_smallest(row), "m", 3),
                     most = measured((domq_real)row->stage.top, "m", 3);
-    bool alike = strcmp(least.text, most.text) == 0;
+    bool equal = strcmp(least.text, most.text) == 0;
     snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->stage.count,
-             row->stage.count == 1 ? "" : "es", least.text, alike ? "" : " to ", alike ? "" : most.text);
+             row->stage.count == 1 ? "" : "es", least.text, equal ? "" : " to ", equal ? "" : most.text);
 }
 
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
@@ -142,10 +147,10 @@ void falling_row_verdict(const struct falling_row *row, char text[SENTENCE])
     else if (v->end == DOM_ROW_FALLS)
         snprintf(text, SENTENCE, "%.40s.", all_fall_words(count).text);
     else if (share < 1)
-        snprintf(text, SENTENCE, "Domino %zu (%s) stops the row: it has %.150s.", end, row->mark.ends,
+        snprintf(text, SENTENCE, "Domino %zu (%s) stops the row: it has %.150s.", end, row->marks.ends,
                  energy_words((domq_real)share).text);
     else
-        snprintf(text, SENTENCE, "The row ends at domino %zu (%s): %s.", end, row->mark.ends,
+        snprintf(text, SENTENCE, "The row ends at domino %zu (%s): %s.", end, row->marks.ends,
                  dom_row_end_text(v->end));
 }
 
@@ -155,7 +160,7 @@ void falling_row_weakest(const struct falling_row *row, char text[SENTENCE])
     text[0] = '\0';
     if (v->weakest > 0 && row->stage.domino[v->weakest - 1].part == WEAKEST)
         snprintf(text, SENTENCE, "Weakest%s: domino %zu (%s), with %.150s.",
-                 v->end == DOM_ROW_FALLS ? "" : " of those that fall", v->weakest, row->mark.weakest,
+                 v->end == DOM_ROW_FALLS ? "" : " of those that fall", v->weakest, row->marks.weakest,
                  energy_words(v->spare + 1).text);
 }
 
