@@ -118,7 +118,9 @@ static int drawing_room(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, FILE *complaints, struct problem *problem)
 {
-    char *const argv[] = {"gnuplot", "-d", "-", NULL};
+    char *const argv[] = {"gnuplot", "-d", "/dev/stdin",
+                          NULL}; /* by its name: from "-" it reads byte by byte */
+    ;
     char block[4096];
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
