@@ -151,7 +151,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
         if (option == 'h' || option == 'V') {
-            fprintf(session->out, option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
+            fprintf(session->output->out, option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
             session->quit = true;
             return true;
         }

@@ -65,8 +65,8 @@ static void help_effect_values(const struct session *session, const struct param
         snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
                  a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
                  a->optional ? "; may be left out" : "");
-        int left = fprintf(session->out, "  %-8s ", a->name);
-        help_wrapped(session->out, text, left);
+        int left = fprintf(session->output->out, "  %-8s ", a->name);
+        help_wrapped(session->output->out, text, left);
     }
 }
 
@@ -76,7 +76,7 @@ static void help_parameter(struct session *session, const struct topic *t)
     const struct effect_state *effect = &session->state.scene.effect[p->which];
     char range[64], text[WIDE_TEXT], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
     const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* behind "set" or "effect" */
-    FILE *out = session->out;
+    FILE *out = session->output->out;
     help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
     putc('\n', out);
     if (t->text)
@@ -109,14 +109,14 @@ static void help_parameter(struct session *session, const struct topic *t)
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
-    session_init(&fresh, session->out);
+    session_init(&fresh, session->output->out);
     fresh.standard.messages = session->output->messages;
     fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     fresh.source = "help";
     fresh.means.safe = fresh.bail = true;
-    putc('\n', session->out);
-    help_say(session->out, "Example: %s", example);
-    putc('\n', session->out);
+    putc('\n', session->output->out);
+    help_say(session->output->out, "Example: %s", example);
+    putc('\n', session->output->out);
     command_run_text(&fresh, example);
     session->errors += fresh.errors;
     session_close(&fresh);
@@ -128,11 +128,13 @@ static void help_show(struct session *session)
     const struct arguments none = {.count = 0};
     struct problem ignored = {.kind = PROBLEM_NONE};
     struct query query = session_query(session);
-    struct answer answer = {
-        .out = session->out, .style = session->state.settings.style, .columns = show_columns, .rows = true};
+    struct answer answer = {.out = session->output->out,
+                            .style = session->state.settings.style,
+                            .columns = show_columns,
+                            .rows = true};
     answer.style.format = &format_table;
     query.given = &none;
-    fputs("\nThe parameters now:\n", session->out);
+    fputs("\nThe parameters now:\n", session->output->out);
     run_show(&query, &answer, &ignored);
 }
 
@@ -161,7 +163,7 @@ static void help_columns(FILE *out, const struct command *c)
 static void help_command(struct session *session, const struct topic *t)
 {
     const struct command *c = t->command;
-    FILE *out = session->out;
+    FILE *out = session->output->out;
     int fewest;
     help_say(out, "%s: %s", t->usage, t->summary);
     if (t->equation)
@@ -195,7 +197,7 @@ static void help_name(struct session *session, const char *name)
         if (strcmp(topic.name, name) != 0)
             continue;
         if (is_command)
-            fprintf(session->out, "\nThe %s of this name:\n\n", topic.kind);
+            fprintf(session->output->out, "\nThe %s of this name:\n\n", topic.kind);
         (topic.command ? help_command : help_parameter)(session, &topic);
         if (!topic.command && !is_command && topic.example)
             help_example(session, topic.example);
@@ -222,9 +224,10 @@ static void help_variable(const struct session *session, const struct arguments 
         topic_row(a, &topic);
         return;
     }
-    fprintf(session->out, "%s = %s\n\n", variable_head(v, head), topic.summary);
-    help_say(session->out, "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.",
-             topic.kind, head, v->name);
+    fprintf(session->output->out, "%s = %s\n\n", variable_head(v, head), topic.summary);
+    help_say(session->output->out,
+             "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.", topic.kind, head,
+             v->name);
 }
 
 /* Lists the topics that a word means, which is the name of none. */
@@ -257,9 +260,9 @@ static bool run_help(struct session *session, const struct arguments *given, str
     else if (!people)
         help_rows(a, name);
     else if (!name)
-        help_list(session->out);
+        help_list(session->output->out);
     else if (word && topic_meant(word, 1))
-        help_several(session->out, word);
+        help_several(session->output->out, word);
     else
         help_name(session, name);
     return true;
@@ -290,7 +293,7 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
             if (topic.parameter)
                 snprintf(topic.usage, sizeof topic.usage, "%s %s", topic.parameter->effect ? "effect" : "set",
                          topic.name);
-            topic_entry(session->out, topic.usage, topic.summary);
+            topic_entry(session->output->out, topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "

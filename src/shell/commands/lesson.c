@@ -40,14 +40,14 @@ static bool reader_types(struct session *reader, const char *command)
     char *line = NULL;
     size_t size = 0;
     bool waits = keys != NULL;
-    fprintf(reader->out, "Type: %s\n", command);
+    fprintf(reader->output->out, "Type: %s\n", command);
     while (waits) {
-        fputs(prompt, reader->out);
-        fflush(reader->out);
+        fputs(prompt, reader->output->out);
+        fflush(reader->output->out);
         waits = text_read(&line, &size, keys) != -1;
         const char *typed = waits ? skip_blanks(line) : "q";
         if (!waits)
-            putc('\n', reader->out);
+            putc('\n', reader->output->out);
         if (strcmp(typed, "q") == 0)
             reader->quit = true;
         else if (*typed && strcmp(typed, command) != 0)
@@ -63,11 +63,11 @@ static bool reader_types(struct session *reader, const char *command)
 static void lesson_line(struct session *reader, const char *line, bool waits)
 {
     if (*line == '\0' || *line == '#') {
-        fprintf(reader->out, "%s\n", line + strspn(line, "#") + (line[0] == '#' && line[1] == ' '));
+        fprintf(reader->output->out, "%s\n", line + strspn(line, "#") + (line[0] == '#' && line[1] == ' '));
         return;
     }
     if (!waits)
-        fprintf(reader->out, "%s%s\n", prompt, line);
+        fprintf(reader->output->out, "%s%s\n", prompt, line);
     if (!waits || reader_types(reader, line))
         command_run_text(reader, line);
 }
@@ -80,7 +80,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
         reader; /* so that the lesson begins with the defaults, and changes nothing of the reader's */
     bool in_file = session->script && strcmp(session->source, "stdin") != 0;
     int width, height;
-    bool waits = isatty(STDIN_FILENO) && terminal_size(session->out, &width, &height);
+    bool waits = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
     char *line = NULL;
     size_t size = 0;
     if (!answer_for_people(a))
@@ -88,7 +88,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     FILE *in = in_file ? session->script : tutorial_open();
     if (!in)
         return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
-    session_init(&reader, session->out);
+    session_init(&reader, session->output->out);
     reader.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
@@ -98,7 +98,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
         fputs("Type the lines that the lesson shows, or press Enter instead. Other commands\n"
               "may come in between: the lesson leaves your own parameters as they are.\n"
               "'q' ends it.\n",
-              reader.out);
+              reader.output->out);
     while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in) != -1)
         lesson_line(&reader, line, waits);
     session->errors += waits ? 0 : reader.errors;

@@ -86,12 +86,11 @@ static bool record_begin(struct session *session, enum output_kind kind, const c
     if (session->output->path)
         return problem_error(problem, "answers go to '%s' here; begin a record before",
                              names_shown(session->output->path, shown));
-    fflush(session->out);
+    fflush(session->output->out);
     if (strcmp(path, "off") != 0)
         wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);
     else if (before)
         output_pop(before, true);
-    session_direct(session);
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
 }
 

@@ -4,6 +4,7 @@
 #include "commands/tables.h"
 #include "io/output.h"
 #include "language/quad.h"
+#include "session/session.h"
 #include "session/undo.h"
 #include <stdlib.h>
 #include <string.h>
@@ -76,8 +77,8 @@ static const struct column step_columns[] = {
 
 static bool step(struct session *session, bool back, struct answer *a, struct problem *problem)
 {
-    char text[NAMES_SHOWN];
-    if (!undo_step(session, back, text))
+    const char *text = undo_step(session->undo, &session->state, back);
+    if (!text)
         return problem_error(problem, back
                                           ? "there is no change to take back"
                                           : "there is nothing to do again; 'undo' takes a change back first");

@@ -7,6 +7,7 @@
 #include "picture/show.h"
 #include "session/engine.h"
 #include "session/parameters.h"
+#include "session/session.h"
 #include "session/undo.h"
 #include <limits.h>
 #include <stdlib.h>
@@ -100,10 +101,8 @@ static bool run_paged(struct session *session, const struct command *c, const st
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;
     bool paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
-    session_direct(session);
     bool done = run_call(session, c, query, problem);
     const char *left = paged ? output_pop(&session->output, true) : NULL;
-    session_direct(session);
     if (left) { /* the answer was not lost: it was read as far as the reader wanted */
         output_end(session->output)->error = error;
         if (dom_raised(interrupt))
@@ -175,10 +174,8 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
                                       ? &format_table /* for people, also with 'set output csv' */
                                       : ending->format;
         session->output->is_head = session_answers(session)->is_head;
-        session_direct(session);
         done = run_call(session, c, query, problem);
         wrong = output_pop(&session->output, done);
-        session_direct(session);
         if (done && wrong)
             done = problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
     }
@@ -231,14 +228,14 @@ static void run_command(struct session *session, struct reader *line)
         session->command = c->name;
         /* A file that is sourced is one change. */
         bool changes = c->changes && session->depth == 0;
-        struct state *before = changes ? undo_begin(session) : NULL;
+        struct state *before = changes ? undo_begin(&session->state) : NULL;
         bool file = *r->at == '>';
         bool done = run_question(session, r, &q, file);
         bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
         if (done && same && format->done && is_silent(session, c, file))
-            format->done(session->out, c->name);
+            format->done(session->output->out, c->name);
         if (changes)
-            undo_keep(session, before, begin, (size_t)(text_end(begin, ";") - begin));
+            undo_keep(&session->undo, &session->state, before, begin, (size_t)(text_end(begin, ";") - begin));
     }
     if (problem.kind != PROBLEM_NONE)
         session_problem(session, &problem);
@@ -250,7 +247,6 @@ static void run_command(struct session *session, struct reader *line)
 static void records_write(struct session *session)
 {
     const char *wrong = records_flush(&session->output);
-    session_direct(session);
     if (wrong)
         session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
 }

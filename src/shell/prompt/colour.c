@@ -28,7 +28,7 @@ static bool places_known(const struct session *session, int width, int height)
         if (*c < ' ' || *c > '~')
             return false;
     int end = session->prompt_width + rl_end;
-    return session->prompt_width > 0 && terminal_colour(session->out) && up && clear &&
+    return session->prompt_width > 0 && terminal_colour(session->output->out) && up && clear &&
            strncmp(clear, "\033[", 2) == 0 && !RL_ISSTATE(busy) && !rl_done && rl_end > 0 &&
            rl_end <= LINE_LONGEST && !rl_mark_active_p() && !variable_is_on("show-mode-in-prompt") &&
            !variable_is_on("horizontal-scroll-mode") && !variable_is_on("mark-modified-lines") &&
@@ -53,7 +53,7 @@ void colour_show(struct session *session)
 {
     int width, height;
     bool mark[LINE_LONGEST] = {false};
-    if (!terminal_size(session->out, &width, &height) || !places_known(session, width, height))
+    if (!terminal_size(session->output->out, &width, &height) || !places_known(session, width, height))
         return;
     line_preview(session, rl_line_buffer, (size_t)rl_end, "", &(struct offer){.is_command = mark});
     if (!coloured && !memchr(mark, 1, (size_t)rl_end))

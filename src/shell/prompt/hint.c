@@ -72,7 +72,7 @@ static bool possible(const struct session *session)
                                RL_STATE_METANEXT | RL_STATE_VIMOTION;
     const char *clear = rl_get_termcap("ce");
     bool moved = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    return session->state.settings.hints && terminal_colour(session->out) && clear &&
+    return session->state.settings.hints && terminal_colour(session->output->out) && clear &&
            strncmp(clear, "\033[", 2) == 0 && rl_end > 0 && rl_point == rl_end && !RL_ISSTATE(busy) &&
            !moved && !rl_done;
 }
@@ -86,7 +86,8 @@ void hint_show(struct session *session)
     *rest = '\0';
     if (!possible(session))
         return;
-    int width = terminal_width(session->out), used = session->prompt_width + terminal_columns(rl_line_buffer);
+    int width = terminal_width(session->output->out),
+        used = session->prompt_width + terminal_columns(rl_line_buffer);
     find_rest(rl_line_buffer);
     if (!*rest) {
         usage_rest(session, rl_line_buffer, usage);

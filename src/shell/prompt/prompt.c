@@ -122,7 +122,7 @@ static void on_line(char *text)
 {
     struct session *session = prompt_session;
     if (!text) {
-        putc('\n', session->out);
+        putc('\n', session->output->out);
         session->quit = true;
         leave_ask(session);
     } else if ((text = line_whole(session, text)) != NULL) {
@@ -139,7 +139,7 @@ static void on_line(char *text)
             leave_ask(session);
         else
             asked = false;
-        fflush(session->out);
+        fflush(session->output->out);
     }
     if (session->quit)
         rl_callback_handler_remove();
@@ -154,7 +154,7 @@ static const char *prompt_text(struct session *session, char *text, size_t size)
         snprintf(text, size, "  ...%s ", mark);
         return text;
     }
-    bool colour = terminal_colour(session->out);
+    bool colour = terminal_colour(session->output->out);
     snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
     session->prompt_width = (int)strlen("domino> ");
     return text;
@@ -198,9 +198,9 @@ void line_prompt(struct session *session)
     session->state.scene.compute.interrupt = &interrupted;
     history_load(session);
     readline_begin();
-    fprintf(session->out,
+    fprintf(session->output->out,
             "domino " DOM_VERSION ": how far can a domino train grow?  Try 'count 112', or 'help'.\n");
-    fflush(session->out);
+    fflush(session->output->out);
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
 
     sigprocmask(SIG_BLOCK, &blocked, &awake);
@@ -240,7 +240,7 @@ void line_prompt(struct session *session)
     sigaction(SIGTTOU, &ttou, NULL);
     sigprocmask(SIG_SETMASK, &awake, NULL);
     if (ended) {
-        fflush(session->out);
+        fflush(session->output->out);
         raise(ended); /* all is in order: it may end the program now */
     }
 }

@@ -5,6 +5,7 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include "language/names.h"
+#include "session/undo.h"
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,34 +19,22 @@ void session_init(struct session *session, FILE *out)
 {
     *session = (struct session){.standard = {.kind = OUTPUT_STANDARD, .out = out, .messages = stderr}};
     session->output = &session->standard;
-    session_direct(session);
     session->means = (struct means){.note = note, .context = session};
     state_init(&session->state);
 }
 
-const struct format *session_format(const struct session *session)
-{
-    return format_at(session->state.settings.style.output);
-}
-
 const struct format *session_answers(const struct session *session)
 {
-    return session->output->format ? session->output->format : session_format(session);
-}
-
-void session_direct(struct session *session)
-{
-    session->out = session->output->out;
+    return session->output->format ? session->output->format
+                                   : format_at(session->state.settings.style.output);
 }
 
 void session_close(struct session *session)
 {
     while (session->output->below)
         output_pop(&session->output, true);
-    session_direct(session);
     state_close(&session->state);
-    if (session->undo)
-        session->undo_free(session->undo);
+    undo_free(session->undo);
     session->undo = NULL;
 }
 
@@ -61,16 +50,16 @@ struct query session_query(struct session *session)
 
 bool session_stops(const struct session *session, long errors)
 {
-    return session->quit || ferror(session->out) || (session->bail && session->errors > errors) ||
+    return session->quit || ferror(session->output->out) || (session->bail && session->errors > errors) ||
            dom_raised(session->state.scene.compute.interrupt);
 }
 
-/* ---- Errors and notes: where, what is wrong, what would be right ---- */
+/* ---- Errors and notes ---- */
 
-/* Blanks before a line that is repeated above its caret. */
+/* The indentation of a copy of the line, with a caret below it. */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line may be written again: it was pasted, perhaps. */
+/* Returns true if the typed line has no control characters, which it may have if it was pasted. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed, (size_t)session->typed_length);
@@ -79,10 +68,8 @@ static bool typed_is_plain(const struct session *session)
     return plain;
 }
 
-/*
- * At the prompt a caret points at the place: in the typed line, if that is the line above, else in a
- * copy of it.
- */
+/* At the prompt, writes a caret below the column: directly below the typed line, or below a copy of it if
+ * there is output between them. */
 static void session_caret(const struct session *session, int column)
 {
     int width = terminal_width(stderr), at = session->prompt_width + column;
@@ -91,7 +78,7 @@ static void session_caret(const struct session *session, int column)
     bool above = session->fresh && width > 0;
     if (!above && (session->typed_columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
-    if (above) /* a long line goes on in the next row */
+    if (above) /* a long line is wrapped */
         at = (at - 1) % width + 1;
     if (!above)
         fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed_length,
@@ -99,7 +86,7 @@ static void session_caret(const struct session *session, int column)
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error for the program that reads the answers, if their format has a place for one. */
+/* Writes an error into the answers of a script, if their format has a place for errors. */
 static void session_tell(const struct session *session, const struct problem *problem)
 {
     const struct format *format = format_at(session->state.settings.style.output);
@@ -112,15 +99,15 @@ static void session_tell(const struct session *session, const struct problem *pr
     output_flush(output);
 }
 
-/* Writes a message; `is_error` tells problems from notes. */
+/* Writes an error message or a note. */
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
 {
     char line[2 * PROBLEM_TEXT], text[4 * sizeof line], shown[NAMES_SHOWN];
     const char *source = session->source;
     if (source && escape_needed(source))
-        source = names_shown(source, shown); /* a name may not hide the message after it */
+        source = names_shown(source, shown); /* control characters could hide the message */
     int n = 0;
-    output_flush(session->output); /* so that both streams keep their order where they share a file */
+    output_flush(session->output); /* stdout and stderr may be the same file */
     progress_end();
     session_caret(session, problem->column);
     if (source && problem->column)
@@ -131,7 +118,7 @@ static void session_write(struct session *session, const struct problem *problem
     if (problem->command)
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
-    /* What a sourced file did before its error is done. */
+    /* After an error in a sourced file, its commands before the error still belong in the log. */
     log_decide(&session->output, is_error && session->depth == 0);
     if (is_error)
         session_tell(session, problem);

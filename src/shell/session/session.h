@@ -1,8 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The state of one calculator session: parameters, where input comes from, what went wrong.  parameters.h has
- * the table of the parameters.
- */
+/* A session: its state, its input and output, and its messages. */
 #ifndef SHELL_SESSION_H
 #define SHELL_SESSION_H
 
@@ -16,58 +13,53 @@ struct session {
     struct state state;
     struct ans ans;
     struct means means;
-    struct undo *undo; /* earlier states; NULL: none */
-    void (*undo_free)(struct undo *undo);
-    struct output *output;  /* where answers go: the top of a stack */
-    struct output standard; /* standard output, the bottom of the stack */
-    FILE *out;              /* the stream of output */
-    const char *source;     /* name of the script for messages; NULL at the prompt */
-    FILE *script;           /* the stream whose lines run, for 'lesson'; NULL at the prompt and in -e */
-    long line;
-    int prompt_width;  /* at the prompt: columns before the line, for the caret; else 0 */
-    const char *typed; /* the line that runs, as it was typed, not ended */
+    struct undo *undo; /* NULL until something has changed */
+
+    struct output *output; /* the top of the stack of outputs */
+    struct output standard;
+
+    const char *source; /* the name of the script, for messages; NULL at the prompt */
+    FILE *script;       /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
+    long line;          /* the number of the current line in the script */
+    int depth;          /* of nested 'source' commands */
+
+    int prompt_width;  /* at the prompt: the columns before the typed line; otherwise 0 */
+    const char *typed; /* the line that runs; it does not end with a NUL byte */
     int typed_length, typed_columns;
-    bool fresh;          /* at the prompt: no output is below the typed line yet */
-    const char *command; /* the one that runs, for notes */
-    volatile sig_atomic_t
-        *resumes; /* the interrupt, if SIGINT is to end a command and no script; else NULL */
-    bool bail;    /* the first error ends the session */
+    bool fresh; /* at the prompt: there is no output below the typed line yet */
+
+    const char *command;            /* the command that runs, for notes */
+    volatile sig_atomic_t *resumes; /* SIGINT sets it, and ends only a command; NULL if it ends the script */
+    bool bail;                      /* the first error ends the session */
     bool quit;
     bool wrote; /* the last command wrote rows */
-    int depth;  /* of nested source commands */
     long errors;
 };
-
-/* Return the format that 'set output' has chosen; and that of answers here, which the ending of a file may
- * set. */
-const struct format *session_format(const struct session *session);
-const struct format *session_answers(const struct session *session);
-
-/* Follows a change of the stack of output. */
-void session_direct(struct session *session);
 
 /* Begins a session in which every parameter has its default. */
 void session_init(struct session *session, FILE *out);
 
-/* Frees what the session holds. */
 void session_close(struct session *session);
 
-/* Returns a query of the session's state; its arguments and next state are still open. */
+/* Returns the format of the next answer: that of the file that it goes to, or else that of 'set output'. */
+const struct format *session_answers(const struct session *session);
+
+/* Returns a query of the session's state. The caller sets its arguments and next state. */
 struct query session_query(struct session *session);
 
-/* Writes a problem on stderr, in one line: where, what was wrong, what would be right. Counts it as an error.
- */
+/* Writes an error message with its place to stderr, and counts it. */
 void session_problem(struct session *session, const struct problem *problem);
 
-/* The same for a problem without a place in the line. */
+/* Writes an error message that has no place in the line. */
 void session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Writes a note on stderr: no error, and not counted as one. */
+/* Writes a message to stderr that is no error. */
 void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /*
- * Returns true if the rest of the input must not be run: after quit, after ^C, if there is no reader of the
- * output, and with bail after an error (session->errors was `errors` before).
+ * Returns true if no more lines may run: after 'quit', after an interrupt, if nobody reads the output, and
+ * with
+ * --bail after an error. `errors` is the number of errors before the last line.
  */
 bool session_stops(const struct session *session, long errors);
 

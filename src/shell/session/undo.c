@@ -1,43 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/undo.h"
+#include "language/names.h"
 #include "session/parameters.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 100, HELD_MOST = 4000000 /* dominoes and changed gaps of all steps */ };
+enum { STEPS = 100, HELD_MOST = 4000000 /* dominoes and changed gaps in all steps */ };
 
-struct step {
-    struct state *state;
-    char text[NAMES_SHOWN];
-};
-
-/* The steps back, and those forward again. */
+/*
+ * Steps before `done` can be undone, and hold the state before their commands. The others can be redone, and
+ * hold the state after their commands. To go a step is to swap its state with that of the session.
+ */
 struct undo {
-    struct stack {
-        struct step step[STEPS];
-        int count;
-    } back, forward;
+    struct step {
+        struct state *state;
+        char text[NAMES_SHOWN];
+    } step[STEPS];
+    int done, count;
 };
 
 static void state_free(struct state *state)
 {
-    if (state) {
-        listed_free(&state->scene.listed);
-        variables_free(&state->variables);
-    }
+    if (state)
+        state_close(state);
     free(state);
 }
 
-struct state *undo_begin(struct session *session)
+struct state *undo_begin(struct state *state)
 {
-    struct state *state = malloc(sizeof *state);
-    if (!state)
+    struct state *copy = malloc(sizeof *copy);
+    if (!copy)
         return NULL;
-    *state = session->state;
-    bool shared = listed_share(&state->scene.listed, &session->state.scene.listed);
-    if (variables_copy(&state->variables, &session->state.variables) && shared)
-        return state;
-    state_free(state);
+    *copy = *state;
+    bool shared = listed_share(&copy->scene.listed, &state->scene.listed);
+    if (variables_copy(&copy->variables, &state->variables) && shared)
+        return copy;
+    state_free(copy);
     return NULL;
 }
 
@@ -61,77 +59,59 @@ static bool state_equal(const struct state *a, const struct state *b)
     return row_equal(&a->scene.listed, &b->scene.listed) && variables_equal(&a->variables, &b->variables);
 }
 
-/* Moves a state into the session, whose walk goes on; what the session held is freed. */
-static void state_put(struct session *session, struct state *state)
+/* Removes the steps from one index up to, but not including, another. */
+static void steps_drop(struct undo *undo, int from, int to)
 {
-    const struct walk walk = session->state.scene.walk;
-    listed_free(&session->state.scene.listed);
-    variables_free(&session->state.variables);
-    session->state = *state;
-    session->state.scene.walk = walk;
-    free(state);
+    for (int k = from; k < to; k++)
+        state_free(undo->step[k].state);
+    memmove(&undo->step[from], &undo->step[to], (size_t)(undo->count - to) * sizeof *undo->step);
+    undo->count -= to - from;
 }
 
-static void drop_oldest(struct stack *stack)
-{
-    state_free(stack->step[0].state);
-    stack->count--;
-    memmove(stack->step, stack->step + 1, (size_t)stack->count * sizeof *stack->step);
-}
-
-static void drop_all(struct stack *stack)
-{
-    while (stack->count > 0)
-        state_free(stack->step[--stack->count].state);
-}
-
-/* Adds a step, and drops the oldest where there are too many, or too much is held. */
-static void push(struct stack *stack, struct state *state, const char *text)
+static size_t dominoes_held(const struct undo *undo)
 {
     size_t held = 0;
-    if (stack->count == STEPS)
-        drop_oldest(stack);
-    struct step *step = &stack->step[stack->count++];
-    step->state = state;
-    memmove(step->text, text, strlen(text) + 1);
-    for (int i = 0; i < stack->count; i++)
-        held += stack->step[i].state->scene.listed.count + stack->step[i].state->scene.listed.changes;
-    for (; held > HELD_MOST && stack->count > 1; drop_oldest(stack))
-        held -= stack->step[0].state->scene.listed.count + stack->step[0].state->scene.listed.changes;
+    for (int k = 0; k < undo->count; k++)
+        held += undo->step[k].state->scene.listed.count + undo->step[k].state->scene.listed.changes;
+    return held;
 }
 
-static void undo_free(struct undo *undo)
+void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
+               size_t length)
 {
-    drop_all(&undo->back);
-    drop_all(&undo->forward);
-    free(undo);
-}
-
-void undo_keep(struct session *session, struct state *before, const char *text, size_t length)
-{
-    char shown[NAMES_SHOWN];
     char *copy = strndup(text, length);
-    if (before && copy && !state_equal(&session->state, before) && !session->undo)
-        session->undo = calloc(1, sizeof *session->undo);
-    session->undo_free = undo_free;
-    if (before && copy && session->undo && !state_equal(&session->state, before)) {
-        drop_all(&session->undo->forward);
-        push(&session->undo->back, before, names_shown(copy, shown));
+    if (!*undo)
+        *undo = calloc(1, sizeof **undo);
+    struct undo *u = *undo;
+    if (before && copy && u && !state_equal(state, before)) {
+        steps_drop(u, u->done, u->count);
+        if (u->count == STEPS)
+            steps_drop(u, 0, 1);
+        u->step[u->count].state = before;
+        names_shown(copy, u->step[u->count++].text);
+        while (u->count > 1 && dominoes_held(u) > HELD_MOST)
+            steps_drop(u, 0, 1);
+        u->done = u->count;
     } else
         state_free(before);
     free(copy);
 }
 
-const char *undo_step(struct session *session, bool back, char text[NAMES_SHOWN])
+const char *undo_step(struct undo *undo, struct state *state, bool back)
 {
-    struct undo *undo = session->undo;
-    struct stack *from = !undo ? NULL : back ? &undo->back : &undo->forward;
-    struct state *now = from && from->count > 0 ? undo_begin(session) : NULL;
-    if (!now)
+    if (!undo || undo->done == (back ? 0 : undo->count))
         return NULL;
-    struct step *step = &from->step[--from->count];
-    memcpy(text, step->text, NAMES_SHOWN);
-    state_put(session, step->state);
-    push(back ? &undo->forward : &undo->back, now, text);
-    return text;
+    struct step *step = &undo->step[back ? --undo->done : undo->done++];
+    const struct state left = *state;
+    *state = *step->state;
+    *step->state = left;
+    state->scene.walk = left.scene.walk; /* the walk goes on */
+    return step->text;
+}
+
+void undo_free(struct undo *undo)
+{
+    if (undo)
+        steps_drop(undo, 0, undo->count);
+    free(undo);
 }

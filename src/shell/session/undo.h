@@ -1,18 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The earlier states of a session: parameters, effects, the row, and what 'let' defined. */
+/* The history of the states of a session, for 'undo' and 'redo'. */
 #ifndef SHELL_UNDO_H
 #define SHELL_UNDO_H
 
-#include "language/names.h"
-#include "session/session.h"
+#include "session/scene.h"
+#include <stddef.h>
 
-/* Returns the state of a session before a command, for undo_keep; NULL: no memory, and no step is kept. */
-struct state *undo_begin(struct session *session);
+struct undo;
 
-/* Keeps the state as a step if the command, whose text is given, changed it since; else frees it. */
-void undo_keep(struct session *session, struct state *before, const char *text, size_t length);
+/* Returns a copy of a state, to be made before a command and given to undo_keep after it. Returns NULL if
+ * there is no memory; the command then cannot be undone. */
+struct state *undo_begin(struct state *state);
 
-/* Goes one step back, or forward again.  Returns the text of its command, or NULL: there is no step. */
-const char *undo_step(struct session *session, bool back, char text[NAMES_SHOWN]);
+/* Adds a step to the history, which begins as NULL, if the command with this text has changed the state.
+ * Takes ownership of the state before the command. */
+void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
+               size_t length);
+
+/* Goes one step back or forward. Returns the text of the command of that step, or NULL if there is no step.
+ */
+const char *undo_step(struct undo *undo, struct state *state, bool back);
+
+void undo_free(struct undo *undo);
 
 #endif

@@ -118,9 +118,9 @@ static void watch_run(struct session *session, struct watch *w)
     char key[64];
     while (w->state == WATCH_ON) {
         int across, down;
-        terminal_size(session->out, &across, &down);
+        terminal_size(session->output->out, &across, &down);
         if (across != width || down != height || w->x != shown)
-            watch_draw(w, session->out);
+            watch_draw(w, session->output->out);
         width = across;
         height = down;
         shown = w->x;
@@ -138,7 +138,7 @@ static bool watch_possible(const struct session *session, struct problem *proble
 {
     int width, height;
     const char *term = getenv("TERM");
-    bool terminal = isatty(STDIN_FILENO) && terminal_size(session->out, &width, &height);
+    bool terminal = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
     return (session->prompt_width && terminal && term && strcmp(term, "dumb") != 0) ||
            problem_error(problem, "keys need the prompt on a terminal that can move its cursor; elsewhere "
                                   "'sweep s 0.1 0.9 9 : rmax' lists the answers");
@@ -165,10 +165,10 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
         keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
         keys.c_cc[VSUSP] = _POSIX_VDISABLE; /* is a key here: the terminal is put in order before the stop */
         tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
-        fputs("\033[?1049h\033[?25l", session->out); /* a screen of its own, without a cursor */
+        fputs("\033[?1049h\033[?25l", session->output->out); /* a screen of its own, without a cursor */
         watch_run(session, &w);
-        fputs("\033[?25h\033[?1049l", session->out);
-        fflush(session->out);
+        fputs("\033[?25h\033[?1049l", session->output->out);
+        fflush(session->output->out);
         tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
     }
     gsl_set_error_handler(handler);
