@@ -22,19 +22,4 @@ struct hard_case {
 extern const struct hard_case hard_cases[];
 extern const int hard_cases_number;
 
-/* An input that is not a valid train or tilt, and the status that the library must return. */
-struct refusal {
-    const char *name;
-    double s, r, d, q, tilt;
-    enum ref_quantity asked;
-    enum dom_status status;
-};
-
-extern const struct refusal refusals[];
-extern const int refusals_number;
-
-/* Easy trains, for which the naive code is right. */
-extern const struct hard_case friendly_cases[];
-extern const int friendly_cases_number;
-
 #endif

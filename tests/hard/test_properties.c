@@ -79,37 +79,6 @@ TEST(energy_is_conserved)
     }
 }
 
-/* Checks that one cycle ends as the next begins: (50; d8) corrected, (22; c4), (23; c5). */
-TEST(cycles_are_similar)
-{
-    uint64_t seed = 12;
-    int cycles = 0;
-    for (int k = 0; k < 400; k++) {
-        struct ref_input input = random_input(&seed, DOM_DOUBLE);
-        input.paper = false; /* that fuel does not balance the energy */
-        struct asked train = library_train(&input, DOM_DOUBLE);
-        struct answers a;
-        library_nothing(&a);
-        library_ask(&train, 0, REF_THETA_C, &a);
-        input.tilt = a.value[REF_THETA_C];
-        library_ask(&train, input.tilt, REF_J, &a);
-        const double J = (double)a.value[REF_J], J0 = (double)a.value[REF_J0], r = (double)input.r;
-        const double T = pow(r, -(double)input.q - 1) * J;
-        assert_close("J(0) and 1 + r^-(q+1) J(theta_c)", &input, a.value[REF_J0], (domq_real)(1 + T),
-                     (domq_real)(1e-13 * J0));
-        library_ask(&train, input.tilt, REF_OMEGASQ, &a);
-        library_ask(&train, 0, REF_LAUNCH_OMEGASQ, &a);
-        if (a.status[REF_OMEGASQ] != DOM_OK)
-            continue;
-        domq_real before = (domq_real)(T * T * r) * a.value[REF_OMEGASQ];
-        domq_real after = (domq_real)(J0 * J0) * a.value[REF_LAUNCH_OMEGASQ];
-        assert_close("(T omega_1(theta_c))^2 and (J(0) omega(0))^2", &input, before, after,
-                     (domq_real)1e-11 * after);
-        cycles++;
-    }
-    assert_true(cycles > 50);
-}
-
 struct walk {
     struct domq_link before;
     domq_real theta_f;

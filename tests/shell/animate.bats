@@ -7,11 +7,11 @@ load common
 
 # A gnuplot that keeps the script which it gets.
 keep_scripts() {
-    mkdir "$BATS_TEST_TMPDIR/bin"
-    printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$BATS_TEST_TMPDIR" "$(command -v gnuplot)" \
-        >"$BATS_TEST_TMPDIR/bin/gnuplot"
-    chmod +x "$BATS_TEST_TMPDIR/bin/gnuplot"
-    PATH=$BATS_TEST_TMPDIR/bin:$PATH
+    mkdir bin
+    printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$PWD" "$(command -v gnuplot)" \
+        >"$PWD/bin/gnuplot"
+    chmod +x "$PWD/bin/gnuplot"
+    PATH=$PWD/bin:$PATH
 }
 
 # How many frames a gif has of each delay, in 1/100 s as little-endian hex.
@@ -20,21 +20,21 @@ delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a
 record="effect row \"$root/examples/record.csv\""
 
 @test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {
-    gif=$BATS_TEST_TMPDIR/a.gif
+    gif=$PWD/a.gif
     same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
     same gif GIF89a "$(head -c 6 "$gif")"
     same 'frames and their delay' '95 0400' "$(delays "$gif")"
-    csv 'animate a.gif' >"$BATS_TEST_TMPDIR/frames"
-    same rows 96 "$(wc -l <"$BATS_TEST_TMPDIR/frames")"
+    csv 'animate a.gif' >frames
+    same rows 96 "$(wc -l <frames)"
     awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
         { before = $1; n[$2]++ }
         # 1 + sqrt(r) + r cycles, as many frames in each as it lasts; theta grows in each, up to theta_c.
-        END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' "$BATS_TEST_TMPDIR/frames"
+        END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' frames
     awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
-        END { exit bad || pairs < 80 }' "$BATS_TEST_TMPDIR/frames"
+        END { exit bad || pairs < 80 }' frames
     "$DOMINO" -e "animate $gif 1"
     same 'one cycle' '26 0400' "$(delays "$gif")"
-    same 'data instead, and no file' '(nothing)' "$(csv "animate $BATS_TEST_TMPDIR/b.gif" >/dev/null; ls "$BATS_TEST_TMPDIR" | grep 'b\.gif')"
+    same 'data instead, and no file' '(nothing)' "$(csv "animate b.gif" >/dev/null; ls "$PWD" | grep 'b\.gif')"
     # A train that stops is shown to its stop.
     "$DOMINO" -e "set r 1.7; animate $gif"
     same 'it stops' "$(json 'set r 1.7; barrier' | sed -n 's/.*stops at theta = \([0-9.]*\).*/\1/p' | cut -c 1-8)" \
@@ -109,7 +109,7 @@ END
     keep_scripts
     local scene
     for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
-        "$DOMINO" -e "$scene; animate $BATS_TEST_TMPDIR/a.gif"
+        "$DOMINO" -e "$scene; animate a.gif"
         # A frame has one domino of the head's part, after the data of which its number comes: between its feet.
         awk '/^\$part2/ { heads++; n = 0; next } /^END/ { n = -1 } n >= 0 && NF == 2 { x[n++] = $1 }
             /^set label .0. at/ {
@@ -118,6 +118,6 @@ END
                 if (!(at[1] < x[0] && at[1] > x[3])) outside++
             }
             END { if (heads < 26 || labels != heads || outside) { print heads, labels, outside + 0; exit 1 } }' \
-            "$BATS_TEST_TMPDIR/script"
+            "$PWD/script"
     done
 }

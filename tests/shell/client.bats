@@ -52,11 +52,11 @@ setup() {
 @test "answers are not sent one by one if no reader waits" {
     # dd counts what it is given at a time; a read takes one write or more of them.
     for way in stdin file; do
-        printf 'print 12345\n%.0s' {1..20000} >"$BATS_TEST_TMPDIR/lines"
-        [ $way = stdin ] && ask=("$DOMINO") || ask=("$DOMINO" -f "$BATS_TEST_TMPDIR/lines")
-        "${ask[@]}" <"$BATS_TEST_TMPDIR/lines" | dd bs=1M of=/dev/null 2>"$BATS_TEST_TMPDIR/counted"
-        same "$way: bytes" "$((20000 * 7 - 1))" "$(sed -n 's/ bytes.*//p' "$BATS_TEST_TMPDIR/counted")"
-        awk -F + '/records in/ && $1 + $2 > 60 { print; exit 1 }' "$BATS_TEST_TMPDIR/counted"
+        printf 'print 12345\n%.0s' {1..20000} >lines
+        [ $way = stdin ] && ask=("$DOMINO") || ask=("$DOMINO" -f lines)
+        "${ask[@]}" <lines | dd bs=1M of=/dev/null 2>counted
+        same "$way: bytes" "$((20000 * 7 - 1))" "$(sed -n 's/ bytes.*//p' "$PWD/counted")"
+        awk -F + '/records in/ && $1 + $2 > 60 { print; exit 1 }' counted
     done
 }
 

@@ -26,14 +26,14 @@ reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; 
         for fuel in exact paper; do
             json "set s $s; set r $r; set q $q; set d $d; set fuel $fuel
                 thetac; theta1 $theta; energy $theta; fuel; launch; barrier; omega $theta; duration
-                " >"$BATS_TEST_TMPDIR/answers"
+                " >answers
             fuel_in_use=fuel_$fuel launch=launch_$fuel omega=omega_$fuel duration=duration_$fuel
             while read -r key expected; do
                 # The square of no speed: the table goes on with (21; c3) and (24; c6) where a train stops.
                 [[ $key == omega*sq && $expected == -* ]] && expected=''
                 # The table leaves out some durations, which take long in 40 digits.
                 [ "$key $expected" = "duration " ] && continue
-                close "$name, fuel $fuel: $key" "${expected:-(nothing)}" "$(values "$key" <"$BATS_TEST_TMPDIR/answers" | head -n 1)"
+                close "$name, fuel $fuel: $key" "${expected:-(nothing)}" "$(values "$key" <answers | head -n 1)"
             done <<END
 theta_c $theta_c
 theta_f $theta_f
@@ -147,10 +147,10 @@ END
 
 @test "the ledger closes at every event and between: before - lost + gained = kinetic" {
     for state in '' 'set q hollow; set s 0.54; set r 1.8518' 'set q hollow; set s 0.5; set r 1.9' 'set r 1.7' 'set r 1; set s 0.1'; do
-        json "$state; step; goto 0.01; goto 0.02; goto launch" >"$BATS_TEST_TMPDIR/ledger"
-        json "$state; step 2" >>"$BATS_TEST_TMPDIR/ledger"
-        paste <(values before <"$BATS_TEST_TMPDIR/ledger") <(values lost <"$BATS_TEST_TMPDIR/ledger") \
-            <(values gained <"$BATS_TEST_TMPDIR/ledger") <(values kinetic <"$BATS_TEST_TMPDIR/ledger") |
+        json "$state; step; goto 0.01; goto 0.02; goto launch" >ledger
+        json "$state; step 2" >>ledger
+        paste <(values before <ledger) <(values lost <ledger) \
+            <(values gained <ledger) <(values kinetic <ledger) |
             awk '{ d = $1 - $2 + $3 - $4; if (NF != 4 || !(d <= 1e-12 * $1 && d >= -1e-12 * $1)) { print; bad = 1 } rows++ }
                 END { exit bad || rows < 5 }'
     done

@@ -14,22 +14,22 @@ build=$(dirname "$DOMINO")
 @test "domino-effects(7) has a section with an example that runs for each effect" {
     page=$root/man/domino-effects.7
     same effects "$("$DOMINO" -e 'complete effect ' | sort)" "$(sed -n 's/^\.Ss //p' "$page" | sort)"
-    sed -n 's/^\.Dl //p' "$page" >"$BATS_TEST_TMPDIR/examples"
-    same examples "$(grep -c '^\.Ss ' "$page")" "$(wc -l <"$BATS_TEST_TMPDIR/examples")"
+    sed -n 's/^\.Dl //p' "$page" >examples
+    same examples "$(grep -c '^\.Ss ' "$page")" "$(wc -l <examples)"
     while IFS= read -r example; do
         run -0 --separate-stderr "$DOMINO" -n --bail -e "$example"
         expects "$example" "$output"
         same "$example: errors" '(nothing)' "$stderr"
-    done <"$BATS_TEST_TMPDIR/examples"
+    done <examples
 }
 
 @test "every name that libdomino(3) mentions, or begins, is one of the headers" {
-    cat "$root"/include/*.h "$build/include/domino_quad.h" >"$BATS_TEST_TMPDIR/headers"
-    grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >"$BATS_TEST_TMPDIR/names"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/names")" -gt 20 ]
+    cat "$root"/include/*.h "$build/include/domino_quad.h" >headers
+    grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >names
+    [ "$(wc -l <names)" -gt 20 ]
     while read -r name; do
-        grep -q "\b${name/domq_/dom_}" "$BATS_TEST_TMPDIR/headers" || { echo "$name"; false; }
-    done <"$BATS_TEST_TMPDIR/names"
+        grep -q "\b${name/domq_/dom_}" headers || { echo "$name"; false; }
+    done <names
 }
 
 @test "the example in libdomino(3) is examples/rmax.c, and does what the page says" {
@@ -46,17 +46,17 @@ build=$(dirname "$DOMINO")
 
 @test "domino(1) has every option and environment variable" {
     page=$root/man/domino.1
-    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u >"$BATS_TEST_TMPDIR/options"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/options")" -ge 7 ]
+    "$DOMINO" --help | grep -o -- '--[a-z-]*' | sort -u >options
+    [ "$(wc -l <options)" -ge 7 ]
     while read -r option; do
         grep -qE -- "(Fl Fl|Fl) ${option#--}( |$)" "$page" || { echo "option $option"; false; }
-    done <"$BATS_TEST_TMPDIR/options"
+    done <options
     grep -rho 'getenv("[A-Z_]*")\|line_path("[A-Z_]*"' "$root"/src/shell | sed 's/.*"\(.*\)".*/\1/' | sort -u \
-        >"$BATS_TEST_TMPDIR/environment"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/environment")" -ge 5 ]
+        >environment
+    [ "$(wc -l <environment)" -ge 5 ]
     while read -r name; do
         grep -q "^\.It Ev $name\$" "$page" || { echo "environment $name"; false; }
-    done <"$BATS_TEST_TMPDIR/environment"
+    done <environment
 }
 
 @test "the sessions of the README and the man pages are what the program prints" {
@@ -64,11 +64,11 @@ build=$(dirname "$DOMINO")
     PATH=$(dirname "$DOMINO"):$PATH
     commands=0
     for text in "$root/README.md" "$root"/man/*.[0-9]; do
-        "$root/tests/sessions" "$text" >"$BATS_TEST_TMPDIR/now"
-        if [ "${GOLDEN:-}" = write ]; then cp "$BATS_TEST_TMPDIR/now" "$text"; fi
-        digits <"$text" >"$BATS_TEST_TMPDIR/said"
-        digits <"$BATS_TEST_TMPDIR/now" >"$BATS_TEST_TMPDIR/says"
-        same_file "$BATS_TEST_TMPDIR/said" "$BATS_TEST_TMPDIR/says"
+        "$root/tests/sessions" "$text" >now
+        if [ "${GOLDEN:-}" = write ]; then cp now "$text"; fi
+        digits <"$text" >said
+        digits <now >says
+        same_file said says
         commands=$((commands + $(grep -cE '^\$ (domino|for) ' "$text" || :)))
     done
     [ "$commands" -ge 5 ]

@@ -13,15 +13,15 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 @test "draw: csv has every domino, upright and where it stands, with its corners" {
-    csv draw >"$BATS_TEST_TMPDIR/rows"
+    csv draw >rows
     same keys i,height,x,theta,top_front_x,top_front_z,top_back_x,top_back_z,foot_back_x,foot_back_z,contact_x,contact_z,force,of_own \
-        "$(head -n 1 "$BATS_TEST_TMPDIR/rows")"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/rows")" -gt 8 ]
+        "$(head -n 1 rows)"
+    [ "$(wc -l <rows)" -gt 8 ]
     # The next one, 1.5 high and (s + d) r in front of the head; the head; its first follower.
-    csv 'set d 0.125; set s 0.375; draw' | sed -n 2,4p | cut -d , -f 1-10 >"$BATS_TEST_TMPDIR/first"
-    same next -1,1.5,0.75,0,0.75,1.5,0.5625,1.5,0.5625,0 "$(sed -n 1p "$BATS_TEST_TMPDIR/first")"
-    same head 0,1,0,0,0,1,-0.125,1,-0.125,0 "$(sed -n 2p "$BATS_TEST_TMPDIR/first")"
-    close 'the first behind it' -0.5 "$(sed -n 3p "$BATS_TEST_TMPDIR/first" | cut -d , -f 3)"
+    csv 'set d 0.125; set s 0.375; draw' | sed -n 2,4p | cut -d , -f 1-10 >first
+    same next -1,1.5,0.75,0,0.75,1.5,0.5625,1.5,0.5625,0 "$(sed -n 1p first)"
+    same head 0,1,0,0,0,1,-0.125,1,-0.125,0 "$(sed -n 2p first)"
+    close 'the first behind it' -0.5 "$(sed -n 3p first | cut -d , -f 3)"
     # The head touches the next one when it has come to theta_c, at the height cos theta_c.
     head_hits=$(csv 'draw thetac' | sed -n 2p)
     close 'where the head hits' 0.6 "$(cut -d , -f 11 <<<"$head_hits")"
@@ -48,8 +48,8 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 @test "draw: in characters, to scale, in 80 columns and 24 rows, with and without gnuplot" {
-    mkdir "$BATS_TEST_TMPDIR/empty"
-    run -0 env PATH="$BATS_TEST_TMPDIR/empty" "$DOMINO" -e 'draw 0.3'
+    mkdir empty
+    run -0 env PATH="$PWD/empty" "$DOMINO" -e 'draw 0.3'
     [ "${#lines[@]}" -ge 15 ]
     for words in 'theta = 0.3 rad (17.19 deg)' 'to scale' '^   \[h\] ' '^domino .* next$' '0: head' '#: the next' '0000' '111' '###'; do
         grep -q -- "$words" <<<"$output" || same draw "$words" "$output"
@@ -146,11 +146,11 @@ record="effect row \"$root/examples/record.csv\""
 }
 
 @test "a user's own settings of gnuplot change nothing" {
-    echo 'set terminal png; set title "mine"' >"$BATS_TEST_TMPDIR/.gnuplot"
-    plain=$("$DOMINO" -e "plot energy > $BATS_TEST_TMPDIR/a.svg" && grep -v Produced "$BATS_TEST_TMPDIR/a.svg")
+    echo 'set terminal png; set title "mine"' >.gnuplot
+    plain=$("$DOMINO" -e "plot energy > a.svg" && grep -v Produced a.svg)
     grep -q 'Energy' <<<"$plain"
-    HOME=$BATS_TEST_TMPDIR "$DOMINO" -e "plot energy > $BATS_TEST_TMPDIR/b.svg"
-    same 'plot energy' "$plain" "$(grep -v Produced "$BATS_TEST_TMPDIR/b.svg")"
+    HOME=$PWD "$DOMINO" -e "plot energy > $PWD/b.svg"
+    same 'plot energy' "$plain" "$(grep -v Produced b.svg)"
 }
 
 @test "draw: the dominoes of the row in the svg are where the model has them, standing, at a time and at the end" {
@@ -185,9 +185,9 @@ END
 }
 
 @test "draw: data of the row stands as 'row' says, leans on the tape measure, and moves in time" {
-    "$DOMINO" -e "set output json; $record; row" >"$BATS_TEST_TMPDIR/row"
-    "$DOMINO" -e "set output json; $record; draw" >"$BATS_TEST_TMPDIR/draw"
-    python3 - "$BATS_TEST_TMPDIR/row" "$BATS_TEST_TMPDIR/draw" <<'END'
+    "$DOMINO" -e "set output json; $record; row" >row
+    "$DOMINO" -e "set output json; $record; draw" >draw
+    python3 - row draw <<'END'
 import json, sys
 row, draw = ([r for r in map(json.loads, open(path)) if "i" in r or "gap" in r] for path in sys.argv[1:])
 at = 0
@@ -248,8 +248,8 @@ END
 }
 
 @test "draw: the row in characters has every domino, fits the terminal, and needs no gnuplot" {
-    mkdir "$BATS_TEST_TMPDIR/empty"
-    run -0 env PATH="$BATS_TEST_TMPDIR/empty" "$DOMINO" -e "$record; draw"
+    mkdir empty
+    run -0 env PATH="$PWD/empty" "$DOMINO" -e "$record; draw"
     [ "${#lines[@]}" -le 23 ]
     awk 'length > 79 { exit 1 }' <<<"$output"
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
@@ -262,16 +262,16 @@ END
 
 @test "draw: on a terminal with UTF-8 the row is of braille, in colour, and has its size" {
     terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_DIRNAME/terminal.py" 100 30 '62;22' "$DOMINO" -e "$record; draw at 5"; }
-    terminal >"$BATS_TEST_TMPDIR/seen"
-    grep -q $'\u28ff' "$BATS_TEST_TMPDIR/seen" || same braille 'a full cell' "$(cat "$BATS_TEST_TMPDIR/seen")"
-    grep -q $'\e\[' "$BATS_TEST_TMPDIR/seen"
-    grep -q 'Weakest: domino 8 (red)' "$BATS_TEST_TMPDIR/seen"
-    lines=$(wc -l <"$BATS_TEST_TMPDIR/seen")
+    terminal >seen
+    grep -q $'\u28ff' seen || same braille 'a full cell' "$(cat seen)"
+    grep -q $'\e\[' seen
+    grep -q 'Weakest: domino 8 (red)' seen
+    lines=$(wc -l <seen)
     [ "$lines" -le 29 ] && [ "$lines" -ge 15 ]
-    sed 's/\x1b\[[0-9;]*m//g; s/<asked>//' "$BATS_TEST_TMPDIR/seen" | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
-    terminal NO_COLOR=1 >"$BATS_TEST_TMPDIR/grey"
-    grep -q 'Weakest: domino 8 (filled)' "$BATS_TEST_TMPDIR/grey"
-    same 'no colour' 0 "$(grep -c $'\e\[[0-9]' "$BATS_TEST_TMPDIR/grey")"
+    sed 's/\x1b\[[0-9;]*m//g; s/<asked>//' seen | python3 -c 'import sys; widths = [len(l.rstrip("\n")) for l in sys.stdin]; sys.exit(not 85 < max(widths) < 100)'
+    terminal NO_COLOR=1 >grey
+    grep -q 'Weakest: domino 8 (filled)' grey
+    same 'no colour' 0 "$(grep -c $'\e\[[0-9]' grey)"
     terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
 }
 

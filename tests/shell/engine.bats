@@ -115,7 +115,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 }
 
 @test "without the library a row that needs it is one line, and all else works" {
-    cat >"$BATS_TEST_TMPDIR/none.c" <<'C'
+    cat >"$PWD/none.c" <<'C'
 #include <string.h>
 void *dlopen(const char *name, int flags);
 void *dlopen(const char *name, int flags)
@@ -125,10 +125,10 @@ void *dlopen(const char *name, int flags)
 }
 C
     [ -z "$(checked "$DOMINO")" ] || skip 'the sanitizers bring a loader of their own'
-    cc -shared -fPIC "$BATS_TEST_TMPDIR/none.c" -o "$BATS_TEST_TMPDIR/none.so"
-    run env LD_PRELOAD="$BATS_TEST_TMPDIR/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; rmax > /dev/null; fall"
+    cc -shared -fPIC "$PWD/none.c" -o "$PWD/none.so"
+    run env LD_PRELOAD="$PWD/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; rmax > /dev/null; fall"
     same missing "-e:1: fall: feet is on, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get install libchipmunk7'" "$output"
-    run -0 env LD_PRELOAD="$BATS_TEST_TMPDIR/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; effect feet off; verdict"
+    run -0 env LD_PRELOAD="$PWD/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; effect feet off; verdict"
 }
 
 @test "what the engine cannot do is one line, with what would be right" {
@@ -147,7 +147,7 @@ END
 }
 
 @test "a session with its effects is saved and read back; reset turns them off" {
-    saved=$("$DOMINO" -n -e "$scene; effect feet 0.4; effect bounce 0.1; set method engine; save \"$BATS_TEST_TMPDIR/saved.dom\"; verdict")
-    same saved "$saved" "$("$DOMINO" -n -e "source \"$BATS_TEST_TMPDIR/saved.dom\"; verdict")"
+    saved=$("$DOMINO" -n -e "$scene; effect feet 0.4; effect bounce 0.1; set method engine; save \"saved.dom\"; verdict")
+    same saved "$saved" "$("$DOMINO" -n -e "source \"saved.dom\"; verdict")"
     same reset "$(json "$scene; verdict")" "$(json "set method engine; effect row 3; effect feet 0.1; reset; $scene; verdict")"
 }

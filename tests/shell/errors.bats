@@ -44,9 +44,9 @@ all_bad() {
 }
 
 # What a stream says, with a last line that shows that the session goes on.
-junk() { # EXPECTED MESSAGE; the junk is in $BATS_TEST_TMPDIR/junk
-    printf '\nset output json; show s\n' >>"$BATS_TEST_TMPDIR/junk"
-    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
+junk() { # EXPECTED MESSAGE; the junk is in $PWD/junk
+    printf '\nset output json; show s\n' >>junk
+    run -1 --separate-stderr "$DOMINO" --keep-going junk
     same 'the session goes on' 0.4 "$(tail -n 1 <<<"$output" | values value)"
     same stdout 1 "${#lines[@]}"
     same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
@@ -272,41 +272,41 @@ two:4:1: unknown command 'qux'
 @test "a NUL byte in a line" {
     for text in 'set s 0.3\0' '\0' 'set s 0.\0 3' '\0set s 0.3'; do
         # shellcheck disable=SC2059 # the text is a format: \0
-        printf "$text" >"$BATS_TEST_TMPDIR/junk"
+        printf "$text" >junk
         junk 'junk:1: .*NUL.*text'
     done
 }
 
 @test "lines of a megabyte: one word, a number, blanks, many commands" {
     million=$(head -c 1000000 /dev/zero | tr '\0' 7)
-    tr 7 z <<<"$million" >"$BATS_TEST_TMPDIR/junk"
+    tr 7 z <<<"$million" >junk
     junk "junk:1:1: unknown command 'z+\.\.\.'"
-    printf 'set s %s' "$million" >"$BATS_TEST_TMPDIR/junk"
+    printf 'set s %s' "$million" >junk
     junk "junk:1:7: set: s.*too large.*"
-    printf 'set s 9%s' "$(tr 7 ' ' <<<"$million")" >"$BATS_TEST_TMPDIR/junk"
+    printf 'set s 9%s' "$(tr 7 ' ' <<<"$million")" >junk
     junk 'junk:1:7: set: s = 9 is out of range'
-    printf 'set s 0.3 %s' "$(tr 7 'x ' <<<"$million" | sed 's/xx/x /g')" >"$BATS_TEST_TMPDIR/junk"
+    printf 'set s 0.3 %s' "$(tr 7 'x ' <<<"$million" | sed 's/xx/x /g')" >junk
     junk "junk:1:11: set: 'x' is not a unit and has no value"
-    { sed 's/7777777/set r 2;/g; s/7*$/foo/' <<<"$million"; } >"$BATS_TEST_TMPDIR/junk"
+    { sed 's/7777777/set r 2;/g; s/7*$/foo/' <<<"$million"; } >junk
     junk "junk:1:[0-9]+: unknown command 'foo'"
     same 'a long number is a number' 0.5 "$({ echo 'set output json'; printf 'set s 0.5%s\nshow s' "$(tr 7 0 <<<"$million")"; } |
         "$DOMINO" | values value)"
 }
 
 @test "control characters are not handed on to the terminal" {
-    printf 'a\033]0b\007\177\001' >"$BATS_TEST_TMPDIR/junk"
+    printf 'a\033]0b\007\177\001' >junk
     junk "junk:1:1: unknown command 'a[^[:cntrl:]]*'"
-    printf 'set s \033[31m' >"$BATS_TEST_TMPDIR/junk"
+    printf 'set s \033[31m' >junk
     junk "junk:1:7: set: s [^[:cntrl:]]*a value is missing"
 }
 
 @test "binary junk: an error status, readable messages, no crash" {
     for junk in "$DOMINO" /dev/zero; do
-        head -c 200000 "$junk" >"$BATS_TEST_TMPDIR/junk"
-        printf '\nset output json; show tol\n' >>"$BATS_TEST_TMPDIR/junk"
-        run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/junk"
+        head -c 200000 "$junk" >junk
+        printf '\nset output json; show tol\n' >>junk
+        run -1 --separate-stderr "$DOMINO" --keep-going junk
         same 'the session goes on' tol "$(tail -n 1 <<<"$output" | values name)"
-        grep -aq '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr"
-        same 'all lines say where' '(nothing)' "$(grep -av '^[^ ]*/junk:[0-9]*:[0-9:]* ' <<<"$stderr" || true)"
+        grep -aq '^junk:[0-9]*:[0-9:]* ' <<<"$stderr"
+        same 'all lines say where' '(nothing)' "$(grep -av '^junk:[0-9]*:[0-9:]* ' <<<"$stderr" || true)"
     done
 }

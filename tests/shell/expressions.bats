@@ -260,10 +260,10 @@ END
 
 @test "what makes no sense deep down or a megabyte long: one line, no crash" {
     deep() { # BEGIN REPEATED COUNT END
-        printf '%s' "$1" >"$BATS_TEST_TMPDIR/deep"
-        repeat "$2" "$3" >>"$BATS_TEST_TMPDIR/deep"
-        printf '%s\nset output json; show s\n' "$4" >>"$BATS_TEST_TMPDIR/deep"
-        run --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/deep"
+        printf '%s' "$1" >deep
+        repeat "$2" "$3" >>deep
+        printf '%s\nset output json; show s\n' "$4" >>deep
+        run --separate-stderr "$DOMINO" --keep-going deep
         same "$1$2...: status" "${5:-1}" "$status"
         same "$1$2...: the session goes on" 0.4 "$(tail -n 1 <<<"$output" | values value)"
         [ "${5:-1}" -eq 0 ] || same "$1$2...: lines on stderr" 1 "$(wc -l <<<"$stderr")"
@@ -294,8 +294,8 @@ END
 }
 
 @test "a NUL byte in an expression" {
-    printf 'set output json\nprint 1\0002\nprint 3\n' >"$BATS_TEST_TMPDIR/nul"
-    run -1 --separate-stderr "$DOMINO" --keep-going "$BATS_TEST_TMPDIR/nul"
+    printf 'set output json\nprint 1\0002\nprint 3\n' >nul
+    run -1 --separate-stderr "$DOMINO" --keep-going nul
     same 'the other line' 3 "$(values value <<<"$output")"
     same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
     [[ $stderr =~ nul:2:.*NUL ]] || same message NUL "$stderr"

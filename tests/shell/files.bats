@@ -39,8 +39,8 @@ load common
 
 @test "'apropos WORD' ends where every command does" {
     same "';'" "$("$DOMINO" -e 'apropos hollow')"$'\n'1 "$("$DOMINO" -e 'apropos hollow; print 1' | grep .)"
-    "$DOMINO" -e "apropos hollow > $BATS_TEST_TMPDIR/out"
-    same '>' "$("$DOMINO" -e 'apropos hollow')" "$(cat "$BATS_TEST_TMPDIR/out")"
+    "$DOMINO" -e "apropos hollow > out"
+    same '>' "$("$DOMINO" -e 'apropos hollow')" "$(cat out)"
 }
 
 @test "a file is written whole or not at all" {

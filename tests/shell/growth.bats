@@ -56,10 +56,10 @@ END
 }
 
 @test "curve: the separations are evenly spaced, its values are those of rmax and pair" {
-    json 'set q hollow; curve 0.3 0.5 3' >"$BATS_TEST_TMPDIR/rows"
-    same rows 3 "$(wc -l <"$BATS_TEST_TMPDIR/rows")"
+    json 'set q hollow; curve 0.3 0.5 3' >rows
+    same rows 3 "$(wc -l <rows)"
     for i in 1 2 3; do
-        row=$(sed -n "${i}p" "$BATS_TEST_TMPDIR/rows")
+        row=$(sed -n "${i}p" rows)
         s=$(values s <<<"$row")
         close "s of row $i" "0.$((i + 2))" "$s"
         answer=$(json "set q hollow; rmax $s; pair $s; set fuel paper; rmax $s")

@@ -144,17 +144,17 @@ END
     same speed 'omega fall cost timing push' "$("$DOMINO" -e 'help speed' | sed -n 's/^\([a-z]*\)   .*/\1/p' | paste -sd ' ' -)"
     same 'speed, json' 'omega fall cost timing push' "$(json 'help speed' | values name | paste -sd ' ' -)"
     # Each word of the README's table has an answer that mentions it.
-    sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >"$BATS_TEST_TMPDIR/words"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/words")" -ge 6 ]
-    while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <"$BATS_TEST_TMPDIR/words"
+    sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >words
+    [ "$(wc -l <words)" -ge 6 ]
+    while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <words
 }
 
 @test "every column of every answer has a meaning" {
     local pages=0
     for command in $("$DOMINO" -e 'complete '); do
-        "$DOMINO" --keep-going -e "help $command" 2>/dev/null >"$BATS_TEST_TMPDIR/page" || true
+        "$DOMINO" --keep-going -e "help $command" 2>/dev/null >page || true
         pages=$((pages + 1))
-        same "$command" '(nothing)' "$(sed -n '/^It answers/,/^[A-Z]* *$/p' "$BATS_TEST_TMPDIR/page" |
+        same "$command" '(nothing)' "$(sed -n '/^It answers/,/^[A-Z]* *$/p' "$PWD/page" |
             sed -n '2,$p' | awk '/^  [a-z]/ && NF < 2 || /^  [a-zA-Z_0-9]+ +[^ ]+ *$/')"
     done
     [ "$pages" -ge 40 ]
@@ -163,8 +163,8 @@ END
 @test "help: on every page keys, units and meanings begin below each other" {
     local topic pages=0
     for topic in $("$DOMINO" -e 'complete help '); do
-        "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >"$BATS_TEST_TMPDIR/page"
-        [ -s "$BATS_TEST_TMPDIR/page" ] || continue
+        "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >page
+        [ -s page ] || continue
         pages=$((pages + 1))
         # The unit begins after the longest key, the meaning after the longest unit; rows without a unit have the meaning there.
         awk -v topic="$topic" '
@@ -182,25 +182,25 @@ END
                 for (k = 1; k <= n; k++)
                     if (substr(line[k], unit - 1, 1) != " " || substr(line[k], meaning - 1, 1) != " " ||
                         (length(line[k]) >= meaning && substr(line[k], meaning, 1) == " ")) { print topic ": " line[k]; exit 1 }
-            }' "$BATS_TEST_TMPDIR/page"
+            }' page
     done
     [ "$pages" -ge 30 ]
 }
 
 @test "help and apropos: every summary begins in one column" {
-    "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >"$BATS_TEST_TMPDIR/list"
-    "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>"$BATS_TEST_TMPDIR/list"
-    [ "$(wc -l <"$BATS_TEST_TMPDIR/list")" -gt 80 ]
-    same 'out of line' '(nothing)' "$(grep -vE '^  .{20} [^ ]' "$BATS_TEST_TMPDIR/list")"
-    same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' "$BATS_TEST_TMPDIR/list")"
+    "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >list
+    "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>list
+    [ "$(wc -l <list)" -gt 80 ]
+    same 'out of line' '(nothing)' "$(grep -vE '^  .{20} [^ ]' list)"
+    same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' list)"
 }
 
 @test "help begins with ten lines to type, all of which work in this order" {
-    "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >"$BATS_TEST_TMPDIR/lines"
-    same lines 10 "$(wc -l <"$BATS_TEST_TMPDIR/lines")"
-    same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
-    same 'the last' quit "$(sed -n '$s/ *$//p' "$BATS_TEST_TMPDIR/lines")"
-    run --separate-stderr "$DOMINO" --bail - <"$BATS_TEST_TMPDIR/lines"
+    "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >lines
+    same lines 10 "$(wc -l <lines)"
+    same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' lines)"
+    same 'the last' quit "$(sed -n '$s/ *$//p' lines)"
+    run --separate-stderr "$DOMINO" --bail - <lines
     same 'what went wrong' '(nothing)' "$stderr"
     for words in '20 dominoes' 1.64423 1.51445 '^   \[h\] ' '^    12 ' '^rmax \[S\]: '; do
         grep -q -- "$words" <<<"$output" || same 'the answers' "$words" "$output"

@@ -55,8 +55,8 @@ END
     same 'θc' "$(json thetac)" "$(json 'θc')"
     same '°' "$(json 'theta1 10 deg')" "$(json 'theta1 10°')"
     same 'a blank that does not break' "$(json 'theta1 0.1')" "$(json $'theta1\u00a00.1')"
-    printf '\357\273\277set output json\r\nset s 0.3\r\nfuel' >"$BATS_TEST_TMPDIR/bom"
-    same 'byte order mark, CRLF, no last newline' "$(json 'set s 0.3; fuel')" "$("$DOMINO" "$BATS_TEST_TMPDIR/bom" 2>&1)"
+    printf '\357\273\277set output json\r\nset s 0.3\r\nfuel' >bom
+    same 'byte order mark, CRLF, no last newline' "$(json 'set s 0.3; fuel')" "$("$DOMINO" bom 2>&1)"
 }
 
 @test "a line goes on below after a backslash" {

@@ -64,16 +64,16 @@ END
 }
 
 @test "-e, -f and FILE stop at the first error, standard input with --bail; with --keep-going all go on" {
-    printf 'set output json\nfuel; foo; fuel\nfuel\n' >"$BATS_TEST_TMPDIR/bad"
-    text=$(cat "$BATS_TEST_TMPDIR/bad")
+    printf 'set output json\nfuel; foo; fuel\nfuel\n' >bad
+    text=$(cat bad)
     bad_ways() {
         "$DOMINO" "$@" -e "$text"
         echo "$?"
-        "$DOMINO" "$@" <"$BATS_TEST_TMPDIR/bad"
+        "$DOMINO" "$@" <bad
         echo "$?"
-        "$DOMINO" "$@" -f "$BATS_TEST_TMPDIR/bad" -e fuel
+        "$DOMINO" "$@" -f bad -e fuel
         echo "$?"
-        "$DOMINO" "$BATS_TEST_TMPDIR/bad" "$@"
+        "$DOMINO" bad "$@"
         echo "$?"
     }
     fuel=$(json fuel)
@@ -105,10 +105,10 @@ END
     while IFS='|' read -r trap status message; do
         # shellcheck disable=SC2016 # sh expands it
         timeout 60 sh -c "$trap"' { "$DOMINO" -e "curve 0.01 0.9 10000000; fuel" 2>"$1/err"; echo $? >"$1/status"; } |
-            head -n 1 >"$1/out"' sh "$BATS_TEST_TMPDIR"
-        same 'head' 1 "$(wc -l <"$BATS_TEST_TMPDIR/out")"
-        same 'status' "$status" "$(cat "$BATS_TEST_TMPDIR/status")"
-        same 'message' "$message" "$(sed 's/: Broken pipe//' "$BATS_TEST_TMPDIR/err")"
+            head -n 1 >"$1/out"' sh "$PWD"
+        same 'head' 1 "$(wc -l <out)"
+        same 'status' "$status" "$(cat status)"
+        same 'message' "$message" "$(sed 's/: Broken pipe//' err)"
     done <<'END'
 trap - PIPE;|141|(nothing)
 trap '' PIPE;|1|domino: cannot write the output
@@ -116,11 +116,11 @@ END
 }
 
 @test "both streams keep their order where they share a file" {
-    "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >"$BATS_TEST_TMPDIR/both" 2>&1 || true
+    "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >both 2>&1 || true
     same 'the error is between the answers, as an object and as a message' '2 3' \
-        "$(grep -n 'foo' "$BATS_TEST_TMPDIR/both" | cut -d: -f1 | paste -sd ' ' -)"
-    same 'the object' 2 "$(grep -n '^{.*"error":"unknown command' "$BATS_TEST_TMPDIR/both" | cut -d: -f1)"
-    same 'lines' 4 "$(wc -l <"$BATS_TEST_TMPDIR/both")"
+        "$(grep -n 'foo' both | cut -d: -f1 | paste -sd ' ' -)"
+    same 'the object' 2 "$(grep -n '^{.*"error":"unknown command' both | cut -d: -f1)"
+    same 'lines' 4 "$(wc -l <both)"
 }
 
 @test "answers do not depend on the locale, the directory or the environment" {

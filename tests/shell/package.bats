@@ -21,7 +21,7 @@ plain_make() {
 
 # Installs into $dest, where pkg-config and the loader of shared libraries then find the library.
 install_there() {
-    dest=$BATS_TEST_TMPDIR/dest
+    dest=$PWD/dest
     plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
     export PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$dest/usr/lib/pkgconfig LD_LIBRARY_PATH=$dest/usr/lib
 }
@@ -31,8 +31,8 @@ build_with() { # shared|--static FLAGS...
     local how=(-L"$dest/usr/lib")
     if [ "$1" = --static ]; then
         # The sanitizers have no static library; for them the shared libdomino is put out of sight.
-        if [ -z "$(checked "$build/libdomino.a")" ]; then how=(-static); else how=(-L"$BATS_TEST_TMPDIR/static"); fi
-        mkdir -p "$BATS_TEST_TMPDIR/static" && cp "$dest/usr/lib/libdomino.a" "$BATS_TEST_TMPDIR/static"
+        if [ -z "$(checked "$build/libdomino.a")" ]; then how=(-static); else how=(-Lstatic); fi
+        mkdir -p static && cp "$dest/usr/lib/libdomino.a" static
     fi
     # shellcheck disable=SC2046,SC2086
     cc "${@:2}" "${how[@]}" $(checked "$build/libdomino.a") $(pkg-config ${1#shared} --cflags --libs domino)
@@ -44,7 +44,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     dest=$PWD/dest
     mkdir -p "$dest/usr/lib" "$dest/usr/share/man/man3" # there before, and one of them not empty
     echo before >"$dest/usr/lib/other"
-    find "$dest" | sort >"$PWD/before"
+    find "$dest" | sort >before
     install_there
     [ -x "$dest/usr/bin/domino" ]
     [ -x "$dest/usr/share/doc/domino/examples/quiz.dom" ]
@@ -73,12 +73,12 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 
     plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr # an upgrade
     plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
-    find "$dest" | sort | diff -u "$PWD/before" -
+    find "$dest" | sort | diff -u before -
 }
 
 @test "uninstall leaves an empty DESTDIR, and what others put there" {
     for other in '' usr/share/doc/domino/notes; do
-        dest="$BATS_TEST_TMPDIR/a dest$other"
+        dest="$PWD/a dest$other"
         mkdir -p "$dest"
         plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
         if [ -n "$other" ]; then echo mine >"$dest/$other"; fi
@@ -104,7 +104,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 }
 
 @test "an install that fails half way can be uninstalled" {
-    dest=$BATS_TEST_TMPDIR/dest
+    dest=$PWD/dest
     mkdir -p "$dest/usr/share"
     echo 'no folder' >"$dest/usr/share/man"
     run ! plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
@@ -118,12 +118,12 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     [[ "$(checked "$build/libdomino.a")" != *sanitize* ]] || skip "Python has no runtime of the sanitizers"
     install_there
     examples=$dest/usr/share/doc/domino/examples
-    build_with shared "$examples/rmax.c" -o "$BATS_TEST_TMPDIR/rmax"
+    build_with shared "$examples/rmax.c" -o rmax
     run -0 env -u LD_LIBRARY_PATH LIBDOMINO="$dest/usr/lib/libdomino.so" "$examples/rmax.py" 0.4
     same "LIBDOMINO" "1.64422903954, ends by barrier" "$output"
     for arguments in 0.4 0.05 0.7 1 1e-6 0.001 0 7 -1 nan inf 0.4x '' '0.4 0.4' no; do
         # shellcheck disable=SC2086
-        run "$BATS_TEST_TMPDIR/rmax" $arguments
+        run ./rmax $arguments
         in_c="$status: $output"
         # shellcheck disable=SC2086
         run "$examples/rmax.py" $arguments
@@ -133,7 +133,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 }
 
 @test "a program in quad gets more digits than one in double has" {
-    cat >"$BATS_TEST_TMPDIR/quad.c" <<'C'
+    cat >quad.c <<'C'
 #define _GNU_SOURCE
 #include <domino_quad.h>
 #include <stdio.h>
@@ -160,8 +160,8 @@ C
     known=1.64422903953514910728136563949904
     install_there
     for way in shared --static; do
-        build_with $way "$BATS_TEST_TMPDIR/quad.c" -o "$BATS_TEST_TMPDIR/quad"
-        read -r digits wide converted narrow < <("$BATS_TEST_TMPDIR/quad")
+        build_with $way quad.c -o quad
+        read -r digits wide converted narrow < <(./quad)
         [ "$digits" -gt 15 ]
         same "$way: $digits digits" "${known:0:digits}" "${wide:0:digits}"
         same "$way: as a double" 1.64422903953515 "$converted"
@@ -171,7 +171,7 @@ C
 
 @test "pkg-config says that the library has no __float128, where it was built so" {
     for flags in '' -DDOM_NO_FLOAT128; do
-        pc=$BATS_TEST_TMPDIR/pc$flags
+        pc=$PWD/pc$flags
         plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
         same "Cflags" "Cflags: -I\${includedir}${flags:+ $flags}" "$(grep '^Cflags' "$pc/domino.pc")"
         # shellcheck disable=SC2086
@@ -187,23 +187,23 @@ C
     names=$(nm -g --defined-only "$build/libdomino.a" | awk 'NF == 3 { print $3 }')
     same "global names" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' <<<"$names")"
     readelf -sW "$build/libdomino.a" | awk '$5 == "GLOBAL" && $6 != "HIDDEN" && $7 ~ /^[0-9]+$/ { print $8 }' |
-        sort >"$BATS_TEST_TMPDIR/static"
-    nm -D --defined-only "$build/libdomino.so" | awk 'NF == 3 { print $3 }' | sort >"$BATS_TEST_TMPDIR/shared"
+        sort >static
+    nm -D --defined-only "$build/libdomino.so" | awk 'NF == 3 { print $3 }' | sort >shared
     for way in static shared; do
-        names=$BATS_TEST_TMPDIR/$way
+        names=$way
         [ "$(grep -c '^dom_' "$names")" -gt 35 ]
         [ "$(grep -c '^domq_' "$names")" -gt 30 ]
         same "other names, $way" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' "$names")"
         grep -E '^domq?_' "$names" >"$names.api"
     done
-    same_file "$BATS_TEST_TMPDIR/static.api" "$BATS_TEST_TMPDIR/shared.api"
+    same_file static.api shared.api
     # They are the functions and the objects of the headers, without types; dom_raised is defined there.
-    { header -E -P && header_quad && header -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >"$BATS_TEST_TMPDIR/declarations"
+    { header -E -P && header_quad && header -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >declarations
     {
-        grep -oE '\bdomq?_\w+ *\(' "$BATS_TEST_TMPDIR/declarations" | tr -d ' ('
-        grep -oE '\bextern const struct domq?_effect domq?_\w+' "$BATS_TEST_TMPDIR/declarations" | sed 's/.* //'
-    } | sort -u >"$BATS_TEST_TMPDIR/declared"
-    same_file "$BATS_TEST_TMPDIR/declared" "$BATS_TEST_TMPDIR/static.api"
+        grep -oE '\bdomq?_\w+ *\(' declarations | tr -d ' ('
+        grep -oE '\bextern const struct domq?_effect domq?_\w+' declarations | sed 's/.* //'
+    } | sort -u >declared
+    same_file declared static.api
 }
 
 @test "the shared library has a versioned soname, and is a file of that name" {
@@ -212,37 +212,42 @@ C
     [ -f "$build/$soname" ]
 }
 
-@test "both headers compile as C and as C++, in any order, and domino.h knows no __float128" {
+@test "both headers compile as C and as C++, in any order, and domino.h has no type wider than double" {
     languages='cc:-std=c99 cc:-std=c17'
     if command -v g++ >/dev/null; then languages+=' g++:-std=c++11 g++:-std=c++17'; fi
     for language in $languages; do
         for order in 'domino domino_quad' 'domino_quad domino' domino domino_quad; do
             # shellcheck disable=SC2086
-            printf '#include <%s.h>\n' $order >"$BATS_TEST_TMPDIR/both.cpp"
+            printf '#include <%s.h>\n' $order >both.cpp
             echo 'int main(void) { return dom_rmax(0.4, 0.1, 4) > 1 && !dom_raised(NULL) ? DOM_OK : DOM_STOPS; }' \
-                >>"$BATS_TEST_TMPDIR/both.cpp"
-            cp "$BATS_TEST_TMPDIR/both.cpp" "$BATS_TEST_TMPDIR/both.c"
-            file=$BATS_TEST_TMPDIR/both.c
+                >>both.cpp
+            cp both.cpp both.c
+            file=both.c
             [[ $language = cc:* ]] || file+=pp
             "${language%:*}" "${language#*:}" -Wall -Wextra -Wpedantic -Werror -fsyntax-only -I"$root/include" \
                 -I"$build/include" "$file"
         done
     done
-    same "__float128" '(nothing)' "$(header -E -P | grep __float128)"
-    same "quad" '(nothing)' "$(header -E -P | grep domq_)"
+    for flags in -std=c17 -DDOM_NO_FLOAT128 -DDOMQ; do
+        header -E -P $flags >header
+        grep -q dom_limit_rmax header
+        same "wider than double, $flags" '(nothing)' "$(grep dom header | grep -E '__float128|_Float128|\bdomq_')"
+    done
+    header_quad >header
+    grep -q domq_limit_rmax header && grep -q '\bdom_limit_rmax' header
 }
 
 @test "make dist packs the tracked files, and what is unpacked builds without git, with -flto, and packs the same bytes" {
     [ -z "$(checked "$build/libdomino.a")" ] || skip "the same archive in every build"
-    dist=$BATS_TEST_TMPDIR/dist
+    dist=$PWD/dist
     plain_make -C "$root" B="$dist" dist
     archive=$(echo "$dist"/domino-*.tar.gz)
     name=$(basename "$archive" .tar.gz)
     if [ -e "$root/.git" ] && git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
         tar -tzf "$archive" | sed "s|^$name/||" | sort | diff -u <(git -C "$root" ls-files | sort) -
     fi
-    tar -xzf "$archive" -C "$BATS_TEST_TMPDIR"
-    tree=$BATS_TEST_TMPDIR/$name
+    tar -xzf "$archive" 
+    tree=$PWD/$name
     [ ! -e "$tree/.git" ]
     plain_make -C "$tree" -j2 CFLAGS='-O0 -flto=auto' all dist
     same "the quiz" "$("$DOMINO" -e 'count 112')" "$("$tree/.build/domino" -n -e 'count 112')"
@@ -250,29 +255,9 @@ C
     cmp "$archive" "$tree/.build/$name.tar.gz"
 }
 
-@test "domino.h shows no type wider than double" {
-    local text
-    for flags in '' -DDOM_NO_FLOAT128 -std=c17 -DDOMQ; do
-        text=$(preprocessed c domino.h ${flags:+"$flags"})
-        grep -q 'dom_limit_rmax' <<<"$text"
-        run ! grep -nE '__float128|_Float128|\bdomq_' <<<"$(grep -E 'dom' <<<"$text")"
-    done
-}
-
-@test "domino_quad.h names its own functions domq_, and has those of domino.h" {
-    local text
-    text=$(preprocessed c domino_quad.h)
-    grep -q 'domq_limit_rmax' <<<"$text"
-    grep -q 'dom_limit_rmax' <<<"$text"
-}
-
-@test "both headers compile in C and C++, and a program in C++ gets the answers" {
-    local source=$BATS_TEST_TMPDIR/both.cc
-    for header in domino.h domino_quad.h; do
-        echo "#include <$header>" | cc -std=c17 -Wall -Wextra -Wpedantic -Werror -fsyntax-only "${includes[@]}" -x c -
-    done
+@test "a program in C++ gets the answers" {
     command -v g++ >/dev/null || skip "no compiler of C++"
-    cat >"$source" <<'END'
+    cat >both.cc <<'END'
 #include <domino_quad.h>
 #include <cstdio>
 
@@ -288,10 +273,10 @@ int main()
 }
 END
     # shellcheck disable=SC2046
-    g++ -std=c++11 -Wall -Wextra -Werror "${includes[@]}" "$source" "$build/libdomino.a" $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread \
-        -o "$BATS_TEST_TMPDIR/both"
+    g++ -std=c++11 -Wall -Wextra -Werror -I"$root/include" -I"$build/include" both.cc "$build/libdomino.a" $(checked "$build/libdomino.a") -lgsl -lgslcblas -lm -pthread \
+        -o both
     local expected
     expected=$("$DOMINO" -e 'set output csv; rmax' | sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p')
     [ -n "$expected" ]
-    [ "$("$BATS_TEST_TMPDIR/both")" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
+    [ "$(./both)" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
 }

@@ -84,45 +84,45 @@ wrong_line() { # COMMANDS PATTERN
 }
 
 @test "placement in parts: the same blocks whatever their number; pool answers as the whole study" {
-    parts 1 530 >"$BATS_TEST_TMPDIR/whole"
-    same blocks 7 "$(wc -l <"$BATS_TEST_TMPDIR/whole")"
+    parts 1 530 >whole
+    same blocks 7 "$(wc -l <whole)"
     for n in 2 3 7; do
-        parts "$n" 530 >"$BATS_TEST_TMPDIR/parts"
-        cmp "$BATS_TEST_TMPDIR/whole" "$BATS_TEST_TMPDIR/parts"
+        parts "$n" 530 >parts
+        cmp whole parts
     done
-    same '3 threads' "$(cat "$BATS_TEST_TMPDIR/whole")" \
+    same '3 threads' "$(cat whole)" \
         "$("$DOMINO" --shard 1/1 -e "set threads 3; set output csv; $study; placement 530")"
     for format in csv json table; do
         same "$format" "$("$DOMINO" -e "set output $format; $study; placement 530")" \
-            "$("$DOMINO" -e "set output $format; pool $BATS_TEST_TMPDIR/parts")"
+            "$("$DOMINO" -e "set output $format; pool parts")"
     done
-    same 'any order, standard input' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
-        "$(sort "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
-    same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool $BATS_TEST_TMPDIR/whole")" \
-        "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' "$BATS_TEST_TMPDIR/whole" | "$DOMINO" -e 'pool -')"
+    same 'any order, standard input' "$("$DOMINO" -e "pool whole")" \
+        "$(sort whole | "$DOMINO" -e 'pool -')"
+    same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool whole")" \
+        "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' whole | "$DOMINO" -e 'pool -')"
     # Row number i is the same in any study: the first hundred of 530 are those of 100.
-    same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p "$BATS_TEST_TMPDIR/whole" | cut -d , -f 7-)"
+    same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p whole | cut -d , -f 7-)"
 }
 
 @test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
-    parts 3 400 >"$BATS_TEST_TMPDIR/all"
-    grep -v ',101,100,' "$BATS_TEST_TMPDIR/all" >"$BATS_TEST_TMPDIR/less"
+    parts 3 400 >all
+    grep -v ',101,100,' all >less
     same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
-        "$(json "pool $BATS_TEST_TMPDIR/less" | grep -o '"reason".*')"
-    same 'of fewer' 300 "$(json "pool $BATS_TEST_TMPDIR/less" | values rows)"
+        "$(json "pool less" | grep -o '"reason".*')"
+    same 'of fewer' 300 "$(json "pool less" | values rows)"
     pool_fails() { # PATTERN < blocks
-        cat >"$BATS_TEST_TMPDIR/blocks"
-        wrong_line "pool $BATS_TEST_TMPDIR/blocks" "$1"
+        cat >blocks
+        wrong_line "pool blocks" "$1"
     }
-    cat "$BATS_TEST_TMPDIR/all" "$BATS_TEST_TMPDIR/less" | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
-    study="$study; set seed 2" parts 1 100 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
-    study="$study; place 3 40 mm" parts 2 400 | cat "$BATS_TEST_TMPDIR/less" - | pool_fails ':6:1: this block is of another study'
+    cat all less | pool_fails ':[0-9]+:1: row 1 of the study is in .* twice'
+    study="$study; set seed 2" parts 1 100 | cat less - | pool_fails ':6:1: this block is of another study'
+    study="$study; place 3 40 mm" parts 2 400 | cat less - | pool_fails ':6:1: this block is of another study'
     pool_fails 'has no blocks of a study' </dev/null
     pool_fails ":1:1: the column 'heights' is missing; .* 'domino --shard I/N' .* writes blocks" <<<'sigma,mass'
-    sed '2s/,100,/,x,/' "$BATS_TEST_TMPDIR/all" | pool_fails ":2:[0-9]+: rows at 'x'"
-    sed '2s/^[^,]*,/-1,/' "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: sigma = -1 is negative'
-    sed 2s/,100,/,99,/ "$BATS_TEST_TMPDIR/all" | pool_fails ':2:1: the counts of this block do not add up'
-    wrong_line "pool $BATS_TEST_TMPDIR/none" 'No such file'
-    run --separate-stderr "$DOMINO" --safe -e "pool $BATS_TEST_TMPDIR/all"
+    sed '2s/,100,/,x,/' all | pool_fails ":2:[0-9]+: rows at 'x'"
+    sed '2s/^[^,]*,/-1,/' all | pool_fails ':2:1: sigma = -1 is negative'
+    sed 2s/,100,/,99,/ all | pool_fails ':2:1: the counts of this block do not add up'
+    wrong_line "pool $PWD/none" 'No such file'
+    run --separate-stderr "$DOMINO" --safe -e "pool all"
     grep -q 'safe session' <<<"$stderr"
 }

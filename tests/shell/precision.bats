@@ -79,7 +79,7 @@ quad() { # COMMANDS KEY DIGITS
     same 'a seed, too' 4294967295 "$("$DOMINO" -e 'set seed 4294967295; show seed' | awk '$1 == "seed" { print $2 }')"
     "$DOMINO" -e 'show seed' | grep -q '0 \.\. 4294967295 '
     same 'a session keeps what it has' 9 \
-        "$(json "set digits 9; save $BATS_TEST_TMPDIR/s.dom; reset digits; source $BATS_TEST_TMPDIR/s.dom; show digits" | values value)"
+        "$(json "set digits 9; save s.dom; reset digits; source s.dom; show digits" | values value)"
     # For programs nothing depends on it.
     for output in csv json; do
         same "$output" "$("$DOMINO" -e "set output $output; set digits 2; rmax; count 112")" \

@@ -64,7 +64,7 @@ nothing|height (m),thickness (m),gap (m)\n|[0-9]+:[0-9]+: the file has no domino
 both|height (m),thickness (m),gap (m),mass (kg),density\n1,.1,0,1,1\n|1:[0-9]+: both mass and density are given; leave
 END
     wrong "effect row none.csv" "cannot read '.*none.csv': No such file"
-    wrong "effect row $BATS_TEST_TMPDIR" 'cannot read'
+    wrong "effect row $PWD" 'cannot read'
 }
 
 @test "a file beside the script is found from anywhere; a safe session reads none" {

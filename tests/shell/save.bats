@@ -104,7 +104,7 @@ END
 }
 
 @test "save and source keep every digit of every parameter" {
-    file=$BATS_TEST_TMPDIR/state.dom
+    file=$PWD/state.dom
     "$DOMINO" -e "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; save $file"
     [ "$(grep -c '^set ' "$file")" -ge 6 ]
     differ 'all of it' "$(json show)" "$(json "source $file; set output json; show")"

@@ -27,11 +27,11 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
 }
 
 @test "show: all parameters with defaults, units, ranges and meanings; show NAME" {
-    json show >"$BATS_TEST_TMPDIR/all"
-    same names 's r d q tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <"$BATS_TEST_TMPDIR/all" | paste -sd ' ' -)"
+    json show >all
+    same names 's r d q tol h g mass density fuel precision method seed threads output header digits angle errors timing hints' "$(values name <all | paste -sd ' ' -)"
     while read -r name unit value; do
         row=$(json "show $name")
-        same "show $name" "$(grep "\"name\":\"$name\"" "$BATS_TEST_TMPDIR/all")" "$row"
+        same "show $name" "$(grep "\"name\":\"$name\"" "$PWD/all")" "$row"
         same "keys" 'name value unit range default meaning' "$(keys <<<"$row")"
         [ "$unit" != - ] || unit='(nothing)'
         same "$name: unit" "$unit" "$(values unit <<<"$row")"
@@ -120,10 +120,10 @@ END
     done
     # The heading of a column is above it, for any number of digits.
     for digits in 1 5 17; do
-        "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >"$BATS_TEST_TMPDIR/table"
-        same "digits $digits: columns" 1 "$(sed 2d "$BATS_TEST_TMPDIR/table" | awk '{ print length }' | sort -u | wc -l)"
+        "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >table
+        same "digits $digits: columns" 1 "$(sed 2d "$PWD/table" | awk '{ print length }' | sort -u | wc -l)"
     done
-    same 'all lines as many fields' 6 "$(sed 2d "$BATS_TEST_TMPDIR/table" | awk '{ print NF }' | sort -u)"
+    same 'all lines as many fields' 6 "$(sed 2d table | awk '{ print NF }' | sort -u)"
 }
 
 @test "digits are a whole number" {

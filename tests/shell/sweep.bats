@@ -84,11 +84,11 @@ END
 }
 
 @test "each row is what the command answers when asked for it alone" {
-    csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' >"$BATS_TEST_TMPDIR/rows"
-    same rows 16 "$(wc -l <"$BATS_TEST_TMPDIR/rows")"
+    csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' >rows
+    same rows 16 "$(wc -l <rows)"
     while IFS=, read -r s d r ends exact paper _; do
         same "s = $s, d = $d" "$(csv "set d $d; rmax $s" | tail -n 1)" "$s,$r,$ends,$exact,$paper"
-    done < <(tail -n +2 "$BATS_TEST_TMPDIR/rows")
+    done < <(tail -n +2 rows)
     # The first parameter is the slowest.
     same order '0.1 0.1,0.1 0.2,0.3 0.1,0.3 0.2' \
         "$(json 'sweep s 0.1 0.3 2 d 0.1 0.2 2 : fuel' | sed -E 's/\{"s":([^,]*),"d":([^,]*),.*/\1 \2/' | paste -sd , -)"
@@ -147,14 +147,14 @@ END
 }
 
 @test "a point without an answer has a row with the reason, and the sweep goes on" {
-    csv 'sweep s 0.1 0.9 9 : theta1 40 deg' >"$BATS_TEST_TMPDIR/rows"
-    same rows 10 "$(wc -l <"$BATS_TEST_TMPDIR/rows")"
-    same 'tilt too large' 4 "$(grep -c '^[0-9.]*,,,,,,"T = .* is outside the cycle' "$BATS_TEST_TMPDIR/rows")"
-    same 'out of reach' 3 "$(grep -c '^[0-9.]*,,,,,,r s = .* > 1: the head falls past' "$BATS_TEST_TMPDIR/rows")"
-    same answers 2 "$(grep -c '^[0-9.]*,[^,].*,$' "$BATS_TEST_TMPDIR/rows")"
-    json 'sweep s 0.1 0.9 9 : theta1 40 deg' >"$BATS_TEST_TMPDIR/objects"
-    same null 2 "$(grep -c '"reason":null}$' "$BATS_TEST_TMPDIR/objects")"
-    same reason 7 "$(grep -c '"arm_b":null,"reason":".*"}$' "$BATS_TEST_TMPDIR/objects")"
+    csv 'sweep s 0.1 0.9 9 : theta1 40 deg' >rows
+    same rows 10 "$(wc -l <rows)"
+    same 'tilt too large' 4 "$(grep -c '^[0-9.]*,,,,,,"T = .* is outside the cycle' rows)"
+    same 'out of reach' 3 "$(grep -c '^[0-9.]*,,,,,,r s = .* > 1: the head falls past' rows)"
+    same answers 2 "$(grep -c '^[0-9.]*,[^,].*,$' rows)"
+    json 'sweep s 0.1 0.9 9 : theta1 40 deg' >objects
+    same null 2 "$(grep -c '"reason":null}$' objects)"
+    same reason 7 "$(grep -c '"arm_b":null,"reason":".*"}$' objects)"
     run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason of each\.$' <<<"$output"
@@ -219,13 +219,13 @@ END
 }
 
 @test "';', comments and '>' end the command that is swept" {
-    same ';' '0.4 3' "$(csv "sweep s 0.1 0.3 2 : print s > $BATS_TEST_TMPDIR/out; print s # done" | tail -n 1 | cut -d , -f 1) $(wc -l <"$BATS_TEST_TMPDIR/out")"
+    same ';' '0.4 3' "$(csv "sweep s 0.1 0.3 2 : print s > out; print s # done" | tail -n 1 | cut -d , -f 1) $(wc -l <out)"
     same 'a comment' 3 "$(csv 'sweep s 0.1 0.3 2 : print s # : rmax' | wc -l)"
-    rm "$BATS_TEST_TMPDIR/out"
-    csv "sweep s 0.1 0.3 2 : theta1 foo > $BATS_TEST_TMPDIR/out" 2>/dev/null || true
-    [ ! -e "$BATS_TEST_TMPDIR/out" ]
-    { csv 'sweep s 0.1 0.9 200000 : print s' 2>/dev/null || true; } | head -n 2 | tail -n 1 >"$BATS_TEST_TMPDIR/first"
-    same 'a closed pipe' 0.1,0.1,, "$(cat "$BATS_TEST_TMPDIR/first")"
+    rm out
+    csv "sweep s 0.1 0.3 2 : theta1 foo > out" 2>/dev/null || true
+    [ ! -e out ]
+    { csv 'sweep s 0.1 0.9 200000 : print s' 2>/dev/null || true; } | head -n 2 | tail -n 1 >first
+    same 'a closed pipe' 0.1,0.1,, "$(cat first)"
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'set output csv; set threads 4; sweep s 0.1 0.9 20000 : print s > /dev/full'
     grep -q 'No space left on device' <<<"$stderr"
 }
@@ -240,10 +240,10 @@ END
 }
 
 @test "examples/cluster: GNU parallel gives the whole sweep and the whole study" {
-    "$root/examples/cluster/parallel.sh" 5 "$BATS_TEST_TMPDIR"
-    "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - "$BATS_TEST_TMPDIR/sweep.csv"
-    "$DOMINO" -f "$root/examples/cluster/placement.dom" | cmp - "$BATS_TEST_TMPDIR/placement.csv"
-    for file in sweep placement; do [ "$(wc -l <"$BATS_TEST_TMPDIR/$file.csv")" -gt 1 ]; done
+    "$root/examples/cluster/parallel.sh" 5 "$PWD"
+    "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
+    "$DOMINO" -f "$root/examples/cluster/placement.dom" | cmp - placement.csv
+    for file in sweep placement; do [ "$(wc -l <"$file.csv")" -gt 1 ]; done
 }
 
 @test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {

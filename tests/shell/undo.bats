@@ -46,9 +46,9 @@ END
     wrong undo 'there is no change to take back'
     wrong redo 'there is nothing to do again'
     wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to do again'
-    for i in {1..150}; do echo "seed = $i"; done >"$BATS_TEST_TMPDIR/many.dom"
-    for i in {1..100}; do echo 'undo > /dev/null'; done >>"$BATS_TEST_TMPDIR/many.dom"
-    same 'the last 100' 50 "$("$DOMINO" -f "$BATS_TEST_TMPDIR/many.dom" -e 'seed*1')"
+    for i in {1..150}; do echo "seed = $i"; done >many.dom
+    for i in {1..100}; do echo 'undo > /dev/null'; done >>many.dom
+    same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"
 }
 
 @test "diff: what differs from the defaults" {

@@ -114,8 +114,8 @@ END
         for i in {1..60}; do echo "let f$i(x) = f$((i - 1))(x)"; done
         for i in {61..200}; do echo "let f$i(x) = ((f$((i - 1))(x)))"; done
         echo 'f60(7); f200(7); 41+1'
-    } >"$BATS_TEST_TMPDIR/deep.dom"
-    run --separate-stderr "$DOMINO" --keep-going -f "$BATS_TEST_TMPDIR/deep.dom"
+    } >deep.dom
+    run --separate-stderr "$DOMINO" --keep-going -f deep.dom
     same deep '7 42' "$(grep . <<<"$output" | paste -sd ' ' -)"
     [[ $stderr == *'nested too deeply'* ]]
     repeat=$(printf '(%.0s' {1..300})

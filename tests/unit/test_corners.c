@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rare answers: dips of the margin, bounds of a stop, errors, memory that runs out. */
+/* Rare answers: dips of the margin, methods, interrupts, memory that runs out. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
@@ -60,36 +60,6 @@ TEST(dips_of_the_margin)
 }
 
 /* ---- Bounds ---- */
-
-/* Compares the tilt of a stop in double with quad: within the bound, and the bound within a million times the
- * error. */
-TEST(bounds_of_a_stop)
-{
-    uint64_t seed = 26;
-    int stops = 0, sharp = 0, balanced = 0;
-    for (int i = 0; i < 2000; i++) {
-        struct asked t = random_train(&seed), exact = t;
-        domq_real theta, error, finer;
-        enum dom_status status = ask_cycle_stop(&t, &theta, &error);
-        assert_status(status, status == DOM_OK ? DOM_OK : DOM_NO_FUEL);
-        if (status != DOM_OK || isnan((double)theta))
-            continue;
-        exact.precision = DOM_QUAD;
-        exact.tol = 1e-30;
-        assert_status(ask_cycle_stop(&exact, &finer, NULL), DOM_OK);
-        if (isnan((double)finer)) {
-            balanced++; /* a margin that is 0 to rounding */
-            continue;
-        }
-        double off = fabs((double)(theta - finer));
-        assert_true(off <= (double)error);
-        sharp += (double)error <= 1e3 * off + 1e-13 * (double)theta;
-        stops++;
-    }
-    print_message("# %d stops, %d of them sharp, %d that quad does not see\n", stops, sharp, balanced);
-    assert_true(stops > 100 && balanced <= stops / 100);
-    assert_true(sharp > stops / 2);
-}
 
 /* Checks that with friction there are no bounds. */
 TEST(no_bounds_with_friction)

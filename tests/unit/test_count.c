@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How many dominoes reach a height, near powers that meet it, in exact arithmetic. */
+/* How many dominoes reach a height: known numbers, and heights near powers, in exact arithmetic. */
 #include "support.h"
 
 static domq_real rounded(domq_real x, enum dom_precision precision)
@@ -58,4 +58,41 @@ TEST(a_bit_more_than_a_power)
     assert_true(count.dominoes == 30);
     assert_status(ask_count_find(DOM_QUAD, 1, 1073741824 * (1 + (domq_real)1e-30), 2, &count, NULL), DOM_OK);
     assert_true(domq_arithmetic(DOM_QUAD)->bits < 113 || count.dominoes == 31);
+}
+
+TEST(known_numbers)
+{
+    static const struct {
+        double first, height, r, n;
+    } known[] = {
+        {0.048, 112, 1.5, 20},       {0.048, 112, 2, 12},      {0.048, 0.048, 2, 0},
+        {0.048, 0.01, 2, 0},         {0.048, 0.0481, 2, 1},    {0.1, 12.8, 2, 7},
+        {0.048, 112, 1.0001, 77555}, {0.001, 1e9, 1e6, 2},     {0.048, 0.1092, 1.5, 3},
+        {0.05, 0.16875, 1.5, 3},     {0.07, 0.093170, 1.1, 3}, {0.07, 0.093171, 1.1, 4},
+    };
+    struct domq_count count;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        assert_status(ask_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL),
+                      DOM_OK);
+        assert_near("dominoes", count.dominoes, known[i].n, 0);
+        assert_near("the last", count.last, known[i].first * pow(known[i].r, known[i].n), 1e-9);
+    }
+    /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
+    for (int k = 1; k < 60; k++) {
+        for (int digits = 15; digits <= 17; digits++) {
+            char text[40];
+            snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
+            assert_status(ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL), 2, &count, NULL), DOM_OK);
+            assert_near("dominoes", count.dominoes, k, 0);
+            assert_status(
+                ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count, NULL), DOM_OK);
+            assert_near("dominoes", count.dominoes, k + 1, 0);
+        }
+    }
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 1, &count, NULL), DOM_OK);
+    assert_true(isinf(count.dominoes) && isnan(count.last));
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count, NULL), DOM_BAD_R);
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, -1, 2, &count, NULL), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count, NULL), DOM_BAD_HEIGHT);
+    assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_HEIGHT);
 }

@@ -1,29 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parameters outside their ranges: which status the library returns, and that it writes nothing then. */
+/* Where there is no answer: beyond the reach, without fuel, beyond the arithmetic; and the texts of statuses.
+ */
 #include "support.h"
-
-/* Statuses of the parameters in the lists. */
-#define BAD_s   DOM_BAD_S
-#define BAD_r   DOM_BAD_R
-#define BAD_d   DOM_BAD_D
-#define BAD_q   DOM_BAD_Q
-#define BAD_tol DOM_BAD_TOL
-
-TEST(parameters_have_ranges)
-{
-    struct asked train = asked_default();
-    assert_status(ask_train_check(&train), DOM_OK);
-#define REFUSE(name, default_, lowest, highest, unit, meaning)                                               \
-    for (int k = 0; k < 4; k++) {                                                                            \
-        const double bad[] = {DOMQ_NAN, (double)INFINITY, (lowest) * (1 - 1e-9), (highest) * (1 + 1e-9)};    \
-        train = asked_default();                                                                             \
-        train.name = bad[k];                                                                                 \
-        assert_status(ask_train_check(&train), BAD_##name);                                                  \
-    }
-    DOMQ_TRAIN_PARAMETERS(REFUSE)
-    DOMQ_COMPUTE_PARAMETERS(REFUSE)
-#undef REFUSE
-}
 
 TEST(head_must_reach_the_next)
 {
@@ -43,22 +21,6 @@ TEST(head_must_reach_the_next)
     }
 }
 
-TEST(tilts_lie_in_the_cycle)
-{
-    struct asked train = asked_default();
-    struct domq_angles angles;
-    struct domq_energy energy = {.J = -1};
-    domq_real w;
-    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
-    const double bad[] = {-1e-300, -1, angles.theta_c * (1 + 1e-14), 4, DOMQ_NAN, (double)INFINITY};
-    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
-        assert_status(ask_energy_find(&train, bad[k], &energy, NULL), DOM_BAD_TILT);
-        assert_status(ask_cycle_omegasq(&train, bad[k], &w, NULL), DOM_BAD_TILT);
-    }
-    assert_true(energy.J == -1);
-    assert_status(ask_energy_find(&train, angles.theta_c, &energy, NULL), DOM_OK);
-}
-
 /* Checks two limits: (1) more than two million dominoes matter, (2) energies below the range of doubles. */
 TEST(beyond_the_arithmetic)
 {
@@ -75,17 +37,25 @@ TEST(beyond_the_arithmetic)
     assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_UNDERFLOW);
 }
 
-TEST(interrupt_stops_the_work)
+/* Checks a thick train, and one just below the separation at which falling sets energy free. */
+TEST(no_cycle_without_fuel)
 {
-    struct asked train = asked_default();
-    struct domq_limit limit;
-    struct domq_best best;
-    volatile sig_atomic_t flag = 0;
-    train.interrupt = &flag;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
-    flag = 1;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_INTERRUPTED);
-    assert_status(ask_limit_best(&train, &best, NULL), DOM_INTERRUPTED);
+    static const double trains[][4] = {{0.3, 1.1, 1.5, 3}, {0.00633775, 1, 7.0 / 48, 3}};
+    for (size_t i = 0; i < 2; i++) {
+        struct asked t = asked_default();
+        struct domq_launch launch;
+        struct domq_barrier barrier;
+        domq_real value;
+        t.s = trains[i][0];
+        t.r = trains[i][1];
+        t.d = trains[i][2];
+        t.q = trains[i][3];
+        assert_status(ask_launch_find(&t, &launch, NULL), DOM_NO_FUEL);
+        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_omegasq(&t, 1e-3, &value, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_stop(&t, &value, NULL), DOM_NO_FUEL);
+        assert_status(ask_cycle_duration(&t, &value, NULL), DOM_NO_FUEL);
+    }
 }
 
 /* Checks d > h: no domino tips over far enough to topple a larger one, at any separation. */
@@ -109,43 +79,6 @@ TEST(every_status_has_a_text)
         for (enum dom_status j = DOM_OK; j < k; j++)
             assert_string_not_equal(dom_status_text(k), dom_status_text(j));
     }
-}
-
-TEST(counting)
-{
-    static const struct {
-        double first, height, r, n;
-    } known[] = {
-        {0.048, 112, 1.5, 20},       {0.048, 112, 2, 12},      {0.048, 0.048, 2, 0},
-        {0.048, 0.01, 2, 0},         {0.048, 0.0481, 2, 1},    {0.1, 12.8, 2, 7},
-        {0.048, 112, 1.0001, 77555}, {0.001, 1e9, 1e6, 2},     {0.048, 0.1092, 1.5, 3},
-        {0.05, 0.16875, 1.5, 3},     {0.07, 0.093170, 1.1, 3}, {0.07, 0.093171, 1.1, 4},
-    };
-    struct domq_count count;
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        assert_status(ask_count_find(DOM_DOUBLE, known[i].first, known[i].height, known[i].r, &count, NULL),
-                      DOM_OK);
-        assert_near("dominoes", count.dominoes, known[i].n, 0);
-        assert_near("the last", count.last, known[i].first * pow(known[i].r, known[i].n), 1e-9);
-    }
-    /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
-    for (int k = 1; k < 60; k++) {
-        for (int digits = 15; digits <= 17; digits++) {
-            char text[40];
-            snprintf(text, sizeof text, "%.*g", digits, ldexp(0.048, k));
-            assert_status(ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL), 2, &count, NULL), DOM_OK);
-            assert_near("dominoes", count.dominoes, k, 0);
-            assert_status(
-                ask_count_find(DOM_DOUBLE, 0.048, strtod(text, NULL) * (1 + 1e-13), 2, &count, NULL), DOM_OK);
-            assert_near("dominoes", count.dominoes, k + 1, 0);
-        }
-    }
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 1, &count, NULL), DOM_OK);
-    assert_true(isinf(count.dominoes) && isnan(count.last));
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, 112, 0.9, &count, NULL), DOM_BAD_R);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, -1, 2, &count, NULL), DOM_BAD_HEIGHT);
-    assert_status(ask_count_find(DOM_DOUBLE, 0.048, DOMQ_NAN, 2, &count, NULL), DOM_BAD_HEIGHT);
-    assert_status(ask_count_find(DOM_DOUBLE, 1e-300, 1e300, 2, &count, NULL), DOM_BAD_HEIGHT);
 }
 
 TEST(metres_and_seconds)

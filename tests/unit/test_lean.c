@@ -205,13 +205,6 @@ TEST(refusals)
 {
     static struct run run;
     const double theta_u = atan(7.0 / 48);
-    const double wrong[] = {theta_u * (1 + 1e-9), -theta_u * (1 + 1e-9), 2, -2, NAN, INFINITY, -INFINITY};
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        make_row(&run, 4, 0.4, 1, 0);
-        run.domino[2].lean = wrong[i];
-        assert_status(run_whole(&run), DOM_BAD_LEAN);
-        assert_int_equal(run.verdict.domino, 3);
-    }
     make_row(&run, 4, 0.4, 1, 0);
     for (int i = 0; i < 6; i++) { /* to both sides, on a level floor and on two slopes */
         domq_real limit[2], alpha = (i / 2 - 1) * 0.05;
@@ -222,6 +215,7 @@ TEST(refusals)
         assert_status(run_whole(&run), DOM_OK);
         run.domino[2].lean = limit[i % 2] * (1 + 1e-9);
         assert_status(run_whole(&run), DOM_BAD_LEAN);
+        assert_int_equal(run.verdict.domino, 3);
     }
     make_row(&run, 4, 0.4, 1, 0);
     run.domino[2].lean = 0.01;

@@ -224,28 +224,3 @@ TEST(the_weakest_push)
     print_message("# %d pushes, %d rows have none\n", found, none);
     assert_true(found > 20 && none > 5);
 }
-
-/* Checks that nothing is written if the status is not DOM_OK. */
-TEST(refusals)
-{
-    const volatile sig_atomic_t now = 1;
-    static struct run run;
-    size_t count = 7;
-    domq_real push = -1;
-    static const double strongest[] = {0, -1, (double)NAN, (double)INFINITY};
-    make_row(&run, 5, 0.3, 1.2, 0);
-    run.row.push = 0.1;
-    for (size_t i = 0; i < sizeof strongest / sizeof *strongest; i++)
-        assert_status(ask_row_push(&run.row, strongest[i], &push), DOM_BAD_PUSH);
-    for (int wrong = 0; wrong < 4; wrong++) {
-        struct asked_row row = run.row;
-        static const enum dom_status named[] = {DOM_BAD_COUNT, DOM_BAD_TOL, DOM_BAD_G, DOM_INTERRUPTED};
-        row.count = wrong == 0 ? 0 : row.count;
-        row.tol = wrong == 1 ? 1e-30 : row.tol;
-        row.g = wrong == 2 ? 0 : row.g;
-        row.interrupt = wrong == 3 ? &now : NULL;
-        assert_status(ask_row_mend(&row, NULL, NULL, mends, &count), named[wrong]);
-        assert_status(ask_row_push(&row, 10, &push), named[wrong]);
-    }
-    assert_true(count == 7 && push == -1);
-}

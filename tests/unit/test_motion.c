@@ -282,37 +282,3 @@ TEST(stops_to_the_digit)
     assert_status(ask_cycle_state(&none, 0.1, &s, NULL), DOM_STOPS);
     assert_status(ask_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
 }
-
-/* Checks the bounds of a state against quad. */
-TEST(bounds_hold)
-{
-    uint64_t seed = 46;
-    int checked = 0;
-    for (int i = 0; i < 60; i++) {
-        struct asked train;
-        struct domq_event events[DOM_EVENTS_MAX];
-        struct domq_state s, e, finer;
-        int n;
-        if (!next_train(&seed, &train, events, &n) || train.s < 0.05)
-            continue;
-        double theta = (i % 4) / 3.0 * 0.999 * (double)events[n - 1].theta;
-        assert_status(ask_cycle_state(&train, theta, &s, &e), DOM_OK);
-        train.precision = DOM_QUAD;
-        train.tol = 1e-22;
-        assert_status(ask_cycle_state(&train, theta, &finer, NULL), DOM_OK);
-        const domq_real pairs[][3] = {
-            {s.time, finer.time, e.time},          {s.omegasq, finer.omegasq, e.omegasq},
-            {s.kinetic, finer.kinetic, e.kinetic}, {s.climbed, finer.climbed, e.climbed},
-            {s.before, finer.before, e.before},    {s.lost, finer.lost, e.lost},
-        };
-        for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
-            double off = fabs((double)(pairs[k][0] - pairs[k][1])), bound = (double)pairs[k][2];
-            if (!(off <= bound))
-                fail_msg("member %zu of train %d: off by %g, bound %g (s %g r %g d %g q %g theta %g)", k, i,
-                         off, bound, (double)train.s, (double)train.r, (double)train.d, (double)train.q,
-                         theta);
-            checked++;
-        }
-    }
-    assert_true(checked > 60);
-}

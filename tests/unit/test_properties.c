@@ -96,19 +96,13 @@ TEST(energy_agrees_with_its_definition)
     }
 }
 
-/* Checks that the fuels agree at r = 1, and where r s = 1. */
-TEST(fuels_agree_where_they_must)
+/* Checks that at the reach every follower detaches at once, at pi/2; s is a power of 2 so that r s = 1. */
+TEST(fuels_agree_at_the_reach)
 {
     uint64_t seed = 4;
     for (int i = 0; i < TRAINS; i++) {
         struct asked train = random_train(&seed);
         struct domq_fuels fuels;
-        train.r = 1;
-        assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
-        if (!(fabs((double)(fuels.exact - fuels.paper)) <= 1e-13 * (1 + train.d))) /* up to 7000 terms */
-            fail_msg("r = 1, s %.17g d %.17g: exact %.17g paper %.17g", (double)train.s, (double)train.d,
-                     (double)fuels.exact, (double)fuels.paper);
-        /* At the reach every follower detaches at once, at pi/2; s is a power of 2 so that r s = 1. */
         train.s = ldexp(1, -i % 8);
         train.r = 1 / train.s;
         assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
@@ -228,20 +222,6 @@ TEST(small_margins_keep_their_digits)
         train.tol = 1e-3;
         assert_status(ask_barrier_find(&train, &rough, NULL), DOM_OK);
         assert_near("margin", rough.margin, fine.margin, 1e-3);
-    }
-}
-
-/* Checks that, if only two dominoes matter, the pair with the train's push has the margin of the train. */
-TEST(pair_is_train_of_two)
-{
-    for (double q = 3; q <= 4; q++) {
-        struct asked train = asked_default();
-        struct domq_limit whole, pair;
-        train.s = q == 3 ? 0.52 : 0.6; /* followers detach before the next hit, and H has its top late */
-        train.q = q;
-        assert_status(ask_limit_rmax(&train, &whole, NULL, NULL), DOM_OK);
-        assert_status(ask_limit_pair(&train, &pair, NULL), DOM_OK);
-        assert_near("pair", pair.r_max, whole.r_max, 1e-12);
     }
 }
 

@@ -171,7 +171,9 @@ TEST(parameters)
             train = dom_train_default();
             compute = dom_compute_default();
             compute.precision = p;
-            compute.tol = dom_arithmetic(p)->tol_floor * 0.999;
+            compute.tol = dom_arithmetic(p)->tol_floor;
+            assert_status(dom_train_check(&train, &compute), DOM_OK);
+            compute.tol *= 0.999;
             refused(&train, &compute, 't', DOM_BAD_TOL);
         }
 }
@@ -201,7 +203,7 @@ TEST(tilts_and_times)
     double theta = -7;
     assert_status(dom_angles_find(&t, NULL, &angles), DOM_OK);
     assert_status(dom_cycle_duration(&t, NULL, &whole), DOM_OK);
-    const double bad[] = {-1e-300, angles.theta_c * (1 + 1e-9), (double)NAN, (double)INFINITY,
+    const double bad[] = {-1e-300, angles.theta_c * (1 + 1e-14), (double)NAN, (double)INFINITY,
                           -(double)INFINITY};
     for (int k = 0; k < 5; k++) {
         assert_named(dom_contact_find(&t, NULL, bad[k], &result.contact), DOM_BAD_TILT);
@@ -214,6 +216,7 @@ TEST(tilts_and_times)
         assert_named(dom_cycle_tilt(&t, NULL, time, &theta), DOM_BAD_TIME);
     }
     assert_true(theta == -7);
+    assert_status(dom_energy_find(&t, NULL, angles.theta_c, &result.energy), DOM_OK);
 }
 
 /* ---- Rows ---- */
@@ -323,6 +326,10 @@ TEST(rows)
     row_make(&r);
     compute.precision = (enum dom_precision)(DOM_QUAD + 1);
     row_refused(&r.row, &compute, 0, DOM_BAD_PRECISION);
+    const volatile sig_atomic_t now = 1;
+    compute = dom_compute_default();
+    compute.interrupt = &now;
+    row_refused(&r.row, &compute, 0, DOM_INTERRUPTED);
 }
 
 /* Checks the limits of the searches for a growth and for a push. */

@@ -454,12 +454,6 @@ TEST(radii_that_do_not_fit)
     train.rho = train.d / 2;
     assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
     assert_true(limit.r_max > 1);
-    train.rho = 0.5;
-    assert_status(ask_train_check(&train), DOM_BAD_RHO);
-    train.rho = DOM_NAN;
-    assert_status(ask_train_check(&train), DOM_BAD_RHO);
-    train.rho = -0.01;
-    assert_status(ask_train_check(&train), DOM_BAD_RHO);
     train.rho = 0.01;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);

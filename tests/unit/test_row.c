@@ -388,38 +388,6 @@ TEST(rests_after_a_slight_push)
         }
 }
 
-TEST(refusals)
-{
-    static struct run run;
-    static const double wrong[] = {0, -1, NAN, INFINITY};
-    static const enum dom_status named[] = {DOM_BAD_HEIGHT, DOM_BAD_THICKNESS, DOM_BAD_MASS,
-                                            DOM_BAD_G,      DOM_BAD_TOL,       DOM_BAD_GAP,
-                                            DOM_BAD_PUSH,   DOM_BAD_MU,        DOM_BAD_HEIGHT};
-    for (size_t i = 0; i < 4; i++)
-        for (int member = 0; member < 9; member++) {
-            make_row(&run, 4, 0.4, 1, 0);
-            domq_real *of[] = {
-                &run.domino[2].height, &run.domino[2].thickness, &run.domino[2].mass, &run.row.g,
-                &run.row.tol,          &run.domino[2].gap,       &run.row.push,       &run.row.mu,
-                &run.domino[0].height};
-            bool zero_is_fine = member >= 5 && member <= 7, tips = member == 6 && isnan(wrong[i]);
-            *of[member] = wrong[i];
-            assert_status(run_whole(&run), (wrong[i] == 0 && zero_is_fine) || tips ? DOM_OK : named[member]);
-        }
-    make_row(&run, 4, 0.4, 1, 100.5);
-    assert_status(run_whole(&run), DOM_BAD_MU);
-    make_row(&run, 4, 0.4, 1, 0);
-    run.row.count = 0;
-    assert_status(run_whole(&run), DOM_BAD_COUNT);
-    make_row(&run, 4, 0.4, 1, 0);
-    run.row.precision = (enum dom_precision)7;
-    assert_status(run_whole(&run), DOM_BAD_PRECISION);
-    volatile sig_atomic_t stop = 1;
-    make_row(&run, 4, 0.4, 1, 0);
-    run.row.interrupt = &stop;
-    assert_status(run_whole(&run), DOM_INTERRUPTED);
-}
-
 static bool twice(const struct domq_fall *fall, void *context)
 {
     (void)fall;

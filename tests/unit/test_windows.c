@@ -307,20 +307,3 @@ TEST(in_float)
         assert_near("high", (double)windows[0].high, (double)exact[0].high, 1e-4);
     }
 }
-
-TEST(refusals)
-{
-    const volatile sig_atomic_t now = 1;
-    static struct run run;
-    static const enum dom_status named[] = {DOM_BAD_COUNT, DOM_BAD_TOL, DOM_BAD_G, DOM_INTERRUPTED};
-    make_row(&run, 5, 0.3, 1.2, 0);
-    run.row.domino = run.domino;
-    for (int wrong = 0; wrong < 4; wrong++) {
-        struct asked_row row = run.row;
-        row.count = wrong == 0 ? 0 : row.count;
-        row.tol = wrong == 1 ? 1e-30 : row.tol;
-        row.g = wrong == 2 ? 0 : row.g;
-        row.interrupt = wrong == 3 ? &now : NULL;
-        assert_status(ask_row_windows(&row, DOM_WINDOW_GAP, NULL, NULL, windows), named[wrong]);
-    }
-}
