@@ -1,32 +1,210 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Commands about the price of accuracy.  They run on one thread: what they answer is time, and others at work
- * would share caches, memory and the clock of the processor with what is measured.  The quad reference alone
- * could go beside, and takes a fiftieth of the whole.
+ * cost. It runs on one thread: what it answers is time, and other threads would share caches, memory and the
+ * clock of the processor with what is measured.
  */
-#include "commands/costs.h"
+#include "commands/cost.h"
 #include "commands/tables.h"
 #include "domino_proof.h"
 #include "io/terminal.h"
-#include <string.h>
+#include "language/quad.h"
+
+/* ---- The answers that have a tolerance ---- */
+
+enum { COST_FUEL, COST_LAUNCH, COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
+
+static const struct {
+    const char *name, *meaning;
+} measured_answers[] = {
+    [COST_FUEL] = {"fuel", "the fuel P"},
+    [COST_LAUNCH] = {"launch", "tau^2 omega(0)^2"},
+    [COST_BARRIER] = {"barrier", "the margin, kinetic energy less barrier"},
+    [COST_DURATION] = {"duration", "t_f / tau"},
+    [COST_RMAX] = {"rmax", "r_max"},
+    [COST_PAIR] = {"pair", "r_max of two dominoes"},
+    {NULL, NULL},
+};
+
+const char *cost_names(const void *context, int k)
+{
+    (void)context;
+    return measured_answers[k].name;
+}
+
+#define VALUE_OF(result, member) ((struct domq_value){(result).member, (result).error.member})
+
+static enum dom_status compute_answer(int which, const struct domq_train *train,
+                                      const struct domq_compute *compute, struct domq_value *value)
+{
+    struct domq_fuels fuels;
+    struct domq_launch launch;
+    struct domq_barrier barrier;
+    struct domq_limit limit;
+    enum dom_status status;
+    switch (which) {
+    case COST_FUEL:
+        status = domq_fuel_find(train, compute, &fuels);
+        *value = train->fuel == DOM_FUEL_PAPER ? VALUE_OF(fuels, paper) : VALUE_OF(fuels, exact);
+        return status;
+    case COST_LAUNCH:
+        status = domq_launch_find(train, compute, &launch);
+        *value = VALUE_OF(launch, omegasq);
+        return status;
+    case COST_BARRIER:
+        status = domq_barrier_find(train, compute, &barrier);
+        *value = VALUE_OF(barrier, margin);
+        return status == DOM_STOPS ? DOM_OK : status;
+    case COST_DURATION:
+        return domq_cycle_duration(train, compute, value);
+    default:
+        status = (which == COST_RMAX ? domq_limit_rmax : domq_limit_pair)(train, compute, &limit);
+        *value = VALUE_OF(limit, r_max);
+        return status == DOM_OK && limit.ends == DOM_END_NONE ? DOM_NO_GROWTH : status;
+    }
+}
+
+/* ---- Measuring ---- */
+
+double seconds_of(bool (*answer)(void *context), void *context)
+{
+    const double shortest = 2e-4, slow = 0.1; /* of a batch, in seconds; slow batches are not repeated */
+    const int batches = 7;
+    double least = HUGE_VAL;
+    long repeats = 1;
+    for (int batch = 0; batch < batches;) {
+        double begun = terminal_clock();
+        for (long i = 0; i < repeats; i++)
+            if (!answer(context))
+                return (double)NAN;
+        double seconds = terminal_clock() - begun;
+        if (seconds < shortest) {
+            repeats *= 2;
+            continue;
+        }
+        least = fmin(least, seconds / (double)repeats);
+        batch += seconds > slow ? batches : 1;
+    }
+    return least;
+}
+
+struct timed {
+    int which;
+    const struct domq_train *train;
+    const struct domq_compute *compute;
+};
+
+static bool timed_answer(void *context)
+{
+    const struct timed *t = context;
+    struct domq_value value;
+    return compute_answer(t->which, t->train, t->compute, &value) == DOM_OK;
+}
+
+static void row_measure(int which, const struct query *query, const struct domq_value *reference,
+                        struct cost_row *row)
+{
+    const struct domq_train *train = &query->scene->train;
+    struct domq_compute compute = query->scene->compute;
+    struct domq_value value = {0, 0};
+    compute.method = row->method;
+    compute.precision = row->precision;
+    compute.tol = (domq_real)row->tol;
+    compute.work = &row->work;
+    row->status = compute_answer(which, train, &compute, &value);
+    if (row->status != DOM_OK)
+        return;
+    domq_real size = reference->value == 0 ? 1 : quad(fabs)(reference->value);
+    row->error = quad_larger(quad(fabs)(value.value - reference->value), reference->error) / size;
+    compute.work = NULL;
+    row->seconds = seconds_of(timed_answer, &(struct timed){which, train, &compute});
+}
+
+static const struct {
+    enum dom_method method;
+    enum dom_precision precision;
+    double share; /* of the time of the whole table, roughly, for the progress */
+} contenders[] = {
+    {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
+    {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
+    {DOM_METHOD_OURS, DOM_QUAD, 0.8},
+};
+enum { CONTENDERS = sizeof contenders / sizeof *contenders };
+
+static const double tolerances[] = {1e-1,  1e-2,  1e-3,  1e-6,  1e-9,  1e-12, 1e-15,
+                                    1e-18, 1e-21, 1e-24, 1e-27, 1e-30, 1e-33};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+_Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
+
+/* Measures a method in a precision until its tolerances end, or would take too long. */
+static enum dom_status contender_measure(int which, const struct query *query,
+                                         const struct domq_value *reference, int contender, struct cost *cost)
+{
+    const double longest = 2; /* seconds of a row */
+    const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
+    for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
+        struct cost_row *row = &cost->row[cost->rows];
+        *row = (struct cost_row){.method = contenders[contender].method,
+                                 .precision = contenders[contender].precision,
+                                 .tol = tolerances[t]};
+        /* Each digit takes up to ten times as many of the paper's steps. */
+        if (t > 0 && row->method == DOM_METHOD_PAPER &&
+            row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
+            break;
+        row_measure(which, query, reference, row);
+        if (row->status == DOM_INTERRUPTED || row->status == DOM_NO_METHOD || row->status == DOM_NO_PRECISION)
+            return row->status;
+        if (row->status == DOM_OK)
+            cost->cheapest = fmin(cost->cheapest, row->seconds);
+        cost->rows++;
+    }
+    return DOM_OK;
+}
+
+bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem)
+{
+    struct domq_compute finest = query->scene->compute;
+    struct domq_value reference = {0, 0};
+    double done = 0;
+    finest.method = DOM_METHOD_OURS;
+    finest.precision = domq_arithmetic(DOM_QUAD)->bits ? DOM_QUAD : DOM_DOUBLE;
+    finest.tol = domq_arithmetic(finest.precision)->tol_floor;
+    finest.errors = true;
+    *cost = (struct cost){.cheapest = HUGE_VAL};
+    enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
+    for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
+        if (contender_measure(which, query, &reference, c, cost) == DOM_INTERRUPTED)
+            status = DOM_INTERRUPTED;
+        done += contenders[c].share;
+        progress_show(done);
+    }
+    progress_show(1);
+    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
+        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
+    return status == DOM_OK || problem_status(problem, query->scene, status);
+}
+
+/* ---- The command ---- */
 
 static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
     {"precision", "", "the arithmetic", 9},
     {"tol", "", "the relative tolerance that was requested", 7},
-    {"error", "", "relative error that was achieved, against quad at its floor", 9},
-    {"dominoes", "", "the most dominoes that one pass down the train followed", 8},
-    {"passes", "", "evaluations: passes down the train", 9},
+    {"error", "", "the relative error that was achieved, against quad at its finest", 9},
+    {"dominoes", "", "the most dominoes in one pass along the train", 8},
+    {"passes", "", "how often the answer passes along the train", 9},
     {"time", "us", "time of one answer, the shortest of several", 10},
-    {"times", "", "times as long as the cheapest", 9},
+    {"times", "", "time over that of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
 };
 
 static void cost_line(struct answer *a, const struct cost *cost, const struct cost_row *row)
 {
+    static const char *const methods[] = {
+        [DOM_METHOD_OURS] = "ours", [DOM_METHOD_PAPER] = "paper", [DOM_METHOD_GSL] = "GSL"};
     bool good = row->status == DOM_OK;
     struct cell none = cell_real(DOMQ_NAN);
-    answer_cells(a, cell_word(cost_method(row->method)), cell_word(domq_arithmetic(row->precision)->name),
+    answer_cells(a, cell_word(methods[row->method]), cell_word(domq_arithmetic(row->precision)->name),
                  cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
                  good ? cell_count((domq_real)row->work.longest) : none,
                  good ? cell_count((domq_real)row->work.passes) : none,
@@ -35,96 +213,84 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * Adds rows of the same limit with a proof. The error is half of the distance between the two proved sides,
- * over r_max; passes are chains. Each proof is measured once, since it lasts long. Returns the seconds of the
- * proof to 1e-12, or 0.
+ * Adds rows of the same limit with a proof. Their error is half of the distance between the two proved
+ * bounds. Each proof takes long, and is measured once. Returns the seconds of the proof to 1e-12, or NaN if
+ * there is none.
  */
-static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost,
-                          const struct costed *answer)
+static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
-    static const double tolerances[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
-    enum dom_status (*prove)(const struct dom_train *, const struct dom_compute *, struct dom_proof *) =
-        strcmp(answer->name, "rmax") == 0   ? dom_prove_rmax
-        : strcmp(answer->name, "pair") == 0 ? dom_prove_pair
-                                            : NULL;
+    static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
     struct dom_train train = proof_train(&query->scene->train);
     struct dom_compute compute = dom_compute_default();
-    double twelve = 0;
+    double twelve = (double)NAN;
     compute.interrupt = query->scene->compute.interrupt;
-    for (size_t k = 0; prove && k < sizeof tolerances / sizeof *tolerances; k++) {
+    for (size_t k = 0; which >= COST_RMAX && k < sizeof proved / sizeof *proved; k++) {
         struct dom_proof proof = {.low = DOM_NAN};
-        compute.tol = tolerances[k];
+        compute.tol = proved[k];
         double begun = terminal_clock();
-        if (prove(&train, &compute, &proof) != DOM_OK ||
-            (proof.ends != DOM_PROVED_BARRIER && proof.ends != DOM_PROVED_REACH))
+        enum dom_status status =
+            (which == COST_RMAX ? dom_prove_rmax : dom_prove_pair)(&train, &compute, &proof);
+        if (status != DOM_OK || (proof.ends != DOM_PROVED_BARRIER && proof.ends != DOM_PROVED_REACH))
             break;
         double seconds = terminal_clock() - begun, error = (proof.high - proof.low) / (2 * proof.low);
-        answer_cells(a, cell_word("proved"), cell_word("double"), cell_brief(tolerances[k]),
-                     cell_brief(error), cell_real(DOMQ_NAN), cell_count((domq_real)proof.work.chains),
-                     cell_brief(1e6 * seconds), cell_brief(seconds / cost->cheapest));
-        twelve = tolerances[k] == 1e-12 ? seconds : twelve;
+        answer_cells(a, cell_word("proved"), cell_word("double"), cell_brief(proved[k]), cell_brief(error),
+                     cell_real(DOMQ_NAN), cell_count((domq_real)proof.work.chains), cell_brief(1e6 * seconds),
+                     cell_brief(seconds / cost->cheapest));
+        twelve = proved[k] == 1e-12 ? seconds : twelve;
     }
     return twelve;
 }
 
-/* Returns the time of a row over that of another row; 0 where one of them is missing. */
-static double times_of(const struct cost_row *row, const struct cost_row *other)
+/* Returns the seconds of the quickest row with at most this relative error, or NaN if there is none. */
+static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
+                          double error)
 {
-    return row && other ? row->seconds / other->seconds : 0;
+    double least = (double)NAN;
+    for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
+        if (row->method == method && row->precision == precision && row->status == DOM_OK &&
+            row->error <= (domq_real)error)
+            least = fmin(least, row->seconds); /* fmin ignores the NaN */
+    return least;
 }
 
-static struct measured times_text(double times)
+/* Says "A takes 12 times B", unless one of the times is missing. */
+static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
-    return measured((domq_real)times, "", 3);
+    if (isfinite(seconds / others))
+        answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints what digits cost, in sentences: compares errors that were reached, not tolerances that were
- * requested. */
-static void cost_say(struct answer *a, const struct cost *cost, const struct costed *answer)
+/* Compares in sentences what digits cost: by the errors that were achieved, not by the tolerances. */
+static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
-    const struct cost_row *few = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
-    const struct cost_row *six = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
-    const struct cost_row *many = cost_reaching(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
-    double gsl = times_of(cost_reaching(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6), six);
-    double paper = times_of(cost_reaching(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six);
-    double quad = times_of(cost_reaching(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12), many);
-    answer_say(a, "What is measured: %s.", answer->says);
-    if (paper > 0)
-        answer_say(a, "To 6 digits the paper's recipe takes %s times our time.", times_text(paper).text);
-    if (gsl > 0)
-        answer_say(a, "To 6 digits the solvers of GSL take %s times our time.", times_text(gsl).text);
-    if (few && many && quad > 0)
-        answer_say(a, "12 digits cost %s times what 3 digits cost; quad costs %s times double.",
-                   times_text(times_of(many, few)).text, times_text(quad).text);
-    else if (few && many)
-        answer_say(a, "12 digits cost %s times what 3 digits cost.", times_text(times_of(many, few)).text);
-    else
-        answer_say(a, "Double precision has no 12 digits of it here: the parameters are too sensitive.");
-}
-
-bool cost_of(const struct query *query, struct problem *problem, const struct costed *answer,
-             struct cost *cost)
-{
-    enum dom_status status = cost_measure(answer, &query->scene->train, &query->scene->compute, cost);
-    if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
-        return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
-    return status == DOM_OK || problem_status(problem, query->scene, status);
+    double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);
+    double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
+    double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
+    double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
+    char than[64 + CELL_TEXT] = "what 3 digits cost";
+    if (isfinite(quad))
+        snprintf(than, sizeof than, "what 3 digits cost; quad costs %s times double",
+                 measured((domq_real)quad, "", 3).text);
+    answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
+    times_say(a, "To 6 digits the paper's recipe takes",
+              seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "our time");
+    times_say(a, "To 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
+              six, "our time");
+    times_say(a, "12 digits cost", twelve, few, than);
+    if (isnan(twelve))
+        answer_say(a, "In double precision 12 digits cannot be had here: the parameters are too sensitive.");
+    times_say(a, "A proof of 12 digits takes", proved, twelve, "our time without one");
 }
 
 static bool run_cost(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct cost cost;
-    const struct costed *answer = &cost_answers[(int)query->given->number[0]];
-    if (!cost_of(query, problem, answer, &cost))
+    int which = (int)query->given->number[0];
+    if (!cost_measure(query, which, &cost, problem))
         return false;
     for (int k = 0; k < cost.rows; k++)
         cost_line(a, &cost, &cost.row[k]);
-    double proved = cost_proved(query, a, &cost, answer);
-    cost_say(a, &cost, answer);
-    const struct cost_row *ours = cost_reaching(&cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
-    if (proved > 0 && ours)
-        answer_say(a, "A proof of 12 digits takes %s times our time without one.",
-                   times_text(proved / ours->seconds).text);
+    cost_say(a, &cost, which, cost_proved(query, a, &cost, which));
     return true;
 }
 
@@ -137,10 +303,9 @@ const struct command cost_commands[] = {
                    .choices = cost_names}},
      .summary = "what each digit of an answer costs in time",
      .help =
-         "COMMAND is fuel, launch, barrier, duration, rmax or pair, at the session's parameters. Each "
-         "method and precision computes more and more digits. The error is the true one, and includes the "
-         "rounding of typed parameters; times are measured in separate runs. rmax and pair also have rows "
-         "with a proof, as 'prove' gives it.",
+         "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. Each "
+         "method computes more and more digits in each precision. The error is the true one, which includes "
+         "the rounding of the parameters. rmax and pair also have rows with a proof, as 'prove' gives it.",
      .see = "plot",
      .unswept = "it measures time, which points side by side would disturb",
      .rows = true,

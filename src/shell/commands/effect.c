@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands about effects: turn them on, measure what they cost, and show how the scene is computed. */
+#include "commands/cost.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
-#include "io/terminal.h"
 #include <stdlib.h>
 
 /* ---- effects: the cost of each ---- */
@@ -54,36 +54,28 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     return status == DOM_OK || problem_status(problem, query->scene, status);
 }
 
-/* The shortest batch whose time is precise, since the clock ticks in nanoseconds; and how many are timed. */
-#define PRICE_SECONDS 2e-4
-#define PRICE_BATCHES 5
+/* A scene and its row, to be timed. */
+struct priced {
+    const struct scene *scene;
+    struct scene_row row;
+};
 
-/* Returns the seconds of one answer, the least of several batches; NaN if there is no answer. */
+static bool priced_answer(void *context)
+{
+    struct priced *p = context;
+    return scene_answer(p->scene, &p->row, NULL) == DOM_OK;
+}
+
+/* Returns the seconds of one answer of a scene, or NaN if there is no answer. */
 static double scene_price(const struct scene *scene)
 {
-    struct problem unheard = {.kind = PROBLEM_NONE};
-    struct scene_row row = {.domino = NULL};
-    double least = HUGE_VAL;
-    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &row, &unheard))
+    struct problem ignored = {.kind = PROBLEM_NONE};
+    struct priced priced = {.scene = scene, .row = {.domino = NULL}};
+    if (scene->effect[DOM_EFFECT_row].on && !scene_row_make(scene, &priced.row, &ignored))
         return (double)NAN;
-    long repeats = 1;
-    for (int batch = 0; batch < PRICE_BATCHES;) {
-        double begun = terminal_clock();
-        for (long i = 0; i < repeats && least > 0; i++)
-            if (scene_answer(scene, &row, NULL) != DOM_OK)
-                least = -1;
-        double seconds = terminal_clock() - begun;
-        if (least < 0)
-            break;
-        if (seconds < PRICE_SECONDS)
-            repeats *= 2;
-        else {
-            least = seconds / (double)repeats < least ? seconds / (double)repeats : least;
-            batch += seconds > 0.1 ? PRICE_BATCHES : 1;
-        }
-    }
-    free(row.domino);
-    return least > 0 ? least : (double)NAN;
+    double seconds = seconds_of(priced_answer, &priced);
+    free(priced.row.domino);
+    return seconds;
 }
 
 /*

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot: curves, points and maps. */
-#include "commands/costs.h"
+#include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"

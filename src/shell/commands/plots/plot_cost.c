@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot cost: the error of an answer over its time, with a line for each method and precision. */
-#include "commands/costs.h"
+#include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
@@ -44,7 +44,7 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
         return problem_error(problem,
                              "'plot cost' needs the NAME of an answer: fuel, launch, barrier, duration, "
                              "rmax or pair");
-    const struct costed *answer = &cost_answers[(int)query->given->number[1]];
+    int which = (int)query->given->number[1];
     if (!chart) { /* the rows are those of the command 'cost' */
         const struct command *command = command_find("cost");
         const struct arguments given = {.count = 1, .number = {query->given->number[1]}};
@@ -53,8 +53,8 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
         a->columns = command->columns;
         return command->run(&asked, a, problem);
     }
-    if (!cost_of(query, problem, answer, &cost))
+    if (!cost_measure(query, which, &cost, problem))
         return false;
-    cost_chart(query, answer->name, &cost, chart);
+    cost_chart(query, cost_names(NULL, which), &cost, chart);
     return true;
 }
