@@ -189,7 +189,7 @@ END
     # Uphill it may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has no column lean"
-    wrong 'effect row lean.csv; set method engine; verdict' 'dominoes of this row lean, and a rigid-body engine runs the row, since method is engine; turn that off'
+    wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, and the rigid-body engine, which runs the row since method is engine, needs upright ones; turn that off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
     grep -qxF 'The top of domino 2 may be off by 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is off by 1 mm backwards now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
