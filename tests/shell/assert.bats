@@ -9,7 +9,7 @@ load common
     same 'true' '(nothing)' "$("$DOMINO" -n -e 'assert rmax(0.4) < 1.7; assert if(r > 1, 1, 0); assert (s > 0.1) and not r == 2')"
     wrong 'assert rmax(0.4) < 1.6' 'assert: not true: rmax\(0.4\) < 1.6'
     wrong 'assert 1/0 < 2' 'assert: .*division by zero'
-    wrong 'assert rmax' "'rmax' decides nothing; .* 'assert rmax < 1.7'"
+    wrong 'assert rmax' "'rmax' has no verdict; .* 'assert rmax < 1.7'"
 }
 
 @test "--check after a command names assert" {
@@ -36,7 +36,7 @@ load common
     "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'set r 2; assert prove verdict'
     same proof '-e:1: assert: not true: there is a proof that the train goes on' "$stderr"
-    wrong 'assert rmax' "'rmax' decides nothing; commands that do: barrier, .*fall, verdict, design"
+    wrong 'assert rmax' "'rmax' has no verdict; commands that have one: barrier, .*fall, verdict, design"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'
     wrong 'assert verdit' "did you mean 'verdict'"
     wrong 'assert verdict' 'there is no row; first'

@@ -74,7 +74,7 @@ END
     below=$(sed -n 's/.*a safety below \([0-9.]*\) .*/\1/p' <<<"$output")
     within 'below' 1.617 "$below" 'd < 1e-3 && d > -1e-3'
     run -0 "$DOMINO" -e "$wood; effect row 2; effect push 0.5; design 8 m"
-    push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)' before.*/\1/p" <<<"$output")
+    push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)'.*/\1/p" <<<"$output")
     same "push $push" 10 "$(json "$wood; effect row 2; effect push $push; design 8 m" | values steps)"
     # No file takes the place of a row.
     run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
@@ -90,7 +90,7 @@ END
     run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
     grep -q 'by the model, in which feet are hinges\. All fall in the rigid-body engine, too, which runs rows since feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
-    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which runs rows since feet is on; a stronger push may help: 'effect push 1[0-9]' before\.$" <<<"$output"
+    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which runs rows since feet is on; a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
 }
 
@@ -105,9 +105,9 @@ END
     wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
     wrong 'design 8 m safety 1' "safety 1 is not above 1.*'safety 2'"
-    wrong 'design 8 m safety 2 m' 'the safety is a number, such as 2'
+    wrong 'design 8 m safety 2 m' 'the safety is a number without a unit, such as 2'
     wrong 'design 8 m safty 2' "did you mean 'safety'"
     wrong 'design 8 m hall' "the value of 'hall' is missing"
-    wrong 'design 8 m minimise time' "'minimise dominoes', 'minimise length' or 'minimise mass'"
+    wrong 'design 8 m minimise time' 'use one of: dominoes, length, mass'
     wrong 'design' 'H is missing; usage: design H \[WISHES\]'
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* assert: another command, and an error unless what it decides is true. */
+/* assert: an error unless the verdict of another command, or a condition, is true. */
 #include "commands/planning/planning.h"
 #include "interpreter/command_read.h"
 #include <string.h>
@@ -16,40 +16,40 @@ const char *assert_names(const void *context, int k)
 
 bool assert_parse(struct reader *r, struct question *q)
 {
-    struct question *asked = q->own = arena_take(r->arena, sizeof *asked);
-    const char *begin = r->at;
+    struct question *asserted = q->own = arena_take(r->arena, sizeof *asserted);
+    const char *begin = r->at, *name;
     char all[128] = "";
-    if (!asked)
+    if (!asserted)
         return problem_error(r->problem, "out of memory");
-    asked->key = -1;
-    asked->command = command_read_inner(r, assert_names);
-    if (!asked->command)
+    asserted->key = -1;
+    asserted->command = command_read_inner(r, assert_names);
+    if (!asserted->command)
         return false;
-    bool is_condition = strcmp(asked->command->name, "print") == 0;
-    for (int k = 0, n = 0; assert_names(NULL, k) && n < (int)sizeof all; k++)
-        n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", assert_names(NULL, k));
-    if (!is_condition && !asked->command->holds)
+    for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)
+        n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", name);
+    if (strcmp(asserted->command->name, "print") != 0 && !asserted->command->holds)
         return problem_error(
-            r->problem, "'%s' decides nothing; commands that do: %s; or compare, as in 'assert rmax < 1.7'",
-            asked->command->name, all);
-    bool good = question_parse(r, asked);
-    asked->name = question_name(r, begin, r->at);
+            r->problem,
+            "'%s' has no verdict; commands that have one: %s; or compare, as in 'assert rmax < 1.7'",
+            asserted->command->name, all);
+    bool good = question_parse(r, asserted);
+    asserted->name = question_name(r, begin, r->at);
     return good;
 }
 
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct question *asked = query->given->own;
-    const struct command *c = asked->command;
+    const struct question *asserted = query->given->own;
+    const struct command *c = asserted->command;
     struct quantity value;
     if (!c->holds) { /* a condition */
-        if (!question_value(asked, query, &value, problem))
+        if (!question_value(asserted, query, &value, problem))
             return false;
-        return value.value != 0 || problem_error(problem, "not true: %s", asked->name);
+        return value.value != 0 || problem_error(problem, "not true: %s", asserted->name);
     }
     a->columns = c->columns;
     a->rows = c->rows;
-    if (!question_ask(asked, query, a, problem))
+    if (!question_ask(asserted, query, a, problem))
         return false;
     a->told = true;
     return a->holds == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);

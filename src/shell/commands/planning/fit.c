@@ -1,9 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fit: the friction that explains the speeds of measured rows best. */
-#include "answer/measure.h"
-#include "commands/planning/measured.h"
+/*
+ * fit: the friction that explains the measured speeds of rows of equal dominoes best. The speeds are in a csv
+ * file (language/csv_table.h):
+ *
+ *     # a hard floor
+ *     gap (mm), speed (m/s), error (m/s)
+ *     9.38, 1.295, 0.02
+ *
+ * The errors may be missing, and other columns are not read.
+ */
 #include "commands/planning/planning.h"
-#include "language/quad.h"
+#include "commands/rows/falling.h"
+#include "session/rowfile.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_min.h>
 #include <stdlib.h>
@@ -24,15 +32,80 @@ const struct column fit_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* ---- The sum of squares ---- */
-
 struct fit {
     const struct query *query;
-    const struct measured_rows *rows;
-    enum dom_status status; /* of the last speed that has none */
+    struct measured_row {
+        domq_real gap, speed, error; /* m, m/s; the error is 0 if none is known */
+    } * row;
+    size_t count;
+    bool errors;            /* every speed has an error */
+    enum dom_status status; /* why the last speed that the model does not have is missing */
 };
 
-/* Returns the front speed of equal dominoes with this gap and friction; NaN if there is none. */
+/* ---- The file ---- */
+
+enum { GAP, SPEED, ERROR, KINDS };
+
+#define SPEEDS "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
+
+static const struct csv_column csv_columns[KINDS] = {
+    {"gap", "spacing,distance,separation", CSV_REQUIRED, CSV_LENGTH, "write a length such as 9 mm",
+     CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    {"speed", "velocity,v", CSV_REQUIRED, SPEEDS, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
+    {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEEDS, CSV_ABOVE_0, 3e8,
+     "more than 0, up to 3e8 m/s"},
+};
+
+static const struct csv_kind measurements = {
+    .column = csv_columns,
+    .columns = KINDS,
+    .rows_most = 10000,
+    .item = "measured row",
+    .items = "speeds",
+    .names = "gap (mm), speed (m/s), and, if known, error (m/s)",
+    .example = "gap (mm), speed (m/s)",
+};
+
+static bool row_add(struct fit *f, struct csv_table *csv)
+{
+    const domq_real *value = csv->value;
+    const bool known = value[ERROR] > 0;
+    if (f->count > 0 && known != f->errors)
+        return csv_wrong(&csv->file, csv_cell(csv, ERROR).at,
+                         "some speeds have an error and some have none; give all of them one, or none");
+    struct measured_row *more = realloc(f->row, (f->count + 1) * sizeof *more);
+    if (!more)
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
+    f->errors = known;
+    f->row = more;
+    f->row[f->count++] = (struct measured_row){value[GAP], value[SPEED], known ? value[ERROR] : 0};
+    return true;
+}
+
+/* Describes a problem if the measured rows cannot tell the friction. */
+static bool rows_check(const struct fit *f, struct problem *problem)
+{
+    char shown[NAMES_SHOWN];
+    const domq_real h = f->query->scene->scale.h;
+    bool several = false;
+    names_shown(f->query->given->word[1], shown);
+    for (size_t k = 0; k < f->count; k++) {
+        several = several || f->row[k].gap != f->row[0].gap;
+        if (f->row[k].gap > h)
+            return problem_no_answer(problem,
+                                     "%s: the gap %s is longer than the domino is tall, h = %s; 'set h'",
+                                     shown, measured(f->row[k].gap, "m", 6).text, measured(h, "m", 6).text);
+    }
+    return several ||
+           problem_no_answer(problem,
+                             "%s has one gap, which any friction may fit; add a second gap, or use 'set r "
+                             "1; set s GAP/h; solve friction : duration.speed = SPEED'",
+                             shown);
+}
+
+/* ---- The sum of squares ---- */
+
+/* Returns the front speed of equal dominoes with this gap and friction, or NaN with f->status. */
 static domq_real speed_at(struct fit *f, domq_real gap, domq_real mu)
 {
     struct domq_train train = f->query->scene->train;
@@ -47,7 +120,7 @@ static domq_real speed_at(struct fit *f, domq_real gap, domq_real mu)
     return DOMQ_NAN;
 }
 
-/* Returns the standard error of a speed: as measured, or else the same share of each. */
+/* Returns the standard error of a speed: as it was measured, or the same share of each speed. */
 static domq_real error_of(const struct measured_row *row)
 {
     return row->error > 0 ? row->error : row->speed;
@@ -58,8 +131,8 @@ static double squares_at(double mu, void *context)
 {
     struct fit *f = context;
     domq_real sum = 0;
-    for (size_t k = 0; k < f->rows->count; k++) {
-        const struct measured_row *row = &f->rows->row[k];
+    for (size_t k = 0; k < f->count; k++) {
+        const struct measured_row *row = &f->row[k];
         domq_real residual = (speed_at(f, row->gap, (domq_real)mu) - row->speed) / error_of(row);
         sum += residual * residual;
     }
@@ -68,29 +141,29 @@ static double squares_at(double mu, void *context)
 
 /* ---- Its minimum ---- */
 
-static const double widest = 3, step = 0.02; /* of friction: nothing slides worse */
-
-/* Finds the friction with the least squares: a scan, then Brent's method of GSL. NaN: no speeds anywhere. */
+/* Finds the friction with the least squares by a scan, and then by Brent's method of GSL. Returns NaN if the
+ * model has no speeds at any friction. */
 static double friction_find(struct fit *f)
 {
+    const double highest = 3, step = 0.02;
     double best = (double)NAN, least = HUGE_VAL;
-    for (int k = 0; k * step <= widest; k++) {
+    for (int k = 0; k * step <= highest; k++) {
         double squares = squares_at(k * step, f);
         if (squares < least) {
             least = squares;
             best = k * step;
         }
     }
-    double lo = fmax(best - step, 0), hi = best + step;
+    double low = fmax(best - step, 0), high = best + step;
     if (isnan(best) || best == 0) { /* the minimum may be at 0 itself */
         if (isnan(best) || !(squares_at(step * 1e-6, f) < least))
             return best;
         best = step * 1e-6;
-        lo = 0;
+        low = 0;
     }
     gsl_function squares = {.function = squares_at, .params = f};
     gsl_min_fminimizer *m = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
-    if (m && gsl_min_fminimizer_set(m, &squares, best, lo, hi) == GSL_SUCCESS)
+    if (m && gsl_min_fminimizer_set(m, &squares, best, low, high) == GSL_SUCCESS)
         for (int i = 0; i < 100; i++) {
             if (gsl_min_fminimizer_iterate(m) != GSL_SUCCESS)
                 break;
@@ -104,100 +177,76 @@ static double friction_find(struct fit *f)
 }
 
 /*
- * Returns the standard deviation of the friction: the errors of the speeds over what friction does to them.
- * Where the residuals are larger than these errors, or no errors are known, the residuals count instead.
+ * Returns the standard deviation of the friction, from the errors of the speeds and from how much a speed
+ * changes with friction. If the residuals are larger than these errors, or if no errors are known, the
+ * residuals count instead.
  */
 static double uncertainty_of(struct fit *f, double mu)
 {
-    double at = mu, h = 1e-4, sum = 0, freedom = (double)f->rows->count - 1;
-    for (size_t k = 0; k < f->rows->count; k++) {
-        const struct measured_row *row = &f->rows->row[k];
-        double lo = fmax(at - h, 0), hi = at + h;
-        domq_real slope = (speed_at(f, row->gap, (domq_real)hi) - speed_at(f, row->gap, (domq_real)lo)) /
-                          (domq_real)(hi - lo) / error_of(row);
+    const double low = fmax(mu - 1e-4, 0), high = mu + 1e-4, freedom = (double)f->count - 1;
+    double sum = 0;
+    for (size_t k = 0; k < f->count; k++) {
+        const struct measured_row *row = &f->row[k];
+        domq_real slope = (speed_at(f, row->gap, (domq_real)high) - speed_at(f, row->gap, (domq_real)low)) /
+                          (domq_real)(high - low) / error_of(row);
         sum += (double)(slope * slope);
     }
     double spread = squares_at(mu, f) / freedom;
-    return sqrt((f->rows->errors && spread < 1 ? 1 : spread) / sum);
+    return sqrt((f->errors && spread < 1 ? 1 : spread) / sum);
 }
 
 /* ---- The answer ---- */
 
-static bool rows_check(const struct query *query, struct problem *problem, const struct measured_rows *rows,
-                       const char *path)
+static void fit_answer(struct answer *a, struct fit *f, double mu, double uncertainty)
 {
-    char shown[NAMES_SHOWN];
-    size_t gaps = 0;
-    for (size_t k = 0; k < rows->count; k++) {
-        bool again = false;
-        for (size_t j = 0; j < k; j++)
-            again = again || rows->row[j].gap == rows->row[k].gap;
-        gaps += !again;
-        if (rows->row[k].gap > query->scene->scale.h)
-            return problem_no_answer(problem,
-                                     "%s: the gap %s is longer than the domino is tall, h = %s; 'set h'",
-                                     names_shown(path, shown), measured(rows->row[k].gap, "m", 6).text,
-                                     measured(query->scene->scale.h, "m", 6).text);
+    double worst = 0;
+    if (answer_for_people(a)) {
+        answer_leave_out(a, "mu");
+        answer_leave_out(a, "uncertainty");
     }
-    return gaps >= 2 ||
-           problem_no_answer(problem,
-                             "%s has one gap, which any friction may fit; add a second gap, or "
-                             "use 'set r 1; set s GAP/h; solve friction : duration.speed = SPEED'",
-                             names_shown(path, shown));
-}
-
-static void fit_say(struct answer *a, const struct measured_rows *rows, double mu, double uncertainty,
-                    double worst)
-{
-    answer_say(
-        a,
-        "\nA friction of %.3g fits best, with a standard deviation of %.2g; %s. 'effect friction %.3g' "
-        "takes it.",
-        mu, uncertainty,
-        rows->errors ? "each speed counts by its error" : "each speed counts by the same relative error", mu);
+    for (size_t k = 0; k < f->count && !answer_lost(a); k++) {
+        const struct measured_row *row = &f->row[k];
+        domq_real fitted = speed_at(f, row->gap, (domq_real)mu), residual = row->speed / fitted - 1;
+        worst = fmax(worst, fabs((double)residual));
+        answer_cells(a, cell_real(row->gap), cell_real(row->speed), cell_narrow(fitted, 4),
+                     cell_narrow(residual, 2), cell_narrow((domq_real)mu, 4),
+                     cell_narrow((domq_real)uncertainty, 4));
+    }
+    answer_say(a,
+               "\nA friction of %.3g fits best, with a standard deviation of %.2g; %s. 'effect friction "
+               "%.3g' takes it.",
+               mu, uncertainty,
+               f->errors ? "each speed counts by its error" : "each speed counts by the same relative error",
+               mu);
     if (mu == 0)
         answer_say(a, "The speeds are as high as without friction, or higher.");
     answer_say(a, "The largest residual is %.2g %%.", 100 * worst);
 }
 
+/* Finds the friction and answers, from rows that have been read. */
+static bool rows_fit(struct fit *f, struct answer *a, struct problem *problem)
+{
+    if (!rows_check(f, problem))
+        return false;
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    double mu = friction_find(f), uncertainty = uncertainty_of(f, mu);
+    gsl_set_error_handler(handler);
+    if (dom_raised(f->query->scene->compute.interrupt))
+        return problem_status(problem, f->query->scene, DOM_INTERRUPTED);
+    if (isnan(mu))
+        return problem_status(problem, f->query->scene, f->status);
+    fit_answer(a, f, mu, uncertainty);
+    return true;
+}
+
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct measured_rows rows;
-    struct fit f = {.query = query, .rows = &rows, .status = DOM_OK};
-    double worst = 0;
-    if (!measured_read(query, problem, query->given->word[1], &rows))
-        return false;
-    bool done = rows_check(query, problem, &rows, query->given->word[1]);
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    double mu = done ? friction_find(&f) : 0, uncertainty = done ? uncertainty_of(&f, mu) : 0;
-    gsl_set_error_handler(handler);
-    if (done && dom_raised(query->scene->compute.interrupt))
-        done = problem_status(problem, query->scene, DOM_INTERRUPTED);
-    if (done && isnan(mu))
-        done = problem_status(problem, query->scene, f.status);
-    if (done && answer_for_people(a)) {
-        answer_leave_out(a, "mu");
-        answer_leave_out(a, "uncertainty");
-    }
-    if (done)
-        answer_largest(a, "residual", 1);
-    for (size_t k = 0; done && k < rows.count && !answer_lost(a); k++) {
-        const struct measured_row *row = &rows.row[k];
-        domq_real fitted = speed_at(&f, row->gap, (domq_real)mu);
-        struct cell cells[] = {cell_real(row->gap),
-                               cell_real(row->speed),
-                               cell_bound(fitted, DOMQ_NAN),
-                               cell_bound(row->speed / fitted - 1, DOMQ_NAN),
-                               cell_bound((domq_real)mu, DOMQ_NAN),
-                               cell_bound((domq_real)uncertainty, DOMQ_NAN)};
-        cells[2].digits = 4;
-        cells[3].digits = 2;
-        cells[4].digits = cells[5].digits = 4;
-        worst = fmax(worst, fabs((double)(row->speed / fitted) - 1));
-        answer_row(a, cells, NULL);
-    }
-    if (done)
-        fit_say(a, &rows, mu, uncertainty, worst);
-    free(rows.row);
+    struct fit f = {.query = query};
+    struct csv_table *csv =
+        csv_named(query->scene, query->means, query->given->word[1], false, &measurements, problem);
+    while (csv && csv_next(csv) && row_add(&f, csv))
+        ;
+    bool done = csv_end(csv, problem) && rows_fit(&f, a, problem);
+    free(f.row);
     return done;
 }

@@ -1,19 +1,64 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/planning/scan.h"
+/* An answer along a parameter: probes, and where the answer takes a value. */
+#include "commands/planning/planning.h"
+#include "interpreter/symbols.h"
 #include "language/quad.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <stdlib.h>
-#include <string.h>
 
-enum { POINTS = 241, HALVINGS = 60 };
+/* ---- Probes ---- */
+
+/* Asks whether the verdict of the command is true. */
+static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
+                        struct problem *problem)
+{
+    const struct command *c = p->question->command;
+    struct answer answer = {.style = state_style(at->state), .columns = c->columns, .rows = c->rows};
+    if (!question_ask(p->question, at, &answer, problem))
+        return false;
+    *value = (struct quantity){.value = answer.holds == ANSWER_YES ? 1 : -1};
+    return answer.holds != ANSWER_OPEN || problem_no_answer(problem, "nothing is decided");
+}
+
+domq_real probe_at(struct probe *p, domq_real value)
+{
+    struct state point;
+    struct query at;
+    struct means means = *p->query->means;
+    const struct assigned assigned = {p->parameter, value};
+    struct quantity answer = {.value = 0};
+    problem_begin(&p->problem, p->command);
+    bool put = query_with(p->query, &assigned, p->parameter != NULL, &point, &at, &p->problem);
+    at.means = &means;
+    means.shard.parts = 0;
+    point.settings.threads = 1;
+    bool done = put && (p->verdict ? verdict_ask(p, &at, &answer, &p->problem)
+                                   : question_value(p->question, &at, &answer, &p->problem));
+    p->wrong = put && !done && p->problem.kind != PROBLEM_NO_ANSWER;
+    if (!done)
+        return DOMQ_NAN;
+    p->unit = answer;
+    return isfinite(answer.value) ? answer.value : DOMQ_NAN;
+}
+
+bool probe_report(const struct probe *p, struct problem *problem)
+{
+    if (dom_raised(p->query->scene->compute.interrupt))
+        return problem_status(problem, p->query->scene, DOM_INTERRUPTED);
+    *problem = p->problem;
+    return false;
+}
+
+/* ---- Roots ---- */
 
 static domq_real scan_at(struct scan *s, domq_real x)
 {
     domq_real f = probe_at(&s->probe, x) - s->solve->value.value;
     if (isnan(f)) {
-        if (!*s->none)
-            snprintf(s->none, sizeof s->none, "%.*s", (int)sizeof s->none - 1, s->probe.problem.text);
+        if (!*s->no_answer)
+            snprintf(s->no_answer, sizeof s->no_answer, "%.*s", (int)sizeof s->no_answer - 1,
+                     s->probe.problem.text);
         return f;
     }
     if (s->answers == 0 || f > s->most.f)
@@ -27,12 +72,6 @@ static domq_real scan_at(struct scan *s, domq_real x)
 static double scan_gsl(double x, void *context)
 {
     return (double)scan_at(context, (domq_real)x);
-}
-
-/* Returns the size of numbers that count as 0 beside the answer. */
-static domq_real scale_of(const struct scan *s)
-{
-    return quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
 }
 
 static void root_add(struct scan *s, domq_real x, const char *branch)
@@ -50,36 +89,26 @@ static void root_between(struct scan *s, struct point a, struct point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     gsl_function f = {.function = scan_gsl, .params = s};
-    double lo = (double)a.x, hi = (double)b.x;
-    if (!solver || gsl_root_fsolver_set(solver, &f, lo, hi) != GSL_SUCCESS) {
+    double low = (double)a.x, high = (double)b.x;
+    if (!solver || gsl_root_fsolver_set(solver, &f, low, high) != GSL_SUCCESS) {
         gsl_root_fsolver_free(solver);
         return;
     }
-    for (int i = 0; i < 200 && gsl_root_test_interval(lo, hi, 0, 1e-15) == GSL_CONTINUE; i++) {
+    for (int i = 0; i < 200 && gsl_root_test_interval(low, high, 0, 1e-15) == GSL_CONTINUE; i++) {
         if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
             break;
-        lo = gsl_root_fsolver_x_lower(solver);
-        hi = gsl_root_fsolver_x_upper(solver);
+        low = gsl_root_fsolver_x_lower(solver);
+        high = gsl_root_fsolver_x_upper(solver);
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* At a jump the answer passes the value, and is far from it on both sides. */
-    domq_real near = quad(fabs)(scan_at(s, x)), slope = quad(fabs)(b.f - a.f);
-    if (near > (domq_real)1e-6 * slope && near > (domq_real)1e-9 * scale_of(s)) {
-        s->jumps++;
+    /* Where the answer jumps over the value, it is far from the value on both sides. */
+    domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
+              scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
+    if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
         s->jump = x;
-    } else
+    else
         root_add(s, x, b.f > a.f ? "rising" : "falling");
-}
-
-/* Finds where a verdict changes between two points, or where answers end: halves down. */
-static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
-{
-    for (int i = 0; i < HALVINGS; i++) {
-        domq_real middle = (good + bad) / 2;
-        *(is_good(scan_at(s, middle)) ? &good : &bad) = middle;
-    }
-    return good;
 }
 
 static bool exists(domq_real f)
@@ -97,12 +126,23 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Looks between two neighbours for a value that the answer takes. */
-static void pair_look(struct scan *s, struct point a, struct point b)
+/* Bisects down to the last point on the side of `good` at which the predicate is true. */
+static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
+{
+    enum { HALVINGS = 60 };
+    for (int i = 0; i < HALVINGS; i++) {
+        domq_real middle = (good + bad) / 2;
+        *(is_good(scan_at(s, middle)) ? &good : &bad) = middle;
+    }
+    return good;
+}
+
+/* Looks for a root between two neighbours. */
+static void look_between(struct scan *s, struct point a, struct point b)
 {
     if (isnan(a.f) && isnan(b.f))
         return;
-    if (s->solve->verdict) { /* no answer does not hold */
+    if (s->solve->verdict) { /* where there is no answer, the verdict does not hold */
         if (holds(a.f) != holds(b.f))
             root_add(s, edge_between(s, holds(a.f) ? a.x : b.x, holds(a.f) ? b.x : a.x, holds),
                      holds(a.f) ? "true up to here" : "true from here on");
@@ -113,7 +153,7 @@ static void pair_look(struct scan *s, struct point a, struct point b)
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    if (a.f == 0 && b.f == 0) /* inside of a step, whose ends are found */
+    if (a.f == 0 && b.f == 0) /* inside of an interval of roots, of which both ends are found */
         return;
     if (a.f == 0)
         root_add(s, edge_between(s, a.x, b.x, is_zero), b.f > a.f ? "rising" : "falling");
@@ -123,17 +163,17 @@ static void pair_look(struct scan *s, struct point a, struct point b)
         root_between(s, a, b);
 }
 
-/* Looks at the top or bottom around the middle one of three points, which may reach the value between them.
- */
-static void top_look(struct scan *s, struct point a, struct point m, struct point b)
+/* Narrows down an extremum around the middle one of three points by golden sections: between the points, the
+ * answer may reach the value. */
+static void look_around(struct scan *s, struct point a, struct point m, struct point b)
 {
-    const domq_real part = (domq_real)0.3819660112501051;
+    const domq_real golden = (domq_real)0.3819660112501051;
     bool flat = m.f == a.f && m.f == b.f;
-    bool top = !flat && m.f < 0 && m.f >= a.f && m.f >= b.f,
-         bottom = !flat && m.f > 0 && m.f <= a.f && m.f <= b.f;
-    for (int i = 0; (top || bottom) && i < 40; i++) {
+    bool maximum = !flat && m.f < 0 && m.f >= a.f && m.f >= b.f,
+         minimum = !flat && m.f > 0 && m.f <= a.f && m.f <= b.f;
+    for (int i = 0; (maximum || minimum) && i < 40; i++) {
         bool left = m.x - a.x > b.x - m.x;
-        struct point n = {.x = left ? m.x - part * (m.x - a.x) : m.x + part * (b.x - m.x)};
+        struct point n = {.x = left ? m.x - golden * (m.x - a.x) : m.x + golden * (b.x - m.x)};
         n.f = scan_at(s, n.x);
         if (isnan(n.f))
             return;
@@ -142,8 +182,7 @@ static void top_look(struct scan *s, struct point a, struct point m, struct poin
             root_between(s, n, left ? m : b);
             return;
         }
-        bool better = top ? n.f > m.f : n.f < m.f;
-        if (better) {
+        if (maximum ? n.f > m.f : n.f < m.f) {
             *(left ? &b : &a) = m;
             m = n;
         } else
@@ -151,22 +190,28 @@ static void top_look(struct scan *s, struct point a, struct point m, struct poin
     }
 }
 
+static int compare_roots(const void *one, const void *other)
+{
+    domq_real a = ((const struct root *)one)->x, b = ((const struct root *)other)->x;
+    return a < b ? -1 : a > b;
+}
+
 bool scan_run(struct scan *s)
 {
-    static const domq_real last = POINTS - 1;
-    struct point *p = malloc(POINTS * sizeof *p);
-    bool done = p != NULL;
-    for (int k = 0; k < POINTS && done; k++) {
-        domq_real share = k / last;
-        p[k].x = k == POINTS - 1 ? s->solve->to : (1 - share) * s->solve->from + share * s->solve->to;
+    struct point *p = s->point;
+    const volatile sig_atomic_t *interrupt = s->probe.query->scene->compute.interrupt;
+    for (int k = 0; k < SCAN_POINTS; k++) {
+        domq_real share = (domq_real)k / (SCAN_POINTS - 1);
+        p[k].x = k == SCAN_POINTS - 1 ? s->solve->to : (1 - share) * s->solve->from + share * s->solve->to;
         p[k].f = scan_at(s, p[k].x);
-        done = !s->probe.wrong && !dom_raised(s->probe.query->scene->compute.interrupt);
+        if (s->probe.wrong || dom_raised(interrupt))
+            return false;
     }
-    for (int k = 1; k < POINTS && done; k++)
-        pair_look(s, p[k - 1], p[k]);
-    for (int k = 1; k + 1 < POINTS && done && !s->solve->verdict; k++)
+    for (int k = 1; k < SCAN_POINTS; k++)
+        look_between(s, p[k - 1], p[k]);
+    for (int k = 1; k + 1 < SCAN_POINTS && !s->solve->verdict; k++)
         if (!isnan(p[k - 1].f) && !isnan(p[k].f) && !isnan(p[k + 1].f))
-            top_look(s, p[k - 1], p[k], p[k + 1]);
-    free(p);
-    return done && !dom_raised(s->probe.query->scene->compute.interrupt);
+            look_around(s, p[k - 1], p[k], p[k + 1]);
+    qsort(s->root, (size_t)s->roots, sizeof *s->root, compare_roots);
+    return !dom_raised(interrupt);
 }

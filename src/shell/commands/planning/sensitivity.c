@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sensitivity: how much an answer changes with each parameter. */
-#include "commands/planning/inquiry.h"
 #include "commands/planning/planning.h"
+#include "commands/rows/falling.h"
 #include "language/quad.h"
 #include <stdlib.h>
 #include <string.h>
@@ -17,43 +17,35 @@ const struct column sensitivity_columns[] = {
 
 bool sensitivity_parse(struct reader *r, struct question *q)
 {
-    struct question *asked = q->own = arena_take(r->arena, sizeof *asked);
-    if (!asked)
-        return problem_error(r->problem, "out of memory");
-    return question_parse_any(r, asked, true);
+    q->own = arena_take(r->arena, sizeof(struct question));
+    return q->own ? question_parse_any(r, q->own, true) : problem_error(r->problem, "out of memory");
 }
 
 /* A parameter, its step, and the changes of the answer. */
 struct influence {
     const struct parameter *parameter;
     domq_real value, step, less, more;
-    char text[24];
+    const char *step_text;
 };
 
 enum { INFLUENCES_MOST = 32 };
 
-/* Chooses the step: 1 % of a value; of friction 0.01 and of a slope 1 degree, also from 0. False: none. */
+/* Chooses the step of a parameter. Returns false if the parameter is not changed. */
 static bool step_choose(const struct query *query, const struct parameter *p, struct influence *i)
 {
     domq_real value = parameter_get(query->state, p);
     bool dynamic = p->effect && (int)p->which < DOM_DYNAMICS_COUNT && !p->effect->cancels,
          angle = strcmp(p->value->unit, "rad") == 0;
     *i = (struct influence){.parameter = p, .value = value == EFFECT_OFF ? 0 : value};
-    if (p->setting || p->words_only || p->value->whole || strcmp(p->name, "tol") == 0)
+    if (p->setting || p->words_only || p->value->whole || strcmp(p->name, "tol") == 0 ||
+        (value == EFFECT_OFF && !dynamic))
         return false;
-    if (value == EFFECT_OFF && !dynamic)
-        return false;
-    if (dynamic) {
-        i->step = angle ? QUAD_PI / 180 : (domq_real)1 / 100;
-        snprintf(i->text, sizeof i->text, angle ? "1 deg" : "0.01");
-        return true;
-    }
-    i->step = quad(fabs)(i->value) / 100;
-    snprintf(i->text, sizeof i->text, "1 %%");
-    return i->step > 0; /* masses that are not known */
+    i->step = dynamic && angle ? QUAD_PI / 180 : dynamic ? (domq_real)1 / 100 : quad(fabs)(i->value) / 100;
+    i->step_text = dynamic && angle ? "1 deg" : dynamic ? "0.01" : "1 %";
+    return i->step > 0; /* a mass that is not known is 0 */
 }
 
-/* Returns the larger of the two changes that exist; -1: neither does. */
+/* Returns the larger of the two changes, or -1 if neither exists. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -70,8 +62,8 @@ static int compare(const void *one, const void *other)
 }
 
 /*
- * Returns the change of the answer at a value, as a share, or where it is 0 now as a difference. What the
- * tolerance of the answers leaves open is 0.
+ * Returns by which share the answer differs at a value of the parameter, or by how much if the answer is 0
+ * now. A change that is within the tolerance of the answers counts as 0.
  */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
@@ -80,7 +72,7 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Fills the list with the parameters that can be changed; false after an error. */
+/* Fills the list with the parameters that can be changed. Returns false with a problem. */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {
@@ -100,13 +92,6 @@ static bool influences_find(const struct query *query, struct problem *problem, 
     return true;
 }
 
-static struct cell change_cell(domq_real value)
-{
-    struct cell cell = cell_bound(value, DOMQ_NAN);
-    cell.digits = 3;
-    return cell;
-}
-
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct question *q = query->given->own;
@@ -123,11 +108,9 @@ bool run_sensitivity(const struct query *query, struct answer *a, struct problem
         struct column *columns = answer_columns(a, sensitivity_columns);
         columns[3].unit = columns[4].unit = "";
     }
-    bool people = answer_for_people(a);
-    answer_largest(a, "less", 1);
     for (int k = 0, n = 0; k < count && !answer_lost(a); k++) {
         const struct influence *i = &list[k];
-        if (people && size_of(i) == 0) {
+        if (answer_for_people(a) && size_of(i) == 0) {
             if (n < (int)sizeof without)
                 n += snprintf(without + n, sizeof without - (size_t)n, "%s%s", n ? ", " : "",
                               i->parameter->name);
@@ -135,8 +118,8 @@ bool run_sensitivity(const struct query *query, struct answer *a, struct problem
         }
         struct cell value = cell_real(i->value);
         value.digits = 6;
-        answer_cells(a, cell_word(i->parameter->name), value, cell_word(i->text), change_cell(i->less),
-                     change_cell(i->more));
+        answer_cells(a, cell_word(i->parameter->name), value, cell_word(i->step_text),
+                     cell_narrow(i->less, 3), cell_narrow(i->more, 3));
     }
     if (*without)
         answer_say(a, "%s does not depend on %s.", q->name, without);

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* solve: the values of a parameter at which an answer takes a value, or at which a verdict changes. */
 #include "commands/planning/planning.h"
-#include "commands/planning/scan.h"
 #include "language/quad.h"
 #include "session/parameters.h"
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- What is asked ---- */
+/* ---- The question ---- */
 
-/* Where a parameter is looked for if no range is given: what builders have; its whole range is too wide. */
+/* The range that is scanned if none is given: what builders have, since the range that a parameter allows is
+ * too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;
@@ -30,32 +30,28 @@ const char *solve_names(const void *context, int k)
     return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
 }
 
-static const char form[] = "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
-
-/* Returns the form of the command that reads a range. */
+/* Returns the form of the command, for messages. */
 static const char *form_of(const struct problem *problem)
 {
     return problem->command && strcmp(problem->command, "watch") == 0
                ? "'watch s : rmax', or with a range 'watch s 0.1 0.9 : rmax'"
-               : form;
+               : "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 }
 
-/* What was parsed: a parameter, the ends of a range, the question, and the value that it is to take. */
+/* A question as it was parsed. The items that are not given have no argument. */
 struct solve_parsed {
     const struct parameter *parameter;
+    const struct usual_range *usual;
     struct item from, to, value;
     struct question question;
-    bool ranged, verdict;
+    bool verdict;
 };
-
-static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
 
 static bool bound_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
-    r->at = skip_blanks(r->at);
-    reader_place(r, r->at);
     if (reader_ends(r))
         return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
+    reader_place(r, r->at);
     return item_parse_value(r, p, 0, p->value->name, item) &&
            (item->value || isfinite(item->number) ||
             problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
@@ -65,6 +61,7 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
 bool solve_parse_parameter(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
+    bool usual;
     struct solve_parsed *s = q->own = arena_take(r->arena, sizeof *s);
     if (!s)
         return problem_error(r->problem, "out of memory");
@@ -72,47 +69,55 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     size_t length = strcspn(r->at, " \t:;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = names_find(solve_names, NULL, "parameter", name, message);
-    bool usual;
     const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
     if (meant)
         return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
     if (k < 0)
         return problem_error(r->problem, "%s; the form is %s", message, form_of(r->problem));
+    s->usual = &usual_ranges[k];
+    s->parameter = parameter_find(s->usual->name);
     r->at = skip_blanks(r->at + length);
     r->stops = ":";
-    s->parameter = parameter_find(usual_ranges[k].name);
-    s->ranged = *r->at != ':' && !command_ends(r->at);
-    bool good = !s->ranged || (bound_parse(r, s->parameter, "FROM", &s->from) &&
-                               bound_parse(r, s->parameter, "TO", &s->to));
+    bool is_good =
+        *r->at == ':' || command_ends(r->at) ||
+        (bound_parse(r, s->parameter, "FROM", &s->from) && bound_parse(r, s->parameter, "TO", &s->to));
     r->stops = NULL;
     r->at = skip_blanks(r->at);
-    if (good)
+    if (is_good)
         reader_place(r, r->at);
-    return good &&
+    return is_good &&
            (*r->at == ':' ||
             problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem)));
+}
+
+/* Passes the ':'. Returns false with a problem if the command ends there. */
+static bool colon_pass(struct reader *r)
+{
+    r->at = skip_blanks(r->at + 1);
+    reader_place(r, r->at);
+    return !reader_ends(r) ||
+           problem_error(r->problem, "the answer is missing after ':'; the form is %s", form_of(r->problem));
 }
 
 /* Parses ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
 bool solve_parse_answer(struct reader *r, struct question *q)
 {
+    static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
     struct solve_parsed *s = q->own;
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
-    if (command_ends(r->at) || *r->at == '>')
-        return problem_error(r->problem, "the answer is missing after ':'; the form is %s", form);
-    r->stops = "=";
-    bool good = question_parse_any(r, &s->question, false);
-    r->stops = NULL;
-    s->verdict = good && *r->at != '=';
-    if (!good)
+    if (!colon_pass(r))
         return false;
+    r->stops = "=";
+    bool is_good = question_parse_any(r, &s->question, false);
+    r->stops = NULL;
+    if (!is_good)
+        return false;
+    s->verdict = *r->at != '=';
     if (s->verdict)
         return s->question.command->holds ||
                problem_error(r->problem,
                              "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
                              "'verdict', has no value; the form is %s",
-                             s->question.name, form);
+                             s->question.name, form_of(r->problem));
     if (!question_needs_number(&s->question, r->problem))
         return false;
     r->at = skip_blanks(r->at + 1);
@@ -125,12 +130,7 @@ bool solve_parse_answer(struct reader *r, struct question *q)
 bool watch_parse_answer(struct reader *r, struct question *q)
 {
     struct solve_parsed *s = q->own;
-    r->at = skip_blanks(r->at + 1);
-    reader_place(r, r->at);
-    return reader_ends(r)
-               ? problem_error(r->problem,
-                               "the answer is missing after ':'; for example 'watch s 0.1 0.9 : rmax'")
-               : question_parse_any(r, &s->question, true);
+    return colon_pass(r) && question_parse_any(r, &s->question, true);
 }
 
 bool solve_bind(const struct question *q, const struct query *query, struct arguments *given,
@@ -138,102 +138,104 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
 {
     const struct solve_parsed *parsed = q->own;
     struct solve *s = malloc(sizeof *s);
+    domq_real number;
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     given->own = s;
     given->own_free = free;
-    *s = (struct solve){
-        .parameter = parsed->parameter, .question = &parsed->question, .verdict = parsed->verdict};
-    const struct usual_range *usual = usual_ranges;
-    while (strcmp(usual->name, s->parameter->name) != 0)
-        usual++;
-    s->from = (domq_real)usual->from;
-    s->to = (domq_real)usual->to;
-    if (parsed->ranged && (!item_bind(&parsed->from, q->text, query, NULL, &s->from, problem) ||
-                           !item_bind(&parsed->to, q->text, query, NULL, &s->to, problem)))
+    *s = (struct solve){.parameter = parsed->parameter,
+                        .from = (domq_real)parsed->usual->from,
+                        .to = (domq_real)parsed->usual->to,
+                        .question = &parsed->question,
+                        .verdict = parsed->verdict};
+    if (parsed->from.at && (!item_bind(&parsed->from, q->text, query, NULL, &s->from, problem) ||
+                            !item_bind(&parsed->to, q->text, query, NULL, &s->to, problem)))
         return false;
     if (!(s->from < s->to))
         return problem_error(problem, "the range begins at %s and ends at %s; FROM is less than TO",
                              quad_shown(s->from).text, quad_shown(s->to).text);
-    domq_real number;
-    return !parsed->value.argument || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
+    return !parsed->value.at || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }
 
 /* ---- The answer ---- */
 
 const struct column solve_columns[] = {
     {"value", "", "of the parameter", 0},
-    {"answer", "", "there; for a verdict 1 is true", 0},
+    {"answer", "", "at that value; for a verdict, 1 is true", 0},
     {"branch", "", "whether the answer rises or falls with the parameter", 15},
     {NULL, NULL, NULL, 0},
 };
 
-static int compare(const void *one, const void *other)
-{
-    domq_real a = ((const struct root *)one)->x, b = ((const struct root *)other)->x;
-    return a < b ? -1 : a > b;
-}
-
 /* Writes why no value was found. */
-static void none_say(const struct scan *s, char *text, size_t size)
+static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
-    const char *name = v->parameter->name, *unit = v->parameter->value->unit;
-    char range[192], least[CELL_TEXT], most[CELL_TEXT];
+    const char *name = v->parameter->name, *unit = v->parameter->value->unit, *asked = v->question->name;
+    const struct quad_shown value = quad_shown(v->value.value);
+    const bool below = s->most.f < 0; /* everywhere */
+    const struct point *nearest = below ? &s->most : &s->least;
+    char range[192];
+    unit = strcmp(unit, "h") == 0 ? "" : unit;
     snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
-             *unit && strcmp(unit, "h") != 0 ? " " : "", strcmp(unit, "h") != 0 ? unit : "");
-    if (s->answers == 0) {
-        snprintf(text, size, "%s has no answer for any %s: %s", v->question->name, range, s->none);
-        return;
-    }
-    if (v->verdict) {
-        snprintf(text, size, "%s: %s for %s %s", v->question->name, v->question->command->holds,
+             *unit ? " " : "", unit);
+    if (s->answers == 0)
+        snprintf(text, size, "%s has no answer for any %s: %s", asked, range, s->no_answer);
+    else if (v->verdict)
+        snprintf(text, size, "%s: %s for %s %s", asked, v->question->command->holds,
                  s->most.f > 0 ? "every" : "no", range);
-        return;
-    }
-    snprintf(least, sizeof least, "%s", quad_shown(s->least.f + v->value.value).text);
-    snprintf(most, sizeof most, "%s", quad_shown(s->most.f + v->value.value).text);
-    if (s->most.f < 0 || s->least.f > 0)
-        snprintf(text, size, "%s does not take the value %s for %s: the %s is %s, at %s = %s",
-                 v->question->name, quad_shown(v->value.value).text, range,
-                 s->most.f < 0 ? "largest" : "smallest", s->most.f < 0 ? most : least, name,
-                 quad_shown(s->most.f < 0 ? s->most.x : s->least.x).text);
+    else if (below || s->least.f > 0)
+        snprintf(text, size, "%s does not take the value %s for %s: the %s is %s, at %s = %s", asked,
+                 value.text, range, below ? "largest" : "smallest",
+                 quad_shown(nearest->f + v->value.value).text, name, quad_shown(nearest->x).text);
     else
-        snprintf(text, size, "%s does not take the value %s for %s: it jumps over it at %s = %s",
-                 v->question->name, quad_shown(v->value.value).text, range, name, quad_shown(s->jump).text);
+        snprintf(text, size, "%s does not take the value %s for %s: it jumps over it at %s = %s", asked,
+                 value.text, range, name, quad_shown(s->jump).text);
 }
 
-/* Reports an error if the answer has another unit than the value. */
-static bool units_agree(struct problem *problem, const struct scan *s)
+/* Describes a problem if the answer has another unit than the value, or is the same everywhere. */
+static bool scan_check(const struct scan *s, struct problem *problem)
 {
     char is[64], wanted[64];
-    struct quantity a = s->probe.unit, b = s->solve->value;
-    if (s->solve->verdict || s->answers == 0)
+    const struct solve *v = s->solve;
+    const struct quantity unit = s->probe.unit;
+    const domq_real highest = s->most.f + v->value.value, size = quad(fabs)(highest),
+                    tol = s->probe.query->scene->compute.tol;
+    if (v->verdict || s->answers == 0)
         return true;
-    return quantity_bare(b) || quantity_alike(a, b) ||
-           problem_error(problem, "%s is %s, and VALUE is %s", s->solve->question->name,
-                         expression_kind(a, is, sizeof is), expression_kind(b, wanted, sizeof wanted));
-}
-
-/* Reports an error if the answer is the same everywhere. */
-static bool depends(const struct query *query, struct problem *problem, const struct scan *s)
-{
-    domq_real spread = s->most.f - s->least.f, value = s->most.f + s->solve->value.value;
-    if (s->solve->verdict || s->answers < 2 ||
-        spread > (domq_real)1e-12 * quad(fabs)(value) + 10 * query->scene->compute.tol * quad(fabs)(value))
+    if (!quantity_bare(v->value) && !quantity_alike(unit, v->value))
+        return problem_error(problem, "%s is %s, and VALUE is %s", v->question->name,
+                             expression_kind(unit, is, sizeof is),
+                             expression_kind(v->value, wanted, sizeof wanted));
+    if (s->answers < 2 || s->most.f - s->least.f > (domq_real)1e-12 * size + 10 * tol * size)
         return true;
     return problem_no_answer(
         problem,
-        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on "
-        "what it depends",
-        s->solve->question->name, s->solve->parameter->name, quad_shown(value).text,
-        quad_shown(s->solve->from).text, quad_shown(s->solve->to).text);
+        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on what it depends",
+        v->question->name, v->parameter->name, quad_shown(highest).text, quad_shown(v->from).text,
+        quad_shown(v->to).text);
+}
+
+static void scan_answer(const struct scan *s, struct answer *a)
+{
+    char reason[1024];
+    answer_columns(a, solve_columns)[0].unit = s->solve->parameter->value->unit;
+    for (int i = 0; i < s->roots; i++)
+        answer_largest(a, "value", s->root[i].x);
+    for (int i = 0; i < s->roots && !answer_lost(a); i++)
+        answer_cells(a, cell_bound(s->root[i].x, DOMQ_NAN), cell_bound(s->root[i].answer, DOMQ_NAN),
+                     cell_word(s->root[i].branch));
+    if (s->roots > 0)
+        return;
+    no_root_text(s, reason, sizeof reason);
+    if (answer_for_people(a))
+        answer_say(a, "%s.", reason);
+    else
+        answer_row(a, ROW(cell_real(DOMQ_NAN), cell_real(DOMQ_NAN), cell_word("none")), reason);
 }
 
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct solve *solve = query->given->own;
-    char reason[1024];
     struct scan *s = calloc(1, sizeof *s);
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
@@ -244,28 +246,10 @@ bool run_solve(const struct query *query, struct answer *a, struct problem *prob
                               .parameter = solve->parameter,
                               .verdict = solve->verdict};
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
-    bool done = scan_run(s);
+    bool done = scan_run(s) ? scan_check(s, problem) : probe_report(&s->probe, problem);
     gsl_set_error_handler(handler);
-    if (!done)
-        probe_report(&s->probe, problem);
-    done = done && units_agree(problem, s) && depends(query, problem, s);
-    if (done) {
-        struct column *columns = answer_columns(a, solve_columns);
-        columns[0].unit = solve->parameter->value->unit;
-        qsort(s->root, (size_t)s->roots, sizeof *s->root, compare);
-        if (s->roots > 0)
-            answer_largest(a, "value", s->root[s->roots - 1].x);
-    }
-    for (int i = 0; done && i < s->roots && !answer_lost(a); i++)
-        answer_cells(a, cell_bound(s->root[i].x, DOMQ_NAN), cell_bound(s->root[i].answer, DOMQ_NAN),
-                     cell_word(s->root[i].branch));
-    if (done && s->roots == 0) {
-        none_say(s, reason, sizeof reason);
-        if (answer_for_people(a))
-            answer_say(a, "%s.", reason);
-        else
-            answer_row(a, ROW(cell_real(DOMQ_NAN), cell_real(DOMQ_NAN), cell_word("none")), reason);
-    }
+    if (done)
+        scan_answer(s, a);
     free(s);
     return done;
 }

@@ -2,7 +2,6 @@
 /* watch: keys change a parameter, and the answer follows as a point on its curve.  The session stays as it is
  * until Enter. */
 #include "commands/planning/planning.h"
-#include "commands/planning/scan.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
 #include "session/session.h"

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The table of the commands that plan. */
+#include "commands/planning/planning.h"
+#include "commands/tables.h"
+
+const struct command design_commands[] = {
+    {.name = "design",
+     .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
+                  {.name = "WISHES",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .parse = wishes_parse,
+                   .bind = wishes_bind,
+                   .choices = wish_names}},
+     .summary = "a row whose last domino is H tall, with safety",
+     .help = "Finds the gaps and the growth with which each cycle has at least 'safety' times the energy "
+             "that it needs, both in the endless train and at each domino of the row after the first. The "
+             "first domino, its h, d and q, friction, slope and push are those of the scene. WISHES are "
+             "'safety 2' (if left out), 'hall 20 m', the most that the row with its last domino fallen may "
+             "measure, and 'minimise dominoes' (if left out), 'minimise length' or 'minimise mass', in any "
+             "order. The fewest dominoes weigh least. If the rigid-body engine runs rows ('effect feet', "
+             "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine, while "
+             "'safety' is that of the model, in which feet are hinges. The row becomes the session's; "
+             "'design ... > hall.csv' writes it, for 'effect row hall.csv'.",
+     .example = "set q hollow; effect friction 0.3; design 8 m",
+     .see = "verdict fall row assert solve",
+     .principal = "steps",
+     .holds = "a row fits the wishes",
+     .changes = true,
+     ANSWER(design)},
+    {.name = "solve",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = solve_parse_answer,
+           .bind = solve_bind,
+           .choices = question_names}},
+     .summary = "where an answer takes a value, along a parameter",
+     .help =
+         "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
+         "parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls there. ANSWER is "
+         "a command, or an expression with commands as names: 'solve s : rmax(s) - pair(s) = 0.1'. A range "
+         "may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= VALUE', and with a command that "
+         "'assert' takes, 'solve' finds where its verdict changes: 'solve friction : verdict'. The search "
+         "tries 241 values and looks between them; it can miss a dip that is narrower than their distance.",
+     .example = "solve d : rmax = 5/3; solve friction : barrier",
+     .see = "sensitivity sweep assert",
+     .unswept = "it varies a parameter itself",
+     .rows = true,
+     ANSWER(solve)},
+    {.name = "watch",
+     .synonyms = "interactive slider live keys explore",
+     .argument =
+         {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},
+          {.name = ": ANSWER",
+           .kind = ARGUMENT_COMMAND,
+           .parse = watch_parse_answer,
+           .bind = solve_bind,
+           .choices = question_names}},
+     .summary = "keys change a parameter; its answer follows on a curve",
+     .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, up and down "
+             "small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
+     .see = "solve sweep plot",
+     .changes = true,
+     .act = run_watch},
+    {.name = "sensitivity",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .parse = sensitivity_parse,
+                   .choices = question_names}},
+     .summary = "how much each parameter changes the number of COMMAND",
+     .help = "Makes each parameter of the model smaller and larger, by 1 %; friction by 0.01 and slope by 1 "
+             "degree, even if they are off. Answers with the change of the number in percent, the largest "
+             "first. COMMAND may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity "
+             "barrier.margin', or be an expression, 'sensitivity h*r^10'.",
+     .example = "effect friction 0.2; sensitivity rmax",
+     .see = "solve sweep",
+     .unswept = "it varies the parameters itself",
+     .rows = true,
+     ANSWER(sensitivity)},
+    {.name = "fit",
+     .argument = {{.name = "friction", .kind = ARGUMENT_CHOICE, .of = "thing to fit", .choices = fit_names},
+                  {.name = "FILE", .kind = ARGUMENT_FILE}},
+     .summary = "the friction that explains measured speeds best",
+     .help = "FILE is csv with the columns 'gap (mm)' and 'speed (m/s)', and 'error (m/s)' if errors are "
+             "known. Each line is about one row of equal dominoes, with the h and d of the scene. Finds the "
+             "friction for which the sum of the squared residuals is smallest, each over its error, or over "
+             "the speed if no errors are known. Answers with its standard deviation and the residuals.",
+     .see = "solve duration",
+     .files = true,
+     .rows = true,
+     ANSWER(fit)},
+    {.name = "assert",
+     .argument = {{.name = "COMMAND",
+                   .kind = ARGUMENT_COMMAND,
+                   .of = "command with a verdict",
+                   .parse = assert_parse,
+                   .choices = assert_names}},
+     .summary = "an error unless the verdict of COMMAND is true",
+     .help = "Runs the command, and gives an error if its answer is no: the row does not fall, or no row "
+             "meets the wishes. A script then ends at once with exit status 1; standard input goes on. "
+             "COMMAND is verdict, fall, design, barrier, count or prove; or it is a condition, as in 'assert "
+             "rmax(0.4) < 1.7'.",
+     .example = "effect row 5; assert verdict",
+     .see = "verdict design barrier count",
+     .unswept = "it is about one scene",
+     .runs = true,
+     .run = run_assert},
+    {.name = NULL},
+};
