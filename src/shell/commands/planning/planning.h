@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files about planning give each other and the table of their commands, in planning.c. */
+/* What the files about planning give each other and the table of their commands. */
 #ifndef SHELL_PLANNING_H
 #define SHELL_PLANNING_H
 
