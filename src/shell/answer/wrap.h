@@ -1,25 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Breaks text into lines. */
+/* Breaks text into lines at blanks, but not within pieces such as "r = 1.5" or "7.5 cm". */
 #ifndef SHELL_WRAP_H
 #define SHELL_WRAP_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-/* Writes so many blanks; none for a number below 1. */
-void write_blanks(FILE *out, int blanks);
-
 /*
- * Returns the length in bytes of the first line of a text, if a line has this many columns. Lines are broken
- * at
- * '\n' and at blanks, but not within "r = 1.5" or "7.5 cm"; a piece that is longer than a line is broken,
- * too.
+ * Returns the length in bytes of the first line of a text, if a line has this many columns.  A line also ends
+ * at '\n', and within a piece that is longer than the line.
  */
 size_t line_break(const char *text, int columns);
 
 /*
- * Writes text whose lines begin at the column `left` and end before `right`, at blanks; right = 0 for no end.
- * Where a word would not fit, all of the text goes below, to column 4.  Adds no new line at the end.
+ * Writes text whose lines begin at the column `left` and end before the column `right`, or do not end if
+ * `right` is 0.  If a piece does not fit beside what is to the left, the whole text goes below that.  A piece
+ * that is longer than a line is not broken, so that it can be copied.  Writes no '\n' at the end.
  */
 void write_wrapped(FILE *out, const char *text, int left, int right);
 
