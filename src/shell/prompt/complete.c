@@ -223,3 +223,44 @@ void complete_line(struct session *session, const char *line, bool files, void (
     if (e->kinds & OFFER_UNIT && !unit)
         emit_units(&c);
 }
+
+/* ---- Readline ---- */
+
+struct session *complete_session;
+
+static struct {
+    char **word;
+    size_t count, next;
+} candidates;
+
+static void candidate_add(const char *candidate, void *context)
+{
+    (void)context;
+    char **more = realloc(candidates.word, (candidates.count + 1) * sizeof *more);
+    char *copy = more ? strdup(candidate) : NULL;
+    candidates.word = more ? more : candidates.word;
+    if (copy)
+        more[candidates.count++] = copy;
+}
+
+/* Returns the next candidate, which Readline frees; `state` is 0 at first. */
+static char *candidate_next(const char *text, int state)
+{
+    (void)text;
+    candidates.next = state ? candidates.next : 0;
+    return candidates.next < candidates.count ? candidates.word[candidates.next++] : NULL;
+}
+
+char **complete_word(const char *text, int start, int end)
+{
+    char *line = strndup(rl_line_buffer, (size_t)end);
+    (void)start;
+    rl_attempted_completion_over = 1; /* Readline does not complete paths instead. */
+    candidates.count = 0;
+    if (line)
+        complete_line(complete_session, line, true, candidate_add, NULL);
+    free(line);
+    const char *first = candidates.count ? candidates.word[0] : "";
+    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '('; /* no blank in a function */
+    return rl_completion_matches(text, candidate_next);
+}

@@ -1,36 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands from a person at a terminal: the prompt, its history, and completion. */
+/* Commands from a person at a terminal: the prompt, its history, completion, colours and hints. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
 #include "session/session.h"
 
-/* Reads lines with Readline until quit or ^D.  Only for terminals. */
+/* Reads and runs lines from the terminal, until the session ends. */
 void line_prompt(struct session *session);
 
 /*
- * Emits every candidate for the last word of a line: commands, then what the argument of the command can be,
- * units after a number, and files where they belong.  What the parser does not take in this session is left
- * out.
+ * Calls `emit` with each candidate for the last word of a line: names, values, units, and with `files` also
+ * paths. A candidate is a whole word that the parser accepts in this session.
  */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
-/* Completes a word, as Readline's completion function, which takes no context: the session is set before. */
+/* Completes a word for Readline, whose callbacks have no context: complete_session is set before. */
 extern struct session *complete_session;
 char **complete_word(const char *text, int start, int end);
 
 /*
- * Reads the lines of earlier sessions: from DOMINO_HISTORY, where an empty one means none, or from
- * $XDG_STATE_HOME/domino/history.  Only a regular file is read and written; a device, such as /dev/null,
- * means none, and anything else is reported.
+ * Loads the lines of earlier sessions from the file that DOMINO_HISTORY names, or from
+ * $XDG_STATE_HOME/domino/history. An empty DOMINO_HISTORY, or a device such as /dev/null, means that no
+ * history is kept.
  */
 void history_load(struct session *session);
 
 /*
- * Adds a line, also at the end of the file, at once: however the session ends, the file has it.  Blank lines,
- * and the line before again, are left out.  The first failure is reported.
+ * Adds a line to the history and appends it to the file at once, so that no way to end the session loses it.
+ * A blank line, or a repetition of the line before, is not added. After the first failure, which is
+ * reported, nothing more is written.
  */
 void history_keep(struct session *session, const char *text);
+
+/* Binds the keys that accept a hint, after rl_initialize. */
+void overlay_begin(void);
+
+/* Draws colours and a hint over the line; overlay_remove clears the hint before a key is read. */
+void overlay_show(struct session *session);
+void overlay_remove(void);
 
 #endif

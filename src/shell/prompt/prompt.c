@@ -3,8 +3,6 @@
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/text.h"
-#include "prompt/colour.h"
-#include "prompt/hint.h"
 #include "prompt/input.h"
 #include <errno.h>
 #include <signal.h>
@@ -176,8 +174,8 @@ static void readline_begin(void)
     rl_completer_quote_characters = "\"";
     rl_filename_quote_characters = " \t;#>";
     rl_variable_bind("enable-bracketed-paste", "on");
-    rl_initialize(); /* reads the inputrc, whose keys hint_begin finds */
-    hint_begin();
+    rl_initialize(); /* reads the inputrc, whose keys overlay_begin finds */
+    overlay_begin();
 }
 
 void line_prompt(struct session *session)
@@ -214,13 +212,12 @@ void line_prompt(struct session *session)
         }
         if (suspended)
             prompt_suspend(&awake);
-        colour_show(session);
-        hint_show(session);
+        overlay_show(session);
         fd_set input;
         FD_ZERO(&input);
         FD_SET(STDIN_FILENO, &input);
         int ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &awake);
-        hint_remove();
+        overlay_remove();
         if (ready > 0) {
             sigprocmask(SIG_SETMASK, &awake, NULL); /* ^C must reach a computation */
             rl_callback_read_char();

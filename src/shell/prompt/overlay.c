@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What is drawn over the line while Readline waits for a key: names of commands in colour, and after the
+ * cursor a faint hint, the rest of an earlier line or of the command's usage. The cursor returns to its place
+ * each time, so that the screen stays as Readline knows it.
+ */
+#include "interpreter/preview.h"
+#include "io/escape.h"
+#include "io/terminal.h"
+#include "prompt/input.h"
+#include <stdlib.h>
+#include <string.h>
+
+#include <readline/history.h>
+#include <readline/readline.h>
+
+enum { HINT = 256, COLOURED_MOST = 2000 };
+
+#define SAVE_CURSOR    "\0337\033[?7l" /* also turns wrapping off */
+#define TO_CURSOR      "\0338"
+#define RESTORE_CURSOR "\033[?7h" TO_CURSOR
+
+static bool is_coloured, is_hinted;
+
+/* The rest of an earlier line, which keys accept as if it were typed; "" if there is none. */
+static char rest[HINT];
+
+/* Returns true if Readline shows the line that is typed, and nothing else, on a terminal that can be drawn
+ * on. */
+static bool is_plain(const struct session *session)
+{
+    const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
+                               RL_STATE_METANEXT | RL_STATE_MULTIKEY | RL_STATE_VIMOTION;
+    const char *clear = rl_get_termcap("ce");
+    return terminal_colour(session->output->out) && clear && strncmp(clear, "\033[", 2) == 0 && rl_end > 0 &&
+           !RL_ISSTATE(busy) && !rl_done;
+}
+
+/* ---- Colours ---- */
+
+static bool is_on(const char *variable)
+{
+    const char *value = rl_variable_value(variable);
+    return value && strcmp(value, "on") == 0;
+}
+
+/* Returns true if the place of every character on the screen is known. */
+static bool is_mapped(const struct session *session, int width, int height)
+{
+    for (const char *c = rl_line_buffer; *c; c++)
+        if (*c < ' ' || *c > '~')
+            return false;
+    int begin = session->prompt_width;
+    return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
+           rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
+           !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
+           (begin + rl_point) % width != 0; /* At the right edge the cursor may be in either of two rows. */
+}
+
+/* Writes a part of the line again that is in one row and has one colour. */
+static void part_write(int begin, int width, int from, int length, bool is_command)
+{
+    int at = begin + from, up = (begin + rl_point) / width - at / width;
+    fputs(TO_CURSOR, rl_outstream);
+    if (up != 0)
+        fprintf(rl_outstream, "\033[%d%c", abs(up), up > 0 ? 'A' : 'B');
+    putc('\r', rl_outstream);
+    if (at % width > 0)
+        fprintf(rl_outstream, "\033[%dC", at % width);
+    fprintf(rl_outstream, is_command ? "\033[36m%.*s\033[m" : "%.*s", length, rl_line_buffer + from);
+}
+
+static void colours_show(struct session *session)
+{
+    int width, height, begin = session->prompt_width;
+    bool mark[COLOURED_MOST] = {false};
+    if (!terminal_size(session->output->out, &width, &height) || !is_mapped(session, width, height))
+        return;
+    line_preview(session, rl_line_buffer, (size_t)rl_end, "", &(struct offer){.is_command = mark});
+    bool had_colours = is_coloured;
+    is_coloured = memchr(mark, true, (size_t)rl_end) != NULL;
+    if (!is_coloured && !had_colours)
+        return;
+    fputs(SAVE_CURSOR, rl_outstream);
+    for (int from = 0, to; from < rl_end; from = to) {
+        to = from + 1;
+        while (to < rl_end && mark[to] == mark[from] && (begin + to) / width == (begin + from) / width)
+            to++;
+        part_write(begin, width, from, to - from, mark[from]);
+    }
+    fputs(RESTORE_CURSOR, rl_outstream);
+}
+
+/* ---- Hints ---- */
+
+/* Finds the rest of the last line of the history that begins like this one. */
+static void rest_find(const char *line)
+{
+    size_t length = strlen(line);
+    for (int i = history_length - 1; i >= 0 && line[strspn(line, " \t")]; i--) {
+        const HIST_ENTRY *entry = history_get(history_base + i);
+        if (entry && strncmp(entry->line, line, length) == 0 && entry->line[length] &&
+            !escape_needed(entry->line)) {
+            if (strlen(entry->line + length) < sizeof rest)
+                strcpy(rest, entry->line + length);
+            return;
+        }
+    }
+}
+
+/* Writes the arguments that may still follow. */
+static void usage_rest(struct session *session, const char *line, char usage[HINT])
+{
+    struct offer o = {.lists = 0};
+    bool is_apart = strchr(" \t", line[strlen(line) - 1]);
+    line_preview(session, line, strlen(line), is_apart ? PREVIEW_CURSOR : " " PREVIEW_CURSOR, &o);
+    const struct command *c = o.command;
+    const struct parameter *p = o.parameter;
+    size_t n = 0;
+    *usage = '\0';
+    if (!c || c->argument[0].kind == ARGUMENT_GRID ||
+        (!is_apart && o.argument == 0 && o.typed < strlen(c->name)))
+        return;
+    for (int i = o.argument; i < ARGUMENTS_MAX && c->argument[i].kind && n < HINT; i++) {
+        const struct argument *a = &c->argument[i];
+        const struct domq_effect_argument *value =
+            a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
+        const char *name = value ? value->name : a->name;
+        char range[64];
+        if (a->kind == ARGUMENT_VALUE && p && !value)
+            return;
+        if (value && !p->effect) { /* The line already has the parameter's name. */
+            parameter_range(&session->state, p, 0, range, sizeof range);
+            name = range;
+        }
+        bool is_optional = value ? value->optional : a->optional;
+        n += (size_t)snprintf(usage + n, HINT - n, is_optional ? "%s[%s]" : "%s%s",
+                              i > o.argument || !is_apart ? " " : "", name);
+    }
+}
+
+static void hint_show(struct session *session)
+{
+    char usage[HINT];
+    const char *hint = rest;
+    rest_find(rl_line_buffer);
+    if (!*rest) {
+        usage_rest(session, rl_line_buffer, usage);
+        hint = usage;
+    }
+    /* The last column stays free, where the cursor may be in either of two rows. */
+    int room =
+        terminal_width(session->output->out) - session->prompt_width - terminal_columns(rl_line_buffer) - 1;
+    size_t bytes = 0;
+    if (!*hint || room < 1)
+        return;
+    for (; hint[bytes] && room >= 0; bytes++)
+        room -= ((unsigned char)hint[bytes] & 0xc0) != 0x80;
+    bytes -= room < 0;
+    fprintf(rl_outstream, SAVE_CURSOR "\033[2m%.*s\033[m" RESTORE_CURSOR, (int)bytes, hint);
+    is_hinted = true;
+}
+
+void overlay_show(struct session *session)
+{
+    bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
+    if (!RL_ISSTATE(RL_STATE_MULTIKEY)) /* The key that is half read may accept the hint. */
+        *rest = '\0';
+    if (!is_plain(session))
+        return;
+    colours_show(session);
+    if (session->state.settings.hints && rl_point == rl_end && !is_recalled)
+        hint_show(session);
+    fflush(rl_outstream);
+}
+
+void overlay_remove(void)
+{
+    if (is_hinted)
+        fputs("\033[J", rl_outstream);
+    is_hinted = false;
+}
+
+/* ---- Keys that accept a hint ---- */
+
+/* Inserts the first bytes of the rest of an earlier line. Returns false if no such hint is shown. */
+static bool rest_accept(size_t bytes)
+{
+    if (!*rest || rl_point != rl_end)
+        return false;
+    rest[bytes] = '\0';
+    rl_insert_text(rest);
+    *rest = '\0';
+    return true;
+}
+
+static int accept_or_forward(int count, int key)
+{
+    return rest_accept(strlen(rest)) ? 0 : rl_forward_char(count, key);
+}
+
+static int accept_or_end(int count, int key)
+{
+    return rest_accept(strlen(rest)) ? 0 : rl_end_of_line(count, key);
+}
+
+static int accept_word_or_forward(int count, int key)
+{
+    size_t blanks = strspn(rest, " ");
+    return rest_accept(blanks + strcspn(rest + blanks, " ")) ? 0 : rl_forward_word(count, key);
+}
+
+/* Binds the keys of one function to another, in each keymap in which a line is typed. */
+static void rebind(rl_command_func_t *from, rl_command_func_t *to)
+{
+    const Keymap maps[] = {emacs_standard_keymap, vi_insertion_keymap};
+    for (int i = 0; i < 2; i++) {
+        char **keys = rl_invoking_keyseqs_in_map(from, maps[i]);
+        for (char **key = keys; key && *key; key++) {
+            rl_bind_keyseq_in_map(*key, to, maps[i]);
+            free(*key);
+        }
+        free(keys);
+    }
+}
+
+void overlay_begin(void)
+{
+    rebind(rl_forward_char, accept_or_forward);
+    rebind(rl_end_of_line, accept_or_end);
+    rebind(rl_forward_word, accept_word_or_forward);
+}
