@@ -153,7 +153,7 @@ static void begin(void)
 {
     command_registry(all_commands);
     session_init(&session, fopen("/dev/null", "w"));
-    assert_non_null(session.out);
+    assert_non_null(session.output->out);
     command_run_text(&session, "effect row 4; effect push 6; effect placement 1 mm; rmax");
     assert_int_equal(session.errors, 0);
 }

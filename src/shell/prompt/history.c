@@ -14,22 +14,23 @@
 
 #include <readline/history.h>
 
-/* The file may have twice as many lines as are kept, so that it is not written again at every start. */
+/* The history keeps HISTORY_LINES. The file is shortened to that number when it has twice as many lines, not
+ * at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
-/* A person does not wait longer for another session; without the lock a line is still written whole. */
+/* How long to wait for the lock of another session. Without the lock, a line is still appended whole. */
 #define LOCK_SECONDS 1.0
 
-/* Where lines go; "" for nowhere. */
+/* The path of the history, or "" if none is kept. */
 static char history_file[PATH_MAX];
 
-static void cannot(struct session *session, const char *reason)
+static void history_fails(struct session *session, const char *reason)
 {
     session_error(session, "cannot keep the history in '%s': %s", history_file, reason);
     *history_file = '\0';
 }
 
-/* Returns true if the file can keep lines. If not, reports that, unless the file is a device. */
+/* Returns true for a regular file. Otherwise no history is kept, which is reported unless it is a device. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))
@@ -37,13 +38,13 @@ static bool is_regular(struct session *session, const struct stat *status)
     if (S_ISCHR(status->st_mode) || S_ISBLK(status->st_mode))
         *history_file = '\0';
     else
-        cannot(session, S_ISDIR(status->st_mode) ? strerror(EISDIR) : "it is not a regular file");
+        history_fails(session, S_ISDIR(status->st_mode) ? strerror(EISDIR) : "it is not a regular file");
     return false;
 }
 
 /* ---- Reading ---- */
 
-/* Replaces the file by the lines that are kept. */
+/* Replaces the file with the lines of the history. Returns an error message, or NULL. */
 static const char *file_shorten(const volatile sig_atomic_t *interrupt)
 {
     struct output *file = NULL;
@@ -55,7 +56,7 @@ static const char *file_shorten(const volatile sig_atomic_t *interrupt)
     return output_pop(&file, true);
 }
 
-/* Reads the lines; returns how many there are. */
+/* Adds all lines of a file to the history, and returns their number. */
 static long lines_read(FILE *in)
 {
     char *text = NULL;
@@ -70,33 +71,34 @@ static long lines_read(FILE *in)
 void history_load(struct session *session)
 {
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    const char *own = getenv("DOMINO_HISTORY");
+    const char *chosen = getenv("DOMINO_HISTORY");
     struct stat status;
     using_history();
     stifle_history(HISTORY_LINES);
-    bool known = own ? snprintf(history_file, PATH_MAX, "%s", own) < PATH_MAX
-                     : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
+    bool known = chosen ? snprintf(history_file, PATH_MAX, "%s", chosen) < PATH_MAX
+                        : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
     if (!known)
         *history_file = '\0';
-    /* Not opened before it is known to be regular: a device or a FIFO would notice. */
+    /* Opening a device or a FIFO has effects, so the kind of the file is found out first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     int file = io_open(history_file, O_RDONLY, 0, interrupt), locked = file >= 0 ? dup(file) : -1;
     FILE *in = file >= 0 ? io_stream(file, "r", interrupt) : NULL;
-    /* Both use one lock: no other process adds a line between the reading of the file and its replacement. */
-    bool alone = in && locked >= 0 && io_lock(locked, LOCK_SECONDS, interrupt);
-    const char *wrong = in && lines_read(in) > HISTORY_FILE && alone ? file_shorten(interrupt) : NULL;
+    /* The copy of the descriptor holds the lock until the file has been replaced, so that no line of another
+     * session gets lost in between. */
+    bool is_locked = in && locked >= 0 && io_lock(locked, LOCK_SECONDS, interrupt);
+    const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)
         fclose(in);
     if (locked >= 0)
         close(locked);
     if (wrong)
-        cannot(session, wrong);
+        history_fails(session, wrong);
 }
 
 /* ---- Writing ---- */
 
-/* Makes the folders that lead to a path. */
+/* Makes the folders of a path. */
 static void make_folders(char *path)
 {
     for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {
@@ -106,15 +108,15 @@ static void make_folders(char *path)
     }
 }
 
-/* Opens and locks the file that has the name now: another session may have replaced it. -1 with errno. */
+/* Opens and locks the history. Another session may replace the file in between; then this is tried again.
+ * Returns -1 with errno after an error. */
 static int file_open(const volatile sig_atomic_t *interrupt)
 {
     enum { TRIES = 10 };
     int file = -1;
     for (int i = 0; i < TRIES; i++) {
         struct stat opened, named;
-        /* The lines that a person types are private; the mode of an existing file is the choice of its
-         * owner. */
+        /* Typed lines are private. An existing file keeps its mode, which the owner has chosen. */
         file = io_open(history_file, O_RDWR | O_APPEND | O_CREAT, 0600, interrupt);
         if (file < 0)
             return -1;
@@ -128,13 +130,13 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends the line whole or not at all; false with errno. */
+/* Appends a line, whole or not at all. Returns false with errno after an error. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;
     if (size > 0)
         (void)!pread(file, &last, 1, size - 1);
-    /* A line that another program left half done does not join this one. */
+    /* If the last line has no end, since a program was killed, this line begins a new one. */
     int length = asprintf(&line, "%s%s\n", last == '\n' ? "" : "\n", text);
     if (length < 0) {
         errno = ENOMEM;
@@ -155,11 +157,11 @@ static void file_add(struct session *session, const char *text)
     make_folders(history_file);
     int file = file_open(session->state.scene.compute.interrupt);
     if (file < 0) {
-        cannot(session, strerror(errno));
+        history_fails(session, strerror(errno));
         return;
     }
     if (fstat(file, &status) == 0 && is_regular(session, &status) && !line_append(file, status.st_size, text))
-        cannot(session, strerror(errno));
+        history_fails(session, strerror(errno));
     close(file);
 }
 

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The prompt: Readline's callback interface under pselect, so that no signal is missed. */
+/*
+ * The prompt. Readline is used through its callback interface, and pselect waits for a key: signals are
+ * blocked except while it waits and while a command runs, so that none is missed.
+ */
 #include "interpreter/command.h"
 #include "io/terminal.h"
 #include "language/text.h"
@@ -15,13 +18,13 @@
 
 /* ---- Signals ---- */
 
-/* Set by the handlers; `interrupted` also stops a computation. */
+/* Set by the signal handler. A computation ends when `interrupted` is set. */
 static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
 {
     if (number != SIGWINCH && number != SIGTSTP)
-        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
+        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* Other threads read it in dom_raised. */
     if (number == SIGWINCH)
         resized = 1;
     else if (number == SIGTSTP)
@@ -30,23 +33,24 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* Signals that have handlers here. Those that would end the program end the session, which restores the
- * terminal. */
+/* The signals that are caught. Those whose default is to end the program end the session instead, which
+ * restores the terminal first. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* Readline's handler takes no context. */
+/* The session of the prompt, since Readline's callbacks have no context. */
 static struct session *prompt_session;
 
-/* The lines so far that end with a '\\'; whether leaving was asked about; and
- * whether the line that runs was typed in several. */
+/* The lines so far of a command that continues after a backslash, or NULL. */
 static char *begun;
-static bool asked, joined;
+
+static bool is_joined;  /* The command that runs was typed in several lines. */
+static bool has_warned; /* The last line was told that unsaved changes would be lost. */
 
 static void prompt_set(struct session *session);
 
-/* Drops the line after ^C; on an empty line says how to leave. */
+/* Drops the typed line after ^C, or says how to leave if there is none. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;
@@ -71,11 +75,12 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* The shell may have taken the terminal already: SIGTTOU is ignored, or this would stop twice. */
+    /* If the shell has taken the terminal already, SIGTTOU is sent, which is ignored: else the program would
+     * stop twice. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);
-    sigprocmask(SIG_SETMASK, awake, &blocked); /* here it stops, until SIGCONT */
+    sigprocmask(SIG_SETMASK, awake, &blocked); /* The program stops here until SIGCONT. */
     sigprocmask(SIG_SETMASK, &blocked, NULL);
     sigaction(SIGTSTP, &ours, NULL);
     rl_prep_terminal(1);
@@ -84,7 +89,8 @@ static void prompt_suspend(const sigset_t *awake)
 
 /* ---- Lines ---- */
 
-/* Returns the line with those before it that it continues; NULL: another one continues it, or no memory. */
+/* Returns the typed line joined to the lines that it continues. Returns NULL if another line has to follow,
+ * or if there is no memory. */
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;
@@ -94,8 +100,7 @@ static char *line_whole(struct session *session, char *text)
         else
             free(text);
     }
-    bool before = begun != NULL;
-    joined = before;
+    bool before = is_joined = begun != NULL;
     free(begun);
     begun = whole && text_continues(whole) ? whole : NULL;
     if (before || begun)
@@ -103,12 +108,12 @@ static char *line_whole(struct session *session, char *text)
     return begun ? NULL : whole;
 }
 
-/* Keeps the session from ending with changes of the row that are in no file, once. */
-static void leave_ask(struct session *session)
+/* Lets the session go on once if it would end with changes of the row that are in no file. */
+static void leave_warn(struct session *session)
 {
-    if (asked || !row_unsaved(&session->state.scene))
+    if (has_warned || !row_unsaved(&session->state.scene))
         return;
-    asked = true;
+    has_warned = true;
     session->quit = false;
     session_note(
         session,
@@ -122,33 +127,33 @@ static void on_line(char *text)
     if (!text) {
         putc('\n', session->output->out);
         session->quit = true;
-        leave_ask(session);
+        leave_warn(session);
     } else if ((text = line_whole(session, text)) != NULL) {
-        /* A ^C before the line does not concern the line; a signal that ends the session does. */
+        /* A ^C before this line is forgotten; a signal that ends the session is not. */
         interrupted = 0;
         if (ended)
             interrupted = ended;
         history_keep(session, text);
-        session->fresh = !joined && !strchr(text, '\n');
+        session->fresh = !is_joined && !strchr(text, '\n');
         command_run_text(session, text);
         free(text);
         interrupted = 0;
         if (session->quit)
-            leave_ask(session);
+            leave_warn(session);
         else
-            asked = false;
+            has_warned = false;
         fflush(session->output->out);
     }
     if (session->quit)
         rl_callback_handler_remove();
 }
 
-/* Writes the prompt. Bytes that take no column are between \001 and \002, for Readline. */
+/* Writes the prompt. Readline expects \001 and \002 around bytes that take no column. */
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
     if (begun) {
-        session->prompt_width = 0; /* the place in the joined line is none in this one */
+        session->prompt_width = 0; /* A column of the joined line is none of this line. */
         snprintf(text, size, "  ...%s ", mark);
         return text;
     }
