@@ -79,8 +79,8 @@ bool conversion_bind(const struct question *question, const struct query *query,
     struct conversion *c = malloc(sizeof *c);
     if (!c)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = c;
-    given->own_free = free;
+    given->bound = c;
+    given->bound_free = free;
     problem->place = given->column[1];
     units_list(*q, units, sizeof units);
     if (!*name)
@@ -107,7 +107,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 {
     (void)problem;
     struct quantity q = query->given->quantity[0];
-    const struct conversion *to = query->given->own;
+    const struct conversion *to = query->given->bound;
     char unit[48], number[WIDE_TEXT];
     a->printed = true;
     a->value = q;
@@ -206,7 +206,7 @@ bool definition_parse(struct reader *r, struct question *q)
 {
     if ((q->variable = defined_parse(r)) != NULL)
         return true;
-    struct definition *d = q->own = arena_take(r->arena, sizeof *d);
+    struct definition *d = q->parsed = arena_take(r->arena, sizeof *d);
     if (!d)
         return problem_error(r->problem, "out of memory");
     struct variable *v = &d->variable;
@@ -242,15 +242,15 @@ bool definition_parse(struct reader *r, struct question *q)
 bool definition_bind(const struct question *q, const struct query *query, struct arguments *given,
                      struct problem *problem)
 {
-    const struct definition *d = q->own;
+    const struct definition *d = q->parsed;
     if (!d)
         return true;
     struct variable *v = malloc(sizeof *v);
     if (!v)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     *v = d->variable;
-    given->own = v;
-    given->own_free = free;
+    given->bound = v;
+    given->bound_free = free;
     domq_real number;
     if (!v->body && !item_bind(&d->value, q->text, query, &v->value, &number, problem))
         return false;
@@ -264,7 +264,7 @@ bool definition_bind(const struct question *q, const struct query *query, struct
 
 bool run_let(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct variable *v = query->given->own;
+    const struct variable *v = query->given->bound;
     if (!v)
         return show_variables(query, a);
     struct variables *all = &query->next->variables;

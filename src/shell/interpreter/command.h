@@ -51,8 +51,8 @@ struct argument {
     bool optional;
     names_list *choices; /* the names that it takes, or that completion offers for it */
     /* Parse and bind ARGUMENT_GRID, ARGUMENT_COMMAND, ARGUMENT_WORDS and ARGUMENT_UNIT; what parse finds is
-     * question->own, and bind makes given->own of it. The context of choices of ARGUMENT_WORDS is the word
-     * before the one that is completed. Where choices is value_names, it is a definition. */
+     * question->parsed, and bind makes given->bound of it. The context of choices of ARGUMENT_WORDS is the
+     * word before the one that is completed. Where choices is value_names, it is a definition. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -73,8 +73,8 @@ struct arguments {
     const struct variable *variable; /* the one that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names;
                                         NULL: none */
     int column[ARGUMENTS_MAX];       /* their places in the line, for messages */
-    void *own; /* what argument.bind keeps for its command; arguments_free calls own_free */
-    void (*own_free)(void *own);
+    void *bound;                     /* the result of argument.bind, or NULL */
+    void (*bound_free)(void *bound); /* frees that result; or NULL */
 };
 
 struct command {

@@ -198,14 +198,14 @@ static bool is_silent(const struct session *session, const struct command *c, bo
 static bool run_question(struct session *session, struct reader *r, const struct question *q,
                          bool is_redirected)
 {
-    struct bound b;
+    struct call call;
     struct query query = *r->query;
     query.next = &session->state;
-    bool done = question_bind(q, &query, &b, r->problem);
+    bool done = question_bind(q, &query, &call, r->problem);
     if (done)
-        done = is_redirected ? run_redirected(session, r, q->command, &b.query)
-                             : run_paged(session, q->command, &b.query, r->problem);
-    bound_free(&b);
+        done = is_redirected ? run_redirected(session, r, q->command, &call.query)
+                             : run_paged(session, q->command, &call.query, r->problem);
+    call_free(&call);
     return done;
 }
 

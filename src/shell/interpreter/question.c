@@ -257,7 +257,7 @@ bool command_parse(struct reader *r, struct question *q)
 }
 
 /* Copies the state of the query and assigns what follows 'with'. */
-static bool with_bind(const struct question *q, const struct query *query, struct bound *b,
+static bool with_bind(const struct question *q, const struct query *query, struct call *call,
                       struct problem *problem)
 {
     struct assigned assigned[ASSIGNED_MAX];
@@ -267,48 +267,50 @@ static bool with_bind(const struct question *q, const struct query *query, struc
         if (!item_bind(&a->item, q->text, query, NULL, &assigned[count++].value, problem))
             return false;
     }
-    return query_with(query, assigned, count, &b->state, &b->query, problem);
+    return query_with(query, assigned, count, &call->state, &call->query, problem);
 }
 
-bool question_bind(const struct question *q, const struct query *query, struct bound *b,
+bool question_bind(const struct question *q, const struct query *query, struct call *call,
                    struct problem *problem)
 {
-    b->given = (struct arguments){
-        .count = q->count, .parameter = q->parameter, .variable = q->variable, .own = q->own};
-    b->query = *query;
-    if (!command_allowed(query->means, q->command, problem) || (q->with && !with_bind(q, query, b, problem)))
+    call->given = (struct arguments){
+        .count = q->count, .parameter = q->parameter, .variable = q->variable, .bound = q->parsed};
+    call->query = *query;
+    if (!command_allowed(query->means, q->command, problem) ||
+        (q->with && !with_bind(q, query, call, problem)))
         return false;
-    b->query.given = &b->given;
+    call->query.given = &call->given;
     for (int i = 0; i < q->count; i++) {
         const struct argument *a = &q->command->argument[i];
         const struct item *item = &q->item[i];
-        b->given.word[i] = item->word;
-        b->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
-        if (!item_bind(item, q->text, &b->query, &b->given.quantity[i], &b->given.number[i], problem) ||
-            (a->bind && !a->bind(q, &b->query, &b->given, problem)))
+        call->given.word[i] = item->word;
+        call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
+        if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
+                       problem) ||
+            (a->bind && !a->bind(q, &call->query, &call->given, problem)))
             return false;
     }
     return true;
 }
 
-void bound_free(struct bound *b)
+void call_free(struct call *call)
 {
-    if (b->given.own_free)
-        b->given.own_free(b->given.own);
+    if (call->given.bound_free)
+        call->given.bound_free(call->given.bound);
 }
 
 bool question_ask(const struct question *q, const struct query *query, struct answer *answer,
                   struct problem *problem)
 {
-    struct bound b;
+    struct call call;
     const char *outer = problem->command;
     problem->command = problem_command(q, problem);
-    bool done = question_bind(q, query, &b, problem);
+    bool done = question_bind(q, query, &call, problem);
     if (done) {
         problem->place = 0;
-        done = q->command->run(&b.query, answer, problem);
+        done = q->command->run(&call.query, answer, problem);
     }
-    bound_free(&b);
+    call_free(&call);
     if (done)
         problem->command = outer;
     return done;

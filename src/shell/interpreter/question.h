@@ -16,7 +16,7 @@ struct question {
     struct item item[ARGUMENTS_MAX];
     const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
     const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
-    void *own;                         /* the result of argument.parse */
+    void *parsed;                      /* the result of argument.parse */
     const struct assignment *with;     /* what follows 'with', or NULL */
     const struct text *text;
     const char *name; /* the question as it was typed, for messages */
@@ -39,17 +39,17 @@ const char *question_names(const void *context, int k);
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
 /* A question about to be answered: its values, and the state in which they hold. */
-struct bound {
+struct call {
     struct query query;
     struct arguments given;
     struct state state; /* only after 'with'; else that of the query is used */
 };
 
-/* Binds a question in the state of a query, whose arguments are not used. Call bound_free also after a
+/* Binds a question in the state of a query, whose arguments are not used. Call call_free also after a
  * problem. */
-bool question_bind(const struct question *question, const struct query *query, struct bound *bound,
+bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
-void bound_free(struct bound *bound);
+void call_free(struct call *call);
 
 /* Binds and answers a question. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,

@@ -77,7 +77,7 @@ static bool moment_parse(struct reader *r, struct draw_parsed *p)
 
 static struct draw_parsed *parsed_make(struct reader *r, struct question *q)
 {
-    struct draw_parsed *p = q->own = arena_take(r->arena, sizeof *p);
+    struct draw_parsed *p = q->parsed = arena_take(r->arena, sizeof *p);
     if (!p)
         problem_error(r->problem, "out of memory");
     return p;
@@ -163,18 +163,18 @@ static const struct draw_what usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] =
 
 const struct draw_what *draw_what(const struct query *query)
 {
-    return query->given->own ? query->given->own : &usual;
+    return query->given->bound ? query->given->bound : &usual;
 }
 
 bool draw_bind(const struct question *q, const struct query *query, struct arguments *given,
                struct problem *problem)
 {
-    const struct draw_parsed *p = q->own;
+    const struct draw_parsed *p = q->parsed;
     struct draw_what *what = malloc(sizeof *what);
     if (!what)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = what;
-    given->own_free = free;
+    given->bound = what;
+    given->bound_free = free;
     *what = p->what;
     memcpy(what->value, usual.value, sizeof what->value);
     for (int k = 0; k < DRAW_VALUES; k++) {

@@ -16,7 +16,7 @@ const char *assert_names(const void *context, int k)
 
 bool assert_parse(struct reader *r, struct question *q)
 {
-    struct question *asserted = q->own = arena_take(r->arena, sizeof *asserted);
+    struct question *asserted = q->parsed = arena_take(r->arena, sizeof *asserted);
     const char *begin = r->at, *name;
     char all[128] = "";
     if (!asserted)
@@ -39,7 +39,7 @@ bool assert_parse(struct reader *r, struct question *q)
 
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct question *asserted = query->given->own;
+    const struct question *asserted = query->given->bound;
     const struct command *c = asserted->command;
     struct quantity value;
     if (!c->holds) { /* a condition */

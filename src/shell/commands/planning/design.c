@@ -300,7 +300,7 @@ static bool design_keep(const struct query *query, struct problem *problem, stru
 
 bool run_design(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct wishes *w = query->given->own ? query->given->own : &usual_wishes;
+    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
     const bool file = a->path && !a->style.format->for_people;
     struct domq_wish wish = {.first = query->scene->scale.h,

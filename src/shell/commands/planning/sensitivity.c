@@ -17,8 +17,8 @@ const struct column sensitivity_columns[] = {
 
 bool sensitivity_parse(struct reader *r, struct question *q)
 {
-    q->own = arena_take(r->arena, sizeof(struct question));
-    return q->own ? question_parse_any(r, q->own, true) : problem_error(r->problem, "out of memory");
+    q->parsed = arena_take(r->arena, sizeof(struct question));
+    return q->parsed ? question_parse_any(r, q->parsed, true) : problem_error(r->problem, "out of memory");
 }
 
 /* A parameter, its step, and the changes of the answer. */
@@ -94,7 +94,7 @@ static bool influences_find(const struct query *query, struct problem *problem, 
 
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct question *q = query->given->own;
+    const struct question *q = query->given->bound;
     struct probe probe = {.query = query, .command = problem->command, .question = q};
     struct influence list[INFLUENCES_MOST];
     char without[256] = "";

@@ -62,7 +62,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
     bool usual;
-    struct solve_parsed *s = q->own = arena_take(r->arena, sizeof *s);
+    struct solve_parsed *s = q->parsed = arena_take(r->arena, sizeof *s);
     if (!s)
         return problem_error(r->problem, "out of memory");
     offer_names(r, solve_names, NULL);
@@ -103,7 +103,7 @@ static bool colon_pass(struct reader *r)
 bool solve_parse_answer(struct reader *r, struct question *q)
 {
     static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
-    struct solve_parsed *s = q->own;
+    struct solve_parsed *s = q->parsed;
     if (!colon_pass(r))
         return false;
     r->stops = "=";
@@ -129,20 +129,20 @@ bool solve_parse_answer(struct reader *r, struct question *q)
 /* Parses ": ANSWER". */
 bool watch_parse_answer(struct reader *r, struct question *q)
 {
-    struct solve_parsed *s = q->own;
+    struct solve_parsed *s = q->parsed;
     return colon_pass(r) && question_parse_any(r, &s->question, true);
 }
 
 bool solve_bind(const struct question *q, const struct query *query, struct arguments *given,
                 struct problem *problem)
 {
-    const struct solve_parsed *parsed = q->own;
+    const struct solve_parsed *parsed = q->parsed;
     struct solve *s = malloc(sizeof *s);
     domq_real number;
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = s;
-    given->own_free = free;
+    given->bound = s;
+    given->bound_free = free;
     *s = (struct solve){.parameter = parsed->parameter,
                         .from = (domq_real)parsed->usual->from,
                         .to = (domq_real)parsed->usual->to,
@@ -235,7 +235,7 @@ static void scan_answer(const struct scan *s, struct answer *a)
 
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct solve *solve = query->given->own;
+    const struct solve *solve = query->given->bound;
     struct scan *s = calloc(1, sizeof *s);
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);

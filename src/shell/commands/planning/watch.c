@@ -146,7 +146,7 @@ static bool watch_possible(const struct session *session, struct problem *proble
 bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                struct problem *problem)
 {
-    const struct solve *solve = given->own;
+    const struct solve *solve = given->bound;
     const struct query query = session_query(session);
     struct termios before, keys;
     struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};

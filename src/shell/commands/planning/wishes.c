@@ -57,7 +57,7 @@ static bool wish_parse(struct reader *r, struct wishes_parsed *w)
 
 bool wishes_parse(struct reader *r, struct question *q)
 {
-    struct wishes_parsed *w = q->own = arena_take(r->arena, sizeof *w);
+    struct wishes_parsed *w = q->parsed = arena_take(r->arena, sizeof *w);
     if (!w)
         return problem_error(r->problem, "out of memory");
     w->least = usual_wishes.least;
@@ -73,14 +73,14 @@ bool wishes_parse(struct reader *r, struct question *q)
 bool wishes_bind(const struct question *q, const struct query *query, struct arguments *given,
                  struct problem *problem)
 {
-    const struct wishes_parsed *parsed = q->own;
+    const struct wishes_parsed *parsed = q->parsed;
     const struct item *safety = &parsed->value[SAFETY], *hall = &parsed->value[HALL];
     struct quantity unit = {.value = 0};
     struct wishes *w = malloc(sizeof *w);
     if (!w)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = w;
-    given->own_free = free;
+    given->bound = w;
+    given->bound_free = free;
     *w = usual_wishes;
     w->least = parsed->least;
     if ((safety->argument && !item_bind(safety, q->text, query, &unit, &w->safety, problem)) ||

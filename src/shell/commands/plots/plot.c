@@ -145,7 +145,7 @@ static bool more_parse(struct reader *r, struct question *q)
 static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,
                       struct problem *problem)
 {
-    return !q->own || sweep_bind(q, query, given, problem);
+    return !q->parsed || sweep_bind(q, query, given, problem);
 }
 
 /* Chooses the columns of one picture, whose meanings name it, in the order of its keys. */

@@ -165,7 +165,7 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
 bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *chart,
                      struct problem *problem)
 {
-    if (query->given->count < 2 || !query->given->own)
+    if (query->given->count < 2 || !query->given->bound)
         return problem_error(problem,
                              "'plot sweep' needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : "
                              "rmax'");

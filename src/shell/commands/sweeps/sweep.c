@@ -36,7 +36,7 @@ struct sweep {
 
 bool sweep_parse_grid(struct reader *r, struct question *q)
 {
-    struct sweep_parsed *s = q->own = arena_take(r->arena, sizeof *s);
+    struct sweep_parsed *s = q->parsed = arena_take(r->arena, sizeof *s);
     if (!s)
         return problem_error(r->problem, "out of memory");
     r->stops = ":,";
@@ -83,7 +83,7 @@ static bool several_parse(struct reader *r, struct sweep_parsed *s)
 /* Parses what stands after the ':': a command or an expression, or several with commas between. */
 bool sweep_parse_answers(struct reader *r, struct question *q)
 {
-    struct sweep_parsed *s = q->own;
+    struct sweep_parsed *s = q->parsed;
     r->at = skip_blanks(r->at + 1);
     reader_place(r, r->at);
     if (command_ends(r->at) || *r->at == '>')
@@ -130,12 +130,12 @@ static void sweep_free(void *own)
 bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
                 struct problem *problem)
 {
-    const struct sweep_parsed *parsed = q->own;
+    const struct sweep_parsed *parsed = q->parsed;
     struct sweep *s = calloc(1, sizeof *s);
     if (!s)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->own = s;
-    given->own_free = sweep_free;
+    given->bound = s;
+    given->bound_free = sweep_free;
     s->parsed = parsed;
     return grid_bind(&parsed->grid, q->text, query, &s->grid, problem);
 }
@@ -450,7 +450,7 @@ static bool sweep_rows(const struct query *query, struct problem *problem, struc
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
     char where[256];
-    struct sweeper *w = sweeper_make(query, problem, query->given->own, a);
+    struct sweeper *w = sweeper_make(query, problem, query->given->bound, a);
     if (!w)
         return problem->kind == PROBLEM_NONE ? problem_status(problem, query->scene, DOM_NO_MEMORY) : false;
     bool done = sweep_rows(query, problem, a, w);
@@ -467,6 +467,6 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
 
 struct sweep_shape sweep_shape(const struct arguments *given)
 {
-    const struct sweep *s = given->own;
+    const struct sweep *s = given->bound;
     return (struct sweep_shape){&s->grid, s->parsed->question.command, s->parsed->asked};
 }
