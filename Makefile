@@ -43,8 +43,8 @@ PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslc
 # The other files of src/model are the source of the kernels, which precision/*.c include.
 # Proofs are in double alone.
 COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
-TYPED   := src/model/model.c src/model/train.c src/model/row/mend.c src/model/row/windows.c src/model/row/placement.c \
-           src/model/growth/design.c $(wildcard src/model/effects/*.c src/model/precision/*.c src/model/compare/*.c)
+TYPED   := src/model/model.c src/model/dynamics/train.c \
+           $(wildcard $(patsubst %,src/model/%/*.c,effects precision compare dispatch planning))
 MODEL   := $(COMMON) $(TYPED)
 ENGINE_C := $(wildcard src/engine/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)

@@ -1,89 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Public entry points: check the arguments, then call the kernel of the requested precision or method. */
-#include "dynamics/list.h"
-#include "precision/kernel.h"
-#include "row/course.h"
-#include "row/sample.h"
-
-/* Holds a question and the kernel that answers it. The status says why no kernel answers. */
-struct question {
-    struct request request;
-    const struct kernel *kernel;
-    enum dom_status status;
-};
-
-static const struct kernel *const kernels[] = {
-    [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
-
-/* Statuses of the parameters in the lists. */
-#define BAD_s   DOM_BAD_S
-#define BAD_r   DOM_BAD_R
-#define BAD_d   DOM_BAD_D
-#define BAD_q   DOM_BAD_Q
-#define BAD_tol DOM_BAD_TOL
-
-static enum dom_status precision_check(enum dom_precision precision)
-{
-    return precision > DOM_QUAD              ? DOM_BAD_PRECISION
-           : dom_arithmetic(precision)->bits ? DOM_OK
-                                             : DOM_NO_PRECISION;
-}
-
-/* Stores the status of the first parameter that is outside its range. */
-#define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
-    if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
-        status = BAD_##name;
-
-static enum dom_status request_check(const struct request *q)
-{
-    enum dom_status status = DOM_OK;
-    DOM_TRAIN_PARAMETERS(CHECK)
-    if (status == DOM_OK)
-        status = dynamics_check(q->effect);
-    if (status == DOM_OK && q->fuel > DOM_FUEL_PAPER)
-        status = DOM_BAD_FUEL;
-    if (status == DOM_OK && q->method > DOM_METHOD_PAPER)
-        status = DOM_BAD_METHOD;
-    if (status == DOM_OK)
-        status = precision_check(q->precision);
-    DOM_COMPUTE_PARAMETERS(CHECK)
-    if (status == DOM_OK && (double)q->tol < (double)dom_arithmetic(q->precision)->tol_floor)
-        status = DOM_BAD_TOL;
-    return status == DOM_OK && dynamics_first(q->effect) < DOM_DYNAMICS_COUNT && q->method != DOM_METHOD_OURS
-               ? DOM_NO_METHOD
-               : status;
-}
-#undef CHECK
-
-static struct dom_compute compute_or_default(const struct dom_compute *compute)
-{
-    return compute ? *compute : dom_compute_default();
-}
-
-/* Lists the values of the effects, in the order of their numbers. */
-#define TRAIN_VALUE(effect, member, status) train->member,
-#define ROW_VALUE(effect, member, status)   row->member,
-
-static struct question question_make(const struct dom_train *train, const struct dom_compute *asked)
-{
-    struct dom_compute compute = compute_or_default(asked);
-#define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
-#define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
-    struct question q = {
-        .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
-                    .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
-                    .method = compute.method,
-                    .errors = compute.errors && train->rho == 0, /* none are known with edges */
-                    .work = compute.work, .interrupt = compute.interrupt}};
-#undef COPY
-#undef COPY_COMPUTE
-    q.status = request_check(&q.request);
-    if (q.status == DOM_OK)
-        q.kernel = compute.method == DOM_METHOD_GSL     ? &kernel_gsl
-                   : compute.method == DOM_METHOD_PAPER ? &kernel_paper
-                                                        : kernels[compute.precision];
-    return q;
-}
+#include "dispatch/dispatch.h"
+#include "effects/effects.h"
 
 /* Returns a question about a limit of growth. The search finds r itself: r of the train may have any
  * value. */
@@ -93,12 +11,6 @@ static struct question question_of_limit(const struct dom_train *train, const st
     t.r = 1;
     return question_make(&t, compute);
 }
-
-/* Calls a function of the kernel with the request and further arguments. Evaluates to its status. */
-#define ASK(question, member, ...)                                                                           \
-    ((question).status != DOM_OK         ? (question).status                                                 \
-     : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
-                                         : (question).kernel->member(&(question).request, __VA_ARGS__))
 
 /* Returns the status of an answer. Sets the bounds to NaN if the question asks for none. */
 static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
@@ -282,100 +194,18 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     return FIND(q, limit_best, best->error, best);
 }
 
-static struct row_request row_request(const struct dom_row *row, const struct dom_compute *compute)
-{
-    return (struct row_request){.domino = row->domino,
-                                .count = row->count,
-                                .g = row->g,
-                                .push = row->push,
-                                .effect = {DOM_DYNAMICS(ROW_VALUE)},
-                                .floor = row->floor,
-                                .tol = compute->tol,
-                                .precision = compute->precision,
-                                .work = compute->work,
-                                .interrupt = compute->interrupt};
-}
-
-enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *asked, bool times,
+enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct dom_compute compute = compute_or_default(asked);
-    struct row_request request = row_request(row, &compute);
-    enum dom_status status = precision_check(compute.precision);
-    if (status != DOM_OK)
-        return status;
-    for (size_t k = 0; row->engine && k < row->count; k++)
-        if (row->domino[k].lean != 0)
-            return DOM_NO_LEAN;
-    if (row->engine)
-        return row->engine->run(row, &compute, times, visit, context, verdict);
-    return kernels[compute.precision]->row_run(&request, times, visit, context, verdict);
+    return row_verdict(row, compute, times, visit, context, verdict);
 }
 
-enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *asked,
+enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict)
 {
-    struct dom_compute compute = compute_or_default(asked);
-    struct row_request request = row_request(row, &compute);
-    enum dom_status status = row->engine ? DOM_NO_METHOD : precision_check(compute.precision);
-    return status == DOM_OK
-               ? kernels[compute.precision]->row_watch(&request, times, count, visit, context, verdict)
-               : status;
-}
-
-enum dom_status course_begin(const struct dom_row *row, const struct dom_compute *asked,
-                             struct dom_course *course, struct dom_verdict *verdict)
-{
-    struct dom_compute compute = compute_or_default(asked);
-    struct row_request request = row_request(row, &compute);
-    enum dom_status status = precision_check(compute.precision);
-    *course = (struct dom_course){NULL, NULL};
-    if (status != DOM_OK)
-        return status;
-    request.floor = false;
-    course->kernel = kernels[compute.precision];
-    return course->kernel->row_course(&request, &course->course, verdict);
-}
-
-enum dom_status course_again(const struct dom_course *course, const struct dom_domino *domino, size_t first,
-                             size_t last, struct dom_verdict *verdict)
-{
-    return course->kernel->row_again(course->course, domino, first, last, verdict);
-}
-
-void course_end(struct dom_course *course)
-{
-    if (course->kernel)
-        (void)course->kernel->row_course_end(course->course);
-    *course = (struct dom_course){NULL, NULL};
-}
-
-enum dom_status sample_begin(const struct dom_row *row, const struct dom_compute *asked,
-                             struct dom_sample *sample)
-{
-    struct dom_compute compute = compute_or_default(asked);
-    struct row_request request = row_request(row, &compute);
-    enum dom_status status = precision_check(compute.precision);
-    *sample = (struct dom_sample){NULL, NULL};
-    if (status != DOM_OK)
-        return status;
-    request.floor = false;
-    sample->kernel = kernels[compute.precision];
-    return sample->kernel->row_sample(&request, &sample->sample);
-}
-
-enum dom_status sample_run(const struct dom_sample *sample, const struct dom_domino *domino, bool gaps,
-                           struct dom_verdict *verdict)
-{
-    return sample->kernel->row_sampled(sample->sample, domino, gaps, verdict);
-}
-
-void sample_end(struct dom_sample *sample)
-{
-    if (sample->kernel)
-        (void)sample->kernel->row_sample_end(sample->sample);
-    *sample = (struct dom_sample){NULL, NULL};
+    struct row_question q = row_question_make(row, compute);
+    return row->engine ? DOM_NO_METHOD : ASK(q, row_watch, times, count, visit, context, verdict);
 }
 
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,

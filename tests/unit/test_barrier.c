@@ -21,7 +21,7 @@ static double brute_force(const struct geometry *geometry, double theta_c)
             struct tilt head;
             struct sums sums;
             assert_status(geometry_tilt(geometry, fmin(theta, theta_c), &head), DOM_OK);
-            assert_status(chain_energy_change(geometry, head, &sums, NULL), DOM_OK);
+            assert_status(geometry->law->change(geometry, head, PASS_PLAIN, &sums, NULL), DOM_OK);
             highest = fmax(highest, sums.dH);
         }
     }
@@ -39,8 +39,8 @@ static double height_off(const struct geometry *geometry, double theta_c, const 
     struct tilt top;
     struct sums at, error, bend;
     assert_status(geometry_tilt(geometry, fmin(barrier->theta_m, theta_c), &top), DOM_OK);
-    assert_status(chain_energy_change(geometry, top, &at, &error), DOM_OK);
-    assert_status(chain_second_derivative_from(geometry, (struct tilt){0, 1, 0}, top, &bend), DOM_OK);
+    assert_status(geometry->law->change(geometry, top, PASS_PLAIN, &at, &error), DOM_OK);
+    assert_status(chain_second_derivative(geometry, (struct tilt){0, 1, 0}, top, &bend), DOM_OK);
     double step = TOP_TOL(geometry) * barrier->theta_m, noise = error.dH + 8 * DBL_EPSILON * fabs(at.dH),
            edge = 4 * DBL_EPSILON * fabs(bend.H1) * barrier->theta_m,
            bend_down = fmax(-bend.H2, 0) * step * step / 2, off = barrier->height - at.dH;

@@ -42,7 +42,7 @@ TEST(the_far_tail_is_the_train)
         struct geometry geometry = random_geometry(&seed, tol, &head), fine = geometry;
         struct sums closed, whole = {0}, e = {0};
         fine.tol = 1e-15;
-        assert_status(chain_energy_change(&geometry, head, &closed, NULL), DOM_OK);
+        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &closed, NULL), DOM_OK);
         assert_status(energy_change_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e),
                       DOM_OK);
         /* dH may cancel: then a pass is right to the rounding errors of its terms, which e bounds. */
@@ -101,8 +101,8 @@ TEST(the_far_tail_is_within_its_bound)
                     struct geometry plain = geometry;
                     plain.far.order = 0;
                     struct far_point rest = far_add(&geometry, &closed, &a, &b, t);
-                    assert_status(chain_sum(&plain, a.tilt, &whole), DOM_OK);
-                    assert_status(chain_second_derivative_from(&plain, b.tilt, a.tilt, &between), DOM_OK);
+                    assert_status(plain.law->sum(&plain, a.tilt, &whole), DOM_OK);
+                    assert_status(chain_second_derivative(&plain, b.tilt, a.tilt, &between), DOM_OK);
                     assert_rest("J", &geometry, z, closed.J.sum, whole.J, far->rest_J * share);
                     assert_rest("H1", &geometry, z, closed.H1.sum, whole.H1, far->rest_H * share);
                     assert_rest("dH", &geometry, z, closed.dH.sum, between.dH, t * far->rest_H * share);
@@ -125,15 +125,15 @@ TEST(shared_passes_are_the_same)
         struct tilt head;
         struct geometry geometry = random_geometry(&seed, 1e-13, &head);
         struct sums fall, at_c, e, up, near, down = {0};
-        assert_status(chain_fall(&geometry, &fall, NULL), DOM_OK);
-        assert_status(chain_energy_change(&geometry, geometry.c, &at_c, &e), DOM_OK);
+        assert_status(geometry.law->change(&geometry, geometry.c, PASS_SHIFT, &fall, NULL), DOM_OK);
+        assert_status(geometry.law->change(&geometry, geometry.c, PASS_PLAIN, &at_c, &e), DOM_OK);
         assert_same("dH at theta_c", &geometry, fall.dH, at_c.dH, fabs(at_c.dH) + 1e13 * e.dH, 1e-13);
         assert_same("J at theta_c", &geometry, fall.J, at_c.J, at_c.J, 1e-12);
         if (geometry.detaches)
             continue;
-        assert_status(chain_second_derivative_from(&geometry, upright, head, &up), DOM_OK);
-        assert_status(chain_both(&geometry, head, &near, &down), DOM_OK);
-        assert_status(chain_energy_change(&geometry, head, &at_c, &e), DOM_OK);
+        assert_status(chain_second_derivative(&geometry, upright, head, &up), DOM_OK);
+        assert_status(geometry.law->both(&geometry, head, &near, &down), DOM_OK);
+        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &at_c, &e), DOM_OK);
         assert_same("dH of both", &geometry, near.dH, up.dH, fabs(up.dH) + 1e13 * e.dH, 2e-13);
         assert_same("H1 of both", &geometry, near.H1, up.H1, fabs(up.H1) + 1e13 * e.H1, 2e-13);
         assert_same("H2 of both", &geometry, near.H2, up.H2, fabs(up.H2), 1e-9);
@@ -155,9 +155,9 @@ TEST(H2_is_the_slope_of_H1)
         struct sums at, below, above;
         struct tilt lo = tilt_make(sin(theta - h), cos(theta - h)),
                     hi = tilt_make(sin(theta + h), cos(theta + h));
-        assert_status(chain_second_derivative_from(&geometry, upright, head, &at), DOM_OK);
-        assert_status(chain_sum(&geometry, lo, &below), DOM_OK);
-        assert_status(chain_sum(&geometry, hi, &above), DOM_OK);
+        assert_status(chain_second_derivative(&geometry, upright, head, &at), DOM_OK);
+        assert_status(geometry.law->sum(&geometry, lo, &below), DOM_OK);
+        assert_status(geometry.law->sum(&geometry, hi, &above), DOM_OK);
         if (below.n != above.n && geometry.detaches) /* a domino detaches in between: H'' jumps */
             continue;
         double noise = 1e-15 * (fabs(at.H1) + geometry.reach) / h;
@@ -187,7 +187,7 @@ TEST(one_top_if_concave)
         single++;
         for (int k = 0; k <= 16; k++) {
             struct sums at;
-            assert_status(chain_second_derivative_from(&geometry, upright,
+            assert_status(chain_second_derivative(&geometry, upright,
                                                        tilt_half(geometry_half_u(&geometry) * k / 16), &at),
                           DOM_OK);
             if (!(at.H2 < 0))

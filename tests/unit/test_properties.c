@@ -17,8 +17,8 @@ TEST(inertia_shifts_by_one)
         struct sums at_0, at_c;
         const struct request request = request_of(&train);
         assert_status(dynamics_make(&request, &geometry), DOM_OK);
-        assert_status(chain_sum(&geometry, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
-        assert_status(chain_sum(&geometry, geometry.c, &at_c), DOM_OK);
+        assert_status(geometry.law->sum(&geometry, (struct tilt){0, 1, 0}, &at_0), DOM_OK);
+        assert_status(geometry.law->sum(&geometry, geometry.c, &at_c), DOM_OK);
         assert_near("J(0)", at_0.J, 1 + geometry.inertia * at_c.J, 1e-13);
     }
 }
@@ -42,9 +42,9 @@ TEST(slope_is_derivative_of_energy)
                h = 1e-5 * theta;
         if (geometry.detaches && fabs(theta - tilt_angle(geometry.leave)) < 0.05 * theta_c)
             continue;
-        chain_energy_change(&geometry, tilt_make(sin(theta - h), cos(theta - h)), &left, NULL);
-        chain_energy_change(&geometry, tilt_make(sin(theta), cos(theta)), &here, NULL);
-        chain_energy_change(&geometry, tilt_make(sin(theta + h), cos(theta + h)), &right, NULL);
+        geometry.law->change(&geometry, tilt_make(sin(theta - h), cos(theta - h)), PASS_PLAIN, &left, NULL);
+        geometry.law->change(&geometry, tilt_make(sin(theta), cos(theta)), PASS_PLAIN, &here, NULL);
+        geometry.law->change(&geometry, tilt_make(sin(theta + h), cos(theta + h)), PASS_PLAIN, &right, NULL);
         double scale = fabs(here.H1) + train.d + sin(theta);
         if (!(fabs((right.dH - left.dH) / (2 * h) - here.H1) <= 1e-5 * scale))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: %g, not %g", (double)train.s,
@@ -70,7 +70,7 @@ TEST(energy_agrees_with_its_definition)
         assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(geometry.c), H[2] = {0, 0}, size = 0;
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_energy_change(&geometry, head, &sums, NULL), DOM_OK);
+        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &sums, NULL), DOM_OK);
         for (int k = 0; k < 2; k++) {
             struct link link = link_head(&geometry, k ? head : (struct tilt){0, 1, 0});
             for (size_t n = 0; n < 4000; n++) {
@@ -313,10 +313,10 @@ TEST(tolerance_decides_the_work)
         assert_status(dynamics_make(&request, &geometry), DOM_OK);
         double theta = random_unit(&seed) * tilt_angle(geometry.c);
         struct tilt head = tilt_make(sin(theta), cos(theta));
-        assert_status(chain_energy_change(&geometry, head, &exact, NULL), DOM_OK);
+        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &exact, NULL), DOM_OK);
         for (int k = 0; k < 4; k++) {
             geometry.tol = tols[k];
-            assert_status(chain_energy_change(&geometry, head, &sums, NULL), DOM_OK);
+            assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &sums, NULL), DOM_OK);
             assert_near("J at tol", sums.J, exact.J, tols[k]);
             assert_near("dH at tol", sums.dH, exact.dH, tols[k]);
             total[k] += sums.n;

@@ -4,7 +4,7 @@
 #define DOM_CHOOSE_H
 
 #include "dynamics/energy_balance.h"
-#include "dynamics/list.h"
+#include "effects/effects.h"
 
 /* Chooses the law of motion and the potential energy for the effects that are on. Needs geometry->d. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);

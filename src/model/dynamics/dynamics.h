@@ -41,20 +41,10 @@ struct start {
     real kinetic_error; /* bound of the error of `kinetic` */
 };
 
-/* A contact between a domino and its follower (table 1). */
-struct arms {
-    real ratio; /* a / b: the part of a torque on the follower that the contact passes on to the leader */
-    real b;     /* r times the arm on the follower */
-};
-
 struct dynamics {
-    const struct dom_effect *text; /* name, equations, source */
     /* True if the energy H of position decides: then the barrier is the maximum of H, found by Newton's
      * method. */
     bool conservative;
-    /* True if error bounds are known, and bounds between samples guide the searches for limits. If false,
-     * error bounds are NaN and searches use samples alone. */
-    bool bounded;
 
     /* Optional: take and free memory for the law. DOM_NO_MEMORY: there is not enough. */
     enum dom_status (*begin)(struct geometry *geometry);
@@ -109,14 +99,13 @@ struct dynamics {
      * start. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
-    /* Optional: finds the arms of the contact of a domino with its follower. Without this function they are
-     * the arms of the paper, without friction. */
-    struct arms (*arms)(const struct link *link);
 };
 
-KERNEL inline struct arms dynamics_arms(const struct dynamics *dynamics, const struct link *link)
+/* Returns true if error bounds are known, and bounds between samples guide the searches for limits. If not,
+ * error bounds are NaN and searches use samples alone. */
+KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
-    return dynamics->arms ? dynamics->arms(link) : (struct arms){.ratio = link->step, .b = link->contact.Y};
+    return geometry->dynamics->conservative && geometry->law->closed_form;
 }
 
 #endif

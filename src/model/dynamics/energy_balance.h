@@ -20,10 +20,13 @@ struct fuel {
     real inertia_ratio; /* J(0) - 1 = r^-(q+1) J(theta_c) (50; d8, corrected) */
 };
 
-/* Returns h(0) - h(theta_f): the closed form of (25; c7). */
-KERNEL real energy_fuel_paper(const struct geometry *geometry);
+/* Returns true if the paper's closed form of the fuel holds: only on a level floor and with sharp edges. */
+KERNEL bool energy_paper_holds(const struct geometry *geometry)
+{
+    return geometry->g.along == 0 && geometry->law->closed_form;
+}
 
-/* Returns the fuel from the sums at theta_c (chain_fall). */
+/* Returns the fuel from the sums at theta_c. */
 KERNEL struct fuel fuel_of(const struct geometry *geometry, const struct sums *at_c);
 
 /* Finds the fuel, with bounds unless error is NULL. */
@@ -37,6 +40,6 @@ KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fu
 KERNEL enum dom_status energy_acceleration(const struct geometry *geometry, struct tilt head, real w,
                                            real *acceleration, size_t *n);
 
-static const struct dynamics energy_balance, rounded_balance;
+static const struct dynamics energy_balance;
 
 #endif

@@ -10,31 +10,15 @@
 #include "dynamics/dynamics.h"
 #include "numerics/numerics.h"
 
-/* The equation of motion at one tilt of the head. */
-struct equation_of_motion {
-    real A, B, C;
-    /* Sums of the absolute values of all terms, larger where an arm b cancels: the scale of the rounding
-     * errors. */
-    real A_size, B_size, C_size;
-    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or the arm b of a follower is <= 0 */
-    size_t n;   /* dominoes followed */
-};
-
 struct flow {
     struct num_linear solution;
-    real tol; /* tolerance of the solution */
-    enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
-                                struct equation_of_motion *equation);
+    real tol;           /* tolerance of the solution */
     real inertia_ratio; /* A(0) - 1 = r^-(q+1) S_1(0) A(theta_c), of the collision */
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting train */
 };
 
 /* Frees a flow, allocated by malloc, and its members. NULL is allowed. */
 KERNEL void flow_free(struct flow *flow);
-
-/* Finds the equation of motion with friction and rounded edges. */
-KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometry, struct tilt head,
-                                                  struct equation_of_motion *equation);
 
 /* Functions of struct dynamics: solve, solve_piece, spent and so on. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);

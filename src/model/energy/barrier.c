@@ -98,7 +98,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (at)
             here = *at;
         else
-            status = chain_second_derivative_from(c->geometry, c->from, tilt_half(top->p), &here);
+            status = chain_second_derivative(c->geometry, c->from, tilt_half(top->p), &here);
         if (status != DOM_OK)
             return status;
         at = NULL;
@@ -161,7 +161,7 @@ static bool falls_above_u(const struct geometry *geometry)
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
     real apart = 1 - geometry->weight;
-    return !geometry->rounded.on && falls_above_u(geometry) &&
+    return geometry->law->closed_form && falls_above_u(geometry) &&
            geometry->rL * geometry->weight < apart * apart * sqrt(geometry->leave_at);
 }
 
@@ -333,7 +333,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
 {
     struct sums at;
     if (!geometry->dynamics->conservative || b->height <= 0 ||
-        chain_second_derivative_from(geometry, from, tilt_half(b->half), &at) != DOM_OK)
+        chain_second_derivative(geometry, from, tilt_half(b->half), &at) != DOM_OK)
         return REAL_NAN;
     bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
@@ -368,7 +368,7 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
     if (status == DOM_OK)
         status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_second_derivative_from(geometry, standing, head, &at);
+        status = chain_second_derivative(geometry, standing, head, &at);
     if (status != DOM_OK)
         return status;
     *error = least;
@@ -399,7 +399,7 @@ KERNEL enum dom_status barrier_error(const struct geometry *geometry, const stru
     struct sums at, e;
     real steepest = 0;
     *error = (struct barrier){.theta_m = 0, .height = 0};
-    if (!geometry->dynamics->bounded) {
+    if (!dynamics_bounded(geometry)) {
         error->theta_m = error->height = REAL_NAN;
         return DOM_OK;
     }

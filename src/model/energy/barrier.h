@@ -27,7 +27,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 
 /*
  * Finds one top alone, by Newton's method. barrier_near guesses where: a good guess if b has the top of a
- * neighbouring train. at: the sums at that tilt (chain_second_derivative_from), or NULL. barrier_follow
+ * neighbouring train. at: the sums at that tilt (chain_second_derivative), or NULL. barrier_follow
  * returns false if there is no top; only barrier_tops finds whether the top is the highest.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);

@@ -32,11 +32,12 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, c
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns a bound of t for the followers of a and b (chain_energy_change). */
+/* Returns a bound of t for the followers of a and b (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Returns a bound of the half angle t_f of a follower that detaches from its leader (chain_energy_change). */
+/* Returns a bound of the half angle t_f of a follower that detaches from its leader (energy_change_between).
+ */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
                           const struct bound *bound, real t_f);
 

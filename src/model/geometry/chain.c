@@ -1,48 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/chain.h"
 #include "geometry/bound.h"
-#include "geometry/rounded.h"
 
-KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt head, real *H1)
+KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
+                                       struct sums *error)
 {
-    struct sum_state a = {0};
-    struct sums sums;
-    if (geometry->rounded.on) {
-        enum dom_status status = rolling_sum(geometry, head, true, &sums);
-        *H1 = sums.H1;
-        return status;
-    }
-    struct link k = link_head(geometry, head);
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        add_H1(&a, &k);
-        if (k.i + 1 >= geometry->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
-            status = sum_result(geometry, &a, 0, k.i + 1, &sums);
-            *H1 = sums.H1;
-            return status;
-        }
-        link_next(&k);
-    }
+    struct tilt head;
+    enum dom_status status = geometry_tilt(geometry, theta, &head);
+    return status == DOM_OK ? geometry->law->change(geometry, head, PASS_PLAIN, sums, error) : status;
 }
 
-KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, struct tilt from,
+                                               struct tilt head, struct sums *sums)
 {
-    if (geometry->rounded.on)
-        return rolling_sum(geometry, head, false, sums);
-    struct sum_state a = {0};
-    struct link k = link_head(geometry, head);
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.i);
-        if (status != DOM_OK)
-            return status;
-        add_J(&a, &k);
-        add_H1(&a, &k);
-        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
-            return sum_result(geometry, &a, 0, k.i + 1, sums);
-        link_next(&k);
-    }
+    return geometry->law->change_from(geometry, from, head, PASS_SECOND_DERIVATIVE, sums);
 }
 
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
@@ -51,7 +22,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
     *leaves = false;
     if (!geometry->detaches)
         return DOM_OK;
-    struct roller walk = roller_begin(geometry, standing);
+    struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
     real passed = 1; /* part of a torque that reaches the head: with friction not the slope */
     while (b->leads) {
@@ -61,13 +32,14 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         /* A domino that carries less than rounding errors changes nothing when it detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
-        passed *= fabs(link_arm_a(b) / link_arm_b(b));
-        roller_follow(&walk);
+        const struct arms arms = geometry->law->arms(b);
+        passed *= fabs(arms.a / arms.b);
+        geometry->law->next(&walk);
     }
     /* Domino b.i has no follower at 0: it detaches when domino b.i - 1 reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
-        *head = geometry_leader(geometry, *head);
+        *head = geometry->law->leader(geometry, *head);
     if (domino)
         *domino = b->i;
     *leaves = true;
@@ -103,7 +75,7 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
 {
     const real rho = (real)train->effect[DOM_EFFECT_edges];
     *geometry = geometry_read(train);
-    enum dom_status status = rho != 0 ? rounded_edges(geometry, rho) : DOM_OK;
+    enum dom_status status = rho != 0 ? rounded_make(geometry, rho) : DOM_OK;
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
@@ -115,9 +87,8 @@ static struct dom_link link_public(const struct geometry *geometry, const struct
 {
     real a = REAL_NAN, b = REAL_NAN, a_error = REAL_NAN, b_error = REAL_NAN;
     if (k->leads) { /* (table 1) */
-        const bool rounded = geometry->rounded.on;
         a = k->contact.arm / geometry->r;
-        b = (rounded ? link_arm_b(k) : k->contact.Y) / geometry->r;
+        b = geometry->law->arms(k).b / geometry->r;
         a_error = (e->arm + UNIT * k->contact.arm) / geometry->r;
         b_error = e->Y / geometry->r + UNIT * k->contact.Y / geometry->r;
     }
@@ -141,10 +112,10 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     struct sums sums = {0};
     if (status == DOM_OK)
-        status = chain_sum(&geometry, head, &sums);
+        status = geometry.law->sum(&geometry, head, &sums);
     if (status != DOM_OK)
         return status;
-    struct roller walk = roller_begin(&geometry, head);
+    struct walk walk = geometry.law->begin(&geometry, head);
     const struct link *k = &walk.link;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
@@ -156,7 +127,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
         if (!visit(&link, context) || !k->leads || k->i + 1 >= sums.n)
             return DOM_OK;
         const struct link leader = *k;
-        roller_follow(&walk);
+        geometry.law->next(&walk);
         if (train->errors)
             bound_next(&geometry, &leader, k, &e);
     }
@@ -169,13 +140,13 @@ KERNEL enum dom_status contact_find(const struct request *train, dom_real theta,
     enum dom_status status = train_tilted(train, theta, &geometry, &head);
     if (status != DOM_OK)
         return status;
-    struct roller walk = roller_begin(&geometry, head);
+    struct walk walk = geometry.law->begin(&geometry, head);
     const struct link *k = &walk.link, leader = *k;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     struct dom_link link = link_public(&geometry, k, &e), follower = {.theta = tilt_angle(geometry.f)};
     follower.error.theta = geometry_error_f(&geometry) + 2 * UNIT * tilt_angle(geometry.f);
     if (k->leads) {
-        roller_follow(&walk);
+        geometry.law->next(&walk);
         bound_next(&geometry, &leader, k, &e);
         follower = link_public(&geometry, k, &e);
     }

@@ -7,57 +7,17 @@
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
 
-#include "geometry/sums.h"
+#include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Finds the sign of H1 alone, right to rounding, from as few dominoes as the sign needs. */
-KERNEL enum dom_status chain_sign(const struct geometry *geometry, struct tilt head, real *H1);
-
-/* Finds J and H1. */
-KERNEL enum dom_status chain_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
-
-/* Finds J, H1 and dH, and bounds of their errors (bound.h) unless error is NULL. With rounded edges no bounds
- * are known: error is not written. */
-KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
-                                           struct sums *sums, struct sums *error);
-
-/* Calls chain_energy_change at theta in [0, theta_c]. */
+/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c], and bounds of their errors unless error is
+ * NULL. */
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error);
 
-/* Calls chain_energy_change at theta_c, of an endless train: every follower is where its leader was (32; A7),
- * so one chain is enough. */
-KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error);
-
-/* Finds J, H1 and H(theta) - H(from). If `from` is not upright, no domino may detach between the two
- * tilts. */
-KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
-                                                struct tilt head, struct sums *sums);
-
-/* Finds the same sums, and whether all contacts surely push at all tilts from `from` to `head`, at every
- * speed. */
-KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    struct sums *sums);
-
-/* Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
- * to a. */
-KERNEL bool contact_pushes(const struct link *a, const struct link *b);
-
-/* Finds the same sums where the head is `by` farther than `from`; `by` may be too small to change the
- * tilt. */
-KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
-                                              struct tilt head, real by, struct sums *sums);
-
-/* Finds the sums of chain_energy_change_from, and H2. */
-KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
-                                                    struct tilt head, struct sums *sums);
-
-/*
- * Finds chain_second_derivative_from (from upright) and chain_fall in one pass, for an endless train from
- * which no domino detaches. The processor computes square roots of one chain while those of the other wait.
- */
-KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                  struct sums *fall);
+/* Finds J, H1, H2 and H(head) - H(from). */
+KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, struct tilt from,
+                                               struct tilt head, struct sums *sums);
 
 /*
  * Finds the tilt of the head at which a domino detaches; *leaves is false if none does within the cycle.

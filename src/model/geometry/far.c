@@ -9,6 +9,7 @@
  * Each coefficient follows from those before it.
  */
 #include "geometry/far.h"
+#include "geometry/law.h"
 
 /* Finds f = (z - p) / (1 + z p), where p = tan(asin(X) / 2) = X / (1 + Y) and
  * X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
@@ -96,7 +97,7 @@ KERNEL void far_make(struct geometry *geometry, real passes)
 {
     struct far *far = &geometry->far;
     far->order = 0;
-    if (geometry->detaches || geometry->rounded.on || geometry->inf.y <= 0)
+    if (geometry->detaches || !geometry->law->closed_form || geometry->inf.y <= 0)
         return;
     const int n = far->order = far_order(geometry, passes);
     if (n == 0)

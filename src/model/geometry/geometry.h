@@ -18,8 +18,9 @@ struct tilt {
 /* The tilt of an upright domino, before it is hit. */
 static const struct tilt standing = {.x = 0, .y = 1, .v = 0};
 
-struct dynamics; /* dynamics.h */
-struct flow;     /* flow.h */
+struct contact_law; /* law.h */
+struct dynamics;    /* dynamics.h */
+struct flow;        /* flow.h */
 
 /* The most terms of the series of the far tail, and the fewest. */
 #if REAL_BITS <= 24
@@ -38,12 +39,20 @@ struct far {
 };
 
 /*
+ * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2. B
+ * holds only the part from theta_i'^2 of that head: its theta_i'' has the same factor as theta_i' has in A.
+ */
+struct far_friction {
+    real A[3], B[3], C[3];
+    bool known; /* true: the series converge */
+};
+
+/*
  * The edges of a domino, over its height (rounded.h). The inertia about the line where its foot touches the
  * floor is i(theta) = i.c + i.x sin theta + i.y cos theta, over that of a block with sharp edges; it is 1 if
  * the edges are sharp.
  */
 struct rounded {
-    bool on;            /* false: the edges are sharp */
     real rho;           /* radius of the edges */
     real tall, wide;    /* 1 - 2 rho and d - 2 rho: the flat parts */
     real rho_1, tall_1; /* of the follower, over the height of this domino */
@@ -59,6 +68,7 @@ struct geometry {
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
     real box;                        /* moment of inertia over that of a solid block: 1 without walls */
+    const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
     struct flow *flow;               /* solution of an equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
@@ -87,7 +97,8 @@ struct geometry {
     struct tilt leave; /* theta_leave, only if detaches */
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
-    size_t n;          /* number of dominoes from here to the end of the chain */
+    struct far_friction far_friction;
+    size_t n; /* number of dominoes from here to the end of the chain */
     /* Geometry of the follower, and so on; NULL: the train is self-similar, so this geometry serves for
      * all. */
     const struct geometry *follower;
@@ -98,26 +109,6 @@ struct geometry {
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
-
-/*
- * Make the shape of a train in two steps: all but separation and growth; then, checked and as often as
- * needed, separation and growth. dynamics_make does both, and adds the law of motion.
- */
-KERNEL struct geometry geometry_read(const struct request *train);
-KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
-
-/*
- * Sets gravity, and so the energy of position of a domino with sharp edges; rounded_edges makes them round.
- * No other function sets these. Needs geometry->d.
- */
-KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
-
-/* Returns true if the floor is level and the edges are sharp: only then does the paper's closed form of the
- * fuel hold. */
-KERNEL bool geometry_level(const struct geometry *geometry)
-{
-    return geometry->g.along == 0 && !geometry->rounded.on;
-}
 
 /* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. With rounded edges
  * geometry_lift returns it. */
@@ -177,6 +168,10 @@ KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
+/* Finds sine and cosine of theta_c - theta_u. Before theta_u domino 1 has not tipped over when it hits
+ * (5; b0). */
+KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
+
 /* Converts theta to a tilt: from the lean of the head, 0 in a train, to theta_c. A theta equal to theta_c
  * rounded to a real gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
@@ -188,13 +183,6 @@ KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);
 KERNEL real geometry_error_f(const struct geometry *geometry);
 KERNEL real geometry_error_leave(const struct geometry *geometry);
-
-/* Returns the leader's tilt for a follower's tilt >= theta_c: the inverse of theta_1. */
-KERNEL struct tilt geometry_leader(const struct geometry *geometry, struct tilt follower);
-
-/* geometry_set and geometry_leader for rounded edges (rounded.c). DOM_OUT_OF_REACH: r s is too large. */
-KERNEL enum dom_status rounded_set(struct geometry *geometry);
-KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower);
 
 KERNEL struct tilt tilt_make(real x, real y)
 {
@@ -217,6 +205,13 @@ KERNEL struct tilt tilt_half(real p)
 KERNEL real half_of_tilt(struct tilt t)
 {
     return t.x / (1 + t.y);
+}
+
+/* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
+KERNEL real half_turn(struct tilt from, struct tilt head)
+{
+    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
+    return sine / (1 + cosine);
 }
 
 /*

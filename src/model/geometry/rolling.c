@@ -15,12 +15,12 @@ static enum dom_status rolling_result(const struct geometry *geometry, const str
     return sum_result(geometry, a, H2, n, sums);
 }
 
-static void roller_add_J(struct sum_state *a, const struct link *k)
+static void rounded_add_J(struct sum_state *a, const struct link *k)
 {
     series_add(&a->J, k->inertia * k->slope * k->slope * geometry_inertia(k->geometry, k->tilt));
 }
 
-static void roller_add_H1(struct sum_state *a, const struct link *k)
+static void rounded_add_H1(struct sum_state *a, const struct link *k)
 {
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
@@ -34,46 +34,61 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-KERNEL enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
+/* Finds J and H1, or the sign of H1 alone. */
+static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums)
 {
     struct sum_state a = {0};
-    struct roller k = roller_head(geometry, head);
+    struct walk k = rounded_begin(geometry, head);
     const real tol = sign ? (real)0.75 / TAIL_SHARE : geometry->tol;
     for (;;) {
         enum dom_status status = chain_watch(geometry, k.link.i);
         if (status != DOM_OK)
             return status;
         if (!sign)
-            roller_add_J(&a, &k.link);
-        roller_add_H1(&a, &k.link);
+            rounded_add_J(&a, &k.link);
+        rounded_add_H1(&a, &k.link);
         if (k.link.i + 1 >= geometry->n || !k.link.leads ||
             ((sign || done_J(&a, &k.link)) && rolling_done_H1(&a, &k.link, tol)))
             return rolling_result(geometry, &a, 0, k.link.i + 1, sums);
-        roller_next(&k);
+        rounded_next(&k);
     }
 }
 
-KERNEL enum dom_status rolling_rates(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                     real *half_J1)
+KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1)
 {
+    struct sums sums;
+    enum dom_status status = rolling_sum(geometry, head, true, &sums);
+    *H1 = sums.H1;
+    return status;
+}
+
+KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+{
+    return rolling_sum(geometry, head, false, sums);
+}
+
+KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
+                                     struct sums *sums, real *half_J1)
+{
+    (void)every;
     struct sum_state a = {0};
-    struct roller k = roller_head(geometry, head);
+    struct walk k = rounded_begin(geometry, head);
     *half_J1 = 0;
     for (;;) {
         const struct link *link = &k.link;
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        roller_add_J(&a, link);
-        roller_add_H1(&a, link);
+        rounded_add_J(&a, link);
+        rounded_add_H1(&a, link);
         *half_J1 += link->inertia * link->slope *
                     (k.second_derivative * geometry_inertia(link->geometry, link->tilt) +
                      link->slope * link->slope * geometry_inertia_slope(link->geometry, link->tilt) / 2);
         if (link->i + 1 >= geometry->n || !link->leads ||
             (done_J(&a, link) && rolling_done_H1(&a, link, geometry->tol)))
             return rolling_result(geometry, &a, 0, link->i + 1, sums);
-        roller_next(&k);
+        rounded_next(&k);
     }
 }
 
@@ -106,7 +121,7 @@ static struct apart apart_by(real t)
         square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5)) : 2 * atan(t), t};
 }
 
-/* Returns h(A) - h(B) of one domino, as energy_change in energy_change.c. */
+/* Returns h(A) - h(B) of one domino, as energy_change in sharp_change.c. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
     return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
@@ -126,7 +141,7 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
  *
  * where every term of R has the small factor `by`. The first estimate of D fixes only tan(D/2) / D.
  */
-static struct apart apart_next(const struct roller *a, const struct roller *b, struct apart apart)
+static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
     const struct geometry *geometry = a->link.geometry;
     const struct rounded *of = &geometry->rounded;
@@ -147,7 +162,7 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * contact_pushes of energy_change.c for rounded edges: returns true if one contact surely does its part to
+ * contact_pushes of sharp_change.c for rounded edges: returns true if one contact surely does its part to
  * keep all contacts closed while its leader moves from b to a. The inertia of a domino now changes with its
  * tilt, so that c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k, and a_k has i_k in its denominator.
  *
@@ -161,7 +176,7 @@ static real least_product(real a, real lo, real hi)
  * the arm of the leader decreases, so slope and turn decrease, too, and the ends of the way bound all terms.
  * a is as with sharp edges, with R i/i_1 for R, and with the part of a foot that rolls down a slope.
  */
-static bool rolling_pushes_between(const struct roller *a, const struct roller *b)
+static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
     const struct geometry *own = a->link.geometry, *next = own->follower ? own->follower : own;
     const struct rounded *of = &own->rounded, *by = &next->rounded;
@@ -189,7 +204,7 @@ static bool rolling_pushes_between(const struct roller *a, const struct roller *
                       least_product(own->h.x, step, step_most),
                rest = least_product(-by->roll, R, R_most) + least_product(of->roll, step, step_most);
     return B.x >= 0 && A.y >= 0 && A_1.y >= 0 && B_1.x >= 0 && Y + own->mu * less > 0 && M > 0 && i > 0 &&
-           i_1 > 0 && link_arm_a(&a->link) >= 0 && bends >= rolls * step_most * arm_most / 2 &&
+           i_1 > 0 && rounded_arms(&a->link).a >= 0 && bends >= rolls * step_most * arm_most / 2 &&
            own->h.y > 0 && next->h.y > 0 &&
            least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
@@ -197,22 +212,23 @@ static bool rolling_pushes_between(const struct roller *a, const struct roller *
 enum { ROLLING_HALVINGS = 4 };
 
 /* Returns the same, from bounds over halves of the way, halves of those, and so on. */
-static bool rolling_pushes(const struct roller *a, const struct roller *b, int halvings)
+static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))
         return true;
     if (halvings == 0)
         return false;
-    const struct roller middle = roller_between(a, b);
+    const struct walk middle = rounded_between(a, b);
     return rolling_pushes(&middle, b, halvings - 1) && rolling_pushes(a, &middle, halvings - 1);
 }
 
-/* rolling_change, and whether all contacts push if `pushes` asks for it. */
+/* Finds the differences between two chains whose heads are `by` apart, as energy_change_between does. */
 static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real by, bool pushes, struct sums *sums)
+                                    real by, enum pass pass, struct sums *sums)
 {
+    bool pushes = pass == PASS_PUSHES;
     struct sum_state state = {0};
-    struct roller a = roller_head(geometry, head), b = roller_head(geometry, from);
+    struct walk a = rounded_begin(geometry, head), b = rounded_begin(geometry, from);
     struct apart apart = apart_of(head, from, by);
     real H2 = 0;
     for (;;) {
@@ -220,15 +236,15 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        roller_add_J(&state, link);
-        roller_add_H1(&state, link);
+        rounded_add_J(&state, link);
+        rounded_add_H1(&state, link);
         series_add(&state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b.link.tilt, apart));
         H2 += link->weight * (a.second_derivative * geometry_lift(link->geometry, link->tilt) -
                               link->slope * link->slope * geometry_height(link->geometry, link->tilt));
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
         if (!link->leads) { /* The follower has detached during this cycle: it keeps the energy of theta_f. */
-            roller_next(&b);
+            rounded_next(&b);
             state.left = b.link.weight *
                          rolling_rise(geometry, geometry->f, b.link.tilt,
                                       apart_of(geometry->f, b.link.tilt, tilt_angle(geometry->f) - b.theta));
@@ -245,22 +261,37 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
         if (done && done_J(&state, link) && rolling_done_H1(&state, link, geometry->tol))
             break;
         apart = next;
-        roller_next(&a);
-        roller_next(&b);
+        rounded_next(&a);
+        rounded_next(&b);
     }
     enum dom_status status = rolling_result(geometry, &state, H2, a.link.i + 1, sums);
     sums->pushes = pushes;
     return status;
 }
 
-KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real by, struct sums *sums)
+KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt head, enum pass pass,
+                                      struct sums *sums, struct sums *error)
 {
-    return rolling_pass(geometry, from, head, by, false, sums);
+    (void)error;
+    return rolling_pass(geometry, standing, head, tilt_angle(head), pass, sums);
 }
 
-KERNEL enum dom_status rolling_closed(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real by, struct sums *sums)
+KERNEL enum dom_status rounded_change_from(const struct geometry *geometry, struct tilt from,
+                                           struct tilt head, enum pass pass, struct sums *sums)
 {
-    return rolling_pass(geometry, from, head, by, true, sums);
+    return rolling_pass(geometry, from, head, 2 * atan(half_turn(from, head)), pass, sums);
+}
+
+KERNEL enum dom_status rounded_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                         real by, struct sums *sums)
+{
+    return rolling_pass(geometry, from, head, by, PASS_PLAIN, sums);
+}
+
+KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                    struct sums *at_c)
+{
+    enum dom_status status = rounded_change(geometry, geometry->c, PASS_SHIFT, at_c, NULL);
+    return status == DOM_OK ? rounded_change_from(geometry, standing, head, PASS_SECOND_DERIVATIVE, sums)
+                            : status;
 }

@@ -3,15 +3,16 @@
 #include "geometry/reach.h"
 #include "numerics/numerics.h"
 
-KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho)
+KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 {
     real d = geometry->d, along = geometry->g.along, down = geometry->g.down, tall = 1 - 2 * rho,
          wide = d - 2 * rho, block = geometry->box * (1 + d * d) / 3;
     struct rounded *of = &geometry->rounded;
-    *of = (struct rounded){.on = true, .rho = rho, .tall = tall, .wide = wide, .roll = -2 * rho * along};
+    *of = (struct rounded){.rho = rho, .tall = tall, .wide = wide, .roll = -2 * rho * along};
     of->i.c = (block - (1 + d * d) / 4 + (tall * tall + wide * wide) / 4 + rho * rho) / block;
     of->i.x = rho * wide / block;
     of->i.y = rho * tall / block;
+    geometry->law = &rounded_edges;
     geometry->upright = of->i.c + of->i.y;
     geometry->span = reach_span(rho);
     geometry->h.x = wide * down - tall * along;
@@ -163,7 +164,7 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 
 /* ---- The chain ---- */
 
-static void roller_contact(struct roller *k)
+static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
     const size_t before = geometry->follower ? 0 : k->link.i; /* of the n dominoes of this geometry */
@@ -176,24 +177,24 @@ static void roller_contact(struct roller *k)
     }
 }
 
-KERNEL struct roller roller_head(const struct geometry *geometry, struct tilt head)
+KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head)
 {
-    struct roller k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
-                       .theta = head.v < (real)0.5 ? asin(head.x) : tilt_angle(head)};
-    roller_contact(&k);
+    struct walk k = {.link = {.geometry = geometry, .tilt = head, .slope = 1, .weight = 1, .inertia = 1},
+                     .theta = head.v < (real)0.5 ? asin(head.x) : tilt_angle(head)};
+    rounded_contact(&k);
     return k;
 }
 
-KERNEL struct roller roller_between(const struct roller *a, const struct roller *b)
+KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b)
 {
-    struct roller middle = *a;
+    struct walk middle = *a;
     middle.theta = (a->theta + b->theta) / 2;
     middle.link.tilt = tilt_of(middle.theta);
-    roller_contact(&middle);
+    rounded_contact(&middle);
     return middle;
 }
 
-KERNEL void roller_next(struct roller *k)
+KERNEL void rounded_next(struct walk *k)
 {
     struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
@@ -206,47 +207,41 @@ KERNEL void roller_next(struct roller *k)
     link->inertia *= geometry->inertia;
     if (geometry->follower)
         link->geometry = geometry->follower;
-    roller_contact(k);
+    rounded_contact(k);
 }
 
-KERNEL struct roller roller_begin(const struct geometry *geometry, struct tilt head)
+static void rounded_touch(struct walk *k)
 {
-    return geometry->rounded.on ? roller_head(geometry, head)
-                                : (struct roller){.link = link_head(geometry, head)};
-}
-
-KERNEL void roller_follow(struct roller *k)
-{
-    if (k->link.geometry->rounded.on)
-        roller_next(k);
-    else
-        link_next(&k->link);
-}
-
-KERNEL void roller_touch(struct roller *k)
-{
-    const struct geometry *geometry = k->link.geometry;
-    if (geometry->rounded.on)
-        k->rolling = rolling_of(geometry, k->link.tilt, k->theta);
-    k->link.contact = geometry->rounded.on ? k->rolling.contact : geometry_contact(geometry, k->link.tilt);
+    k->rolling = rolling_of(k->link.geometry, k->link.tilt, k->theta);
+    k->link.contact = k->rolling.contact;
     k->link.step = 0;
 }
 
-KERNEL real link_arm_a(const struct link *k)
+KERNEL struct arms rounded_arms(const struct link *k)
 {
     const struct geometry *geometry = k->geometry;
     const struct rounded *of = &geometry->rounded;
-    return of->on ? k->contact.arm - geometry->mu * geometry->r * (geometry->d - of->rho * (1 - k->tilt.x))
-                  : contact_arm_a(k);
+    real a = k->contact.arm - geometry->mu * geometry->r * (geometry->d - of->rho * (1 - k->tilt.x)),
+         b = geometry->r * (of->tall_1 * (k->contact.Y + geometry->mu * k->contact.X) +
+                            of->rho_1 * (k->tilt.y + geometry->mu * (1 - k->tilt.x)));
+    return (struct arms){.a = a, .b = b, .ratio = a / b};
 }
 
-KERNEL real link_arm_b(const struct link *k)
+static size_t rounded_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
-    const struct geometry *geometry = k->geometry;
-    const struct rounded *of = &geometry->rounded;
-    return of->on ? geometry->r * (of->tall_1 * (k->contact.Y + geometry->mu * k->contact.X) +
-                                   of->rho_1 * (k->tilt.y + geometry->mu * (1 - k->tilt.x)))
-                  : contact_arm_b(k);
+    size_t n = 1;
+    struct walk walk = rounded_begin(geometry, head);
+    k[0] = (struct moving){.link = walk.link, .size = 1};
+    for (; n < room && n < geometry->n && k->link.leads; n++, k++) {
+        k->arms = rounded_arms(&k->link);
+        rounded_next(&walk);
+        k[1].link = walk.link;
+        k[1].second_derivative = walk.second_derivative;
+        k[1].size = k->size / k->link.geometry->r;
+    }
+    if (k->link.leads)
+        k->arms = rounded_arms(&k->link);
+    return n;
 }
 
 /* ---- The shape of a train ---- */
@@ -293,12 +288,12 @@ static struct tilt hit_at(const struct rounded *of, real gap, real left)
     return tilt_make(x, fmax(y, 0));
 }
 
-KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap)
+static struct tilt rounded_hit(const struct geometry *geometry, real gap)
 {
     return hit_at(&geometry->rounded, gap, beyond(&geometry->rounded, 1 - gap));
 }
 
-KERNEL enum dom_status rounded_set(struct geometry *geometry)
+static enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
     real theta_inf = PI / 2, theta_leave;
@@ -322,7 +317,7 @@ KERNEL enum dom_status rounded_set(struct geometry *geometry)
     return DOM_OK;
 }
 
-KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower)
+static void rounded_joint(struct geometry *geometry, const struct geometry *follower)
 {
     struct rounded *of = &geometry->rounded;
     real theta = 0;
@@ -345,7 +340,7 @@ static real led_by(real theta, void *context)
     return theta + rolling_of(led->geometry, tilt_of(theta), theta).turn - led->follower;
 }
 
-KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
+static struct tilt rounded_leader(const struct geometry *geometry, struct tilt follower)
 {
     struct led led = {geometry, tilt_angle(follower)};
     real most = geometry->leave.v <= 1 ? tilt_angle(geometry->leave) : PI / 2, theta = 0;
@@ -358,3 +353,47 @@ KERNEL struct tilt rounded_leader(const struct geometry *geometry, struct tilt f
                ? tilt_of(theta)
                : (struct tilt){REAL_NAN, REAL_NAN, REAL_NAN};
 }
+
+/* ---- One domino ---- */
+
+static real rounded_paper_fuel(const struct geometry *geometry)
+{
+    return rounded_fall(geometry, geometry->f);
+}
+
+static real rounded_tips_at(const struct geometry *geometry)
+{
+    real theta = geometry_theta_u(geometry);
+    return geometry->rounded.rho * theta + geometry->rounded.tall * sin(theta);
+}
+
+static real rounded_push(const struct geometry *geometry)
+{
+    return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
+           geometry_inertia(geometry, geometry->c);
+}
+
+static const struct contact_law rounded_edges = {
+    .work_most = 7000000,
+    .set = rounded_set,
+    .joint = rounded_joint,
+    .hit = rounded_hit,
+    .leader = rounded_leader,
+    .paper_fuel = rounded_paper_fuel,
+    .tips_at = rounded_tips_at,
+    .push = rounded_push,
+    .begin = rounded_begin,
+    .next = rounded_next,
+    .touch = rounded_touch,
+    .arms = rounded_arms,
+    .list = rounded_list,
+    .sign = rounded_sign,
+    .sum = rounded_sum,
+    .change = rounded_change,
+    .change_from = rounded_change_from,
+    .change_by = rounded_change_by,
+    .both = rounded_both,
+    .rates = rounded_rates,
+    .equation = rounded_equation,
+    .drive = rounded_drive,
+};

@@ -18,65 +18,36 @@
 #ifndef DOM_ROUNDED_H
 #define DOM_ROUNDED_H
 
-#include "geometry/sums.h"
-
-/* The contact of a domino with its follower, as in geometry_contact, with two more derivatives. */
-struct rolling {
-    struct contact contact;
-    real turn;  /* theta_1 - theta */
-    real b;     /* arm of the contact force on the follower */
-    real curve; /* d2 theta_1 / d theta2 */
-};
-
-/* A domino of the chain, with its tilt also as an angle. */
-struct roller {
-    struct link link;
-    struct rolling rolling;
-    real theta, second_derivative;
-};
-
-/* Rounds the edges: radius rho, over the height. Needs geometry->d and gravity. DOM_NO_ROUND: rho is above
- * d/2. */
-KERNEL enum dom_status rounded_edges(struct geometry *geometry, real rho);
-
-/* Finds the joint of a domino in a row with its follower, and where it hits the next one, `gap` before it,
- * over its height. */
-KERNEL void rounded_joint(struct geometry *geometry, const struct geometry *follower);
-KERNEL struct tilt rounded_hit(const struct geometry *geometry, real gap);
+#include "geometry/law.h"
 
 /* Returns h(0) - h(theta) of one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
-KERNEL struct roller roller_head(const struct geometry *geometry, struct tilt head);
-KERNEL void roller_next(struct roller *k);
-/* Returns one domino half way between two tilts. */
-KERNEL struct roller roller_between(const struct roller *a, const struct roller *b);
-
-/* Follow a chain outside of the loops, with edges of either kind. With sharp edges only
- * `link` has values. */
-KERNEL struct roller roller_begin(const struct geometry *geometry, struct tilt head);
-KERNEL void roller_follow(struct roller *k);
-/* Makes the contact of a domino that rounding has detached. */
-KERNEL void roller_touch(struct roller *k);
-
-/* Return the arms of the contact of a domino with its follower, with friction, times r: contact_arm_a and
- * contact_arm_b for edges of either kind. */
-KERNEL real link_arm_a(const struct link *k);
-KERNEL real link_arm_b(const struct link *k);
+/* Begin and continue a chain, and return one domino half way between two tilts. */
+KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
+KERNEL void rounded_next(struct walk *walk);
+KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
+KERNEL struct arms rounded_arms(const struct link *link);
 
 /* Counts a pass. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
-/* The passes of chain.h. */
-KERNEL enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
-                                   struct sums *sums);
-KERNEL enum dom_status rolling_change(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real by, struct sums *sums);
-/* Finds the same sums as rolling_change, and whether all contacts surely push (chain_pushes). */
-KERNEL enum dom_status rolling_closed(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                      real by, struct sums *sums);
-/* Finds J, H1 and half of dJ/dtheta. */
-KERNEL enum dom_status rolling_rates(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                     real *half_J1);
+/* The passes of struct contact_law, which have no error bounds. */
+KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
+KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
+KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt head, enum pass pass,
+                                      struct sums *sums, struct sums *error);
+KERNEL enum dom_status rounded_change_from(const struct geometry *geometry, struct tilt from,
+                                           struct tilt head, enum pass pass, struct sums *sums);
+KERNEL enum dom_status rounded_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                         real by, struct sums *sums);
+KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                    struct sums *at_c);
+KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
+                                     struct sums *sums, real *half_J1);
+KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,
+                                        struct equation_of_motion *equation);
+KERNEL enum dom_status rounded_drive(const struct geometry *geometry, struct tilt head, real tol,
+                                     real *drive);
 
 #endif

@@ -8,13 +8,23 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* d2H/dtheta2, with rounding errors and a part of the tail of H1; only from
-     * chain_second_derivative_from */
+    /* d2H/dtheta2, with rounding errors and a part of the tail of H1; only with
+     * PASS_SECOND_DERIVATIVE */
     real H2;
-    real dH;     /* H(theta) - H(0), or from another tilt; only from chain_energy_change */
+    real dH;     /* H(theta) - H(0), or from another tilt; only from passes that compare two tilts */
     real left;   /* the part of dH in a follower that has detached during the cycle */
     size_t n;    /* dominoes followed */
-    bool pushes; /* true: no contact between the two tilts opens (chain_pushes); only from there */
+    bool pushes; /* true: no contact between the two tilts opens; only with PASS_PUSHES */
+};
+
+/* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
+struct equation_of_motion {
+    real A, B, C;
+    /* Sums of the absolute values of all terms, larger where an arm b cancels: the scale of the rounding
+     * errors. */
+    real A_size, B_size, C_size;
+    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or the arm b of a follower is <= 0 */
+    size_t n;   /* dominoes followed */
 };
 
 /* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 needs

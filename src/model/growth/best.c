@@ -74,7 +74,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
     /* At r = 1 the fuels agree, and P increases with s where it is positive. */
-    if (status == DOM_OK && r == 1 && energy_fuel_paper(&at_hi) <= 0) {
+    if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
     }
@@ -331,7 +331,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     struct margin_context *c = b->c;
     real s = b->s, r = b->r_max, r_error = 0;
     *error = (struct dom_best_error){.s = REAL_NAN, .r_max = REAL_NAN};
-    if (!c->geometry.dynamics->bounded)
+    if (!dynamics_bounded(&c->geometry))
         return DOM_OK;
     struct limit limit;
     c->s = s;
@@ -370,7 +370,7 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     enum dom_status status = search_samples(&b);
     if (status == DOM_OK)
         status =
-            c->geometry.dynamics->bounded ? search_between(&b, BEST_LOWEST, 1, INFINITY) : search_finely(&b);
+            dynamics_bounded(&c->geometry) ? search_between(&b, BEST_LOWEST, 1, INFINITY) : search_finely(&b);
     if (status != DOM_OK)
         return c->status = status;
     if (!(b.r_max > 1))
@@ -378,8 +378,8 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
     /* Next to a jump there may be several tops: searches once more near the best, in narrower intervals. */
     real before = 0;
     status = search_top(&b, (real)1e-6, &smooth);
-    for (int k = 0; status == DOM_OK && c->geometry.dynamics->bounded && !smooth && k < 3 && b.r_max > before;
-         k++) {
+    for (int k = 0;
+         status == DOM_OK && dynamics_bounded(&c->geometry) && !smooth && k < 3 && b.r_max > before; k++) {
         before = b.r_max;
         b.finest = BEST_FINEST / 64;
         status = search_between(&b, b.s * (1 - 4 * BEST_FINEST), b.s * (1 + 4 * BEST_FINEST), (real)INFINITY);

@@ -15,7 +15,7 @@
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
     real r = limit->r_max, reach = c->geometry.span / c->s;
-    bool bounded = c->geometry.dynamics->bounded;
+    bool bounded = dynamics_bounded(&c->geometry);
     *error = bounded ? UNIT * r : REAL_NAN;
     if (limit->ends != DOM_END_BARRIER || !bounded)
         return DOM_OK;
@@ -59,7 +59,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
                                          struct limit *limit)
 {
     *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
-    if (c->geometry.dynamics->bounded)
+    if (dynamics_bounded(&c->geometry))
         return scan_to_negative(c, from, &limit->r_max, &limit->ends);
     struct edge before, after;
     bool found = false;
@@ -73,7 +73,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
 /* Finds the first r >= from at which the margin is not negative, if there is one. */
 static enum dom_status limit_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
-    if (c->geometry.dynamics->bounded)
+    if (dynamics_bounded(&c->geometry))
         return scan_to_positive(c, from, edge, found);
     struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
@@ -98,8 +98,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
         return c->status = status;
     /* At r = 1 P has a closed form, and K = P T, T >= 1. */
     first.margin = (struct margin){
-        .kinetic = energy_fuel_paper(&geometry), .barrier = barrier_most(&geometry), .most = true};
-    if (!geometry.dynamics->bounded || !(first.margin.kinetic > 2 * first.margin.barrier))
+        .kinetic = geometry.law->paper_fuel(&geometry), .barrier = barrier_most(&geometry), .most = true};
+    if (!dynamics_bounded(&geometry) || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;
@@ -111,21 +111,15 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/*
- * The most dominoes in all passes of an answer together, which take a second in double. If an answer needs
- * more, the status is DOM_TOO_LONG. With an equation of motion a domino takes about four times as long, with
- * rounded edges ten times.
- */
-#define WORK_MOST         ((size_t)60000000)
-#define WORK_MOST_FLOW    ((size_t)15000000)
-#define WORK_MOST_ROUNDED ((size_t)7000000)
+/* With an equation of motion a domino takes about four times as long. */
+#define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)
 {
+    const size_t most = c->geometry.law->work_most;
     c->geometry.effort = &c->effort;
-    c->geometry.effort_most = c->geometry.rounded.on          ? WORK_MOST_ROUNDED
-                              : c->geometry.dynamics->bounded ? WORK_MOST
-                                                              : WORK_MOST_FLOW;
+    c->geometry.effort_most =
+        c->geometry.dynamics->conservative || most < WORK_MOST_FLOW ? most : WORK_MOST_FLOW;
 }
 
 KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit *limit)
@@ -150,7 +144,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     bool any;
     *found = no_limit;
     /* (5; b0): below this growth domino 1 has not tipped over when it hits. */
-    real tips = fmax(pair_tips_at(&c->geometry) / c->s, 1);
+    real tips = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1);
     if (tips > c->geometry.span / c->s)
         return DOM_OK;
     enum dom_status status = limit_to_positive(c, tips, &edge, &any);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/margin.h"
 #include "geometry/far.h"
-#include "geometry/rounded.h"
 
 /* About as many passes need the far tail of one growth. */
 #define FAR_PASSES 2
@@ -54,10 +53,10 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     enum dom_status status;
     bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
     /* At r = 1 the fuels agree, and the closed form needs no train. */
-    if (geometry->r == 1 && geometry->dynamics->conservative && energy_fuel_paper(geometry) <= 0)
+    if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
-        status = chain_both(geometry, barrier_near(geometry, &c->barrier), &near, &at_c);
+        status = geometry->law->both(geometry, barrier_near(geometry, &c->barrier), &near, &at_c);
         if (status != DOM_OK)
             return status;
         struct fuel f = fuel_of(geometry, &at_c);
@@ -71,37 +70,13 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     return status == DOM_OK ? margin_barrier(geometry, c, both ? &near : NULL, m) : status;
 }
 
-KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine)
-{
-    real u = geometry->reach; /* h(theta_u) (6; b2) */
-    *sine = -geometry_lift(geometry, geometry->c) / u;
-    *cosine = geometry_height(geometry, geometry->c) / u;
-}
-
-KERNEL real pair_tips_at(const struct geometry *geometry)
-{
-    real theta = geometry_theta_u(geometry);
-    return geometry->rounded.on ? geometry->rounded.rho * theta + geometry->rounded.tall * sin(theta)
-                                : geometry->h.x / geometry->reach;
-}
-
-KERNEL real pair_push(const struct geometry *geometry)
-{
-    real sine, cosine;
-    pair_tips(geometry, &sine, &cosine);
-    if (geometry->rounded.on)
-        return fmax(rounded_fall(geometry, geometry->c) + geometry_rise_u(geometry), 0) /
-               geometry_inertia(geometry, geometry->c);
-    return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
-}
-
 /* Finds the margin of the pair after the collision (17; b13). */
 static enum dom_status pair_margin(const struct geometry *geometry, struct margin_context *c,
                                    struct margin *m)
 {
     struct geometry two = *geometry;
     real u = geometry->reach, sine, cosine;
-    pair_tips(geometry, &sine, &cosine);
+    geometry_tips(geometry, &sine, &cosine);
     two.n = 1; /* the geometry of the domino that hits */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
@@ -110,7 +85,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     if (status != DOM_OK)
         return status;
     real share = collision_velocity_ratio(inertia_ratio); /* (15; b11) */
-    real kinetic = (geometry->upright + k) * geometry->r * pair_push(geometry) * share * share;
+    real kinetic = (geometry->upright + k) * geometry->r * geometry->law->push(geometry) * share * share;
     real sine_error = UNIT * (5 * geometry->h.y * geometry->c.x + 7 * geometry->h.x * geometry->c.y) / u,
          powers = 24 * UNIT;
     *m = sine > 0 ? (struct margin){.kinetic = kinetic, .error = kinetic * (2 * sine_error / sine + powers)}
@@ -124,7 +99,7 @@ KERNEL struct margin_context margin_of_train(const struct request *train)
     struct margin_context c = {
         .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
     c.status = dynamics_read(train, &c.geometry);
-    if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !geometry_level(&c.geometry))
+    if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&c.geometry))
         c.status = DOM_NO_METHOD;
     return c;
 }

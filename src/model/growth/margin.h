@@ -60,17 +60,6 @@ struct margin_context {
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
-/* Finds sine and cosine of theta_c - theta_u. Before theta_u domino 1 has not tipped over when it hits
- * (5; b0). */
-KERNEL void pair_tips(const struct geometry *geometry, real *sine, real *cosine);
-
-/* Returns r s at the smallest growth at which domino 1 has tipped over when it hits (5; b0). */
-KERNEL real pair_tips_at(const struct geometry *geometry);
-
-/* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5), without cancellation; 0 if domino 1 has not
- * tipped over. */
-KERNEL real pair_push(const struct geometry *geometry);
-
 /* Returns the margin at r, to the train's tolerance; context is a margin_context. Returns NaN after an error,
  * and sets the status of the context. */
 KERNEL real margin_at(real r, void *context);

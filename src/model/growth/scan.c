@@ -47,8 +47,8 @@ static real pair_velocity_ratio(const struct geometry *geometry)
  */
 static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
 {
-    real push_lo = pair_push(lo), push_hi = pair_push(hi), sine, cosine;
-    pair_tips(lo, &sine, &cosine);
+    real push_lo = lo->law->push(lo), push_hi = hi->law->push(hi), sine, cosine;
+    geometry_tips(lo, &sine, &cosine);
     s->kinetic_least = push_lo * pair_velocity_ratio(hi) * (1 - 256 * REAL_EPSILON);
     s->kinetic_most = push_hi * pair_velocity_ratio(lo) * (1 + 256 * REAL_EPSILON);
     real gains = (1 + cosine) / sine * (hi->c.x / hi->c.y);

@@ -250,7 +250,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     struct strip s = {.grows = 1};
     real most = barrier_most(lo);
     tol = fmax(tol, 64 * REAL_EPSILON);
-    real paper = fuel == DOM_FUEL_PAPER ? energy_fuel_paper(lo) : 0;
+    real paper = fuel == DOM_FUEL_PAPER ? lo->law->paper_fuel(lo) : 0;
     upright_next(&a, lo);
     upright_next(&b, hi);
     struct between at = between_of(lo, a.link.tilt, b.link.tilt);
@@ -308,7 +308,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         if (i >= lo->n - 1 || ends || done) {
             if (fuel == DOM_FUEL_PAPER) {
                 sums.least = paper;
-                sums.most = energy_fuel_paper(hi);
+                sums.most = hi->law->paper_fuel(hi);
             } else if (settled) {
                 sums.most += rest_hi;
             }

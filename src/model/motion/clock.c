@@ -25,7 +25,7 @@ static real stop_width(const struct motion *m)
     struct sums at;
     const struct geometry *geometry = &m->cycle.segment.geometry;
     if (!geometry->dynamics->conservative || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
-        chain_second_derivative_from(geometry, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
+        chain_second_derivative(geometry, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
         return REAL_NAN;
     return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
 }

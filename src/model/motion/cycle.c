@@ -117,7 +117,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     const struct geometry *geometry = &cycle->segment.geometry;
     struct sums at = {0}, e = {0};
     *error = DOM_NAN;
-    if (!geometry->dynamics->bounded)
+    if (!dynamics_bounded(geometry))
         return DOM_OK;
     enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
@@ -158,7 +158,7 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
         return DOM_NO_MARGIN;
     real of_speed = 0;
     enum dom_status status = segment_integral(st, slowness, 0, st->hi, fmax(tol / 8, noise), duration, error);
-    if (error && !st->geometry.dynamics->bounded)
+    if (error && !dynamics_bounded(&st->geometry))
         *error = REAL_NAN;
     else if (status == DOM_OK && error)
         status = segment_integral(st, slowness_error, 0, st->hi, (real)0.125, &of_speed, NULL);

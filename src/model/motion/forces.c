@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/forces.h"
-#include "geometry/rounded.h"
 #include <stdlib.h>
 
 /*
@@ -8,31 +7,6 @@
  * most this number, since the tail at its end is a series (moving_push).
  */
 #define FORCES_MORE 4096
-
-/* One domino of the moving chain. */
-struct moving {
-    struct link link;
-    real second_derivative; /* theta_i'' = d^2 theta_i / d theta^2 */
-    real size;              /* its height over that of the head */
-    real force, impulse;    /* of the contact with its follower */
-};
-
-/* Lists the chain, up to its end or as far as there is room. */
-static size_t moving_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
-{
-    size_t n = 1;
-    struct roller walk = roller_begin(geometry, head);
-    k[0] = (struct moving){.link = walk.link, .second_derivative = 0, .size = 1};
-    for (; n < room && n < geometry->n && k[n - 1].link.leads; n++) {
-        roller_follow(&walk);
-        k[n].link = walk.link;
-        k[n].second_derivative = geometry->rounded.on
-                                     ? walk.second_derivative
-                                     : link_second_derivative(&k[n - 1].link, k[n - 1].second_derivative);
-        k[n].size = k[n - 1].size / k[n - 1].link.geometry->r;
-    }
-    return n;
-}
 
 static real geometric(real first, real ratio)
 {
@@ -50,7 +24,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
         const struct link *own = &k[j].link, *leader = &k[j - 1].link;
         real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
         real gravity = -own->weight * geometry_lift(own->geometry, own->tilt) / 2;
-        real torque_share = own->leads ? dynamics_arms(geometry->dynamics, own).ratio : 0;
+        real torque_share = own->leads ? k[j].arms.ratio : 0;
         real inertia = own->inertia * geometry_inertia(own->geometry, own->tilt),
              grows = own->inertia * geometry_inertia_slope(own->geometry, own->tilt),
              omegasq = own->slope * own->slope * kinematics->omegasq;
@@ -61,7 +35,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * own->step * torque_share);
         }
-        real arm_b = dynamics_arms(geometry->dynamics, leader).b / leader->geometry->r * k[j - 1].size;
+        real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force turns a domino, however large. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
@@ -139,7 +113,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
     struct moving *k = room_for(list, room);
     if (!k)
         return DOM_NO_MEMORY;
-    size_t n = moving_list(geometry, head, k, room);
+    size_t n = geometry->law->list(geometry, head, k, room);
     moving_push(geometry, kinematics, k, n);
     for (size_t i = 0; i < n && i < shown; i++) {
         struct hinge_load hinge_load = {

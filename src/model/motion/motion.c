@@ -178,7 +178,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = cycle_speed(&m->cycle, m->end, theta, &omegasq, errors ? &omegasq_error : NULL);
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
-        status = chain_energy_change(geometry, head, &at, errors ? &e : NULL);
+        status = geometry->law->change(geometry, head, PASS_PLAIN, &at, errors ? &e : NULL);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))
@@ -204,7 +204,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
     if (!errors)
         return DOM_OK;
     real of_time = REAL_NAN;
-    if (geometry->dynamics->bounded)
+    if (dynamics_bounded(geometry))
         status = time_error(m, state, &of_time);
     real of_before = geometry->weight * launch_error->arrives + 5 * UNIT * before;
     state->error = (struct dom_state_error){

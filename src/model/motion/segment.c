@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
-#include "geometry/rounded.h"
 
 /* Finds the tilt at which the first domino detaches: before the one that has detached by the end, another one
  * may detach earlier, and so on. */
@@ -13,7 +12,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         enum dom_status status = geometry_tilt(geometry, st->hi, &head);
         if (status != DOM_OK)
             return status;
-        struct roller k = roller_begin(geometry, head);
+        struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
         /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
          * moves at that moment. */
@@ -22,7 +21,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
                          link->tilt.v < link->geometry->leave.v)) {
             last = link->i + 1 >= geometry->n || (!all && link->slope < REAL_EPSILON * REAL_EPSILON);
             if (!last)
-                roller_follow(&k);
+                geometry->law->next(&k);
         }
         if (last || link->i + 1 >= geometry->n)
             return DOM_OK;
@@ -30,7 +29,7 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
         *stay = link->i + 1;
         const struct geometry *leader = link->geometry + 1;
         for (size_t i = link->i; i > 0; i--)
-            leave = geometry_leader(leader++, leave);
+            leave = geometry->law->leader(leader++, leave);
         st->hi = fmin(fmax(tilt_angle(leave), st->lo), st->hi);
     }
 }
@@ -45,7 +44,7 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct start *start = &st->start;
     struct sums at = {.J = start->J};
     enum dom_status status =
-        st->summed == st->geometry.n ? DOM_OK : chain_sum(&st->geometry, start->from, &at);
+        st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
     /* A domino that detaches carries no energy away. If it detaches at once (r s = 1), J decreases with
      * it. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
@@ -72,7 +71,8 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
     real omegasq = REAL_NAN;
     st->status = geometry_tilt(&st->geometry, st->hi, &head);
     if (st->status == DOM_OK)
-        st->status = chain_pushes(&st->geometry, st->start.from, head, &st->end);
+        st->status =
+            st->geometry.law->change_from(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end);
     if (st->status != DOM_OK)
         return st->status;
     const real J = st->end.J;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define KERNEL_NAME(name) name##_double
-#define KERNEL_TEXTS      /* this file compiles the descriptions of effects, once */
 #include "precision/kernel.inc"
 
 const struct kernel kernel_double = KERNEL_TABLE;

@@ -19,7 +19,6 @@
  * cannot differ in verdict, and the trial has that of the unchanged row. Where this is not so, the trial goes
  * on to the end of the row.
  */
-#include "row/course.h"
 #include "row/run.h"
 #include <stdlib.h>
 

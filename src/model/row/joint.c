@@ -6,7 +6,6 @@
  */
 #include "row/joint.h"
 #include "dynamics/walls.h"
-#include "geometry/rounded.h"
 #include <string.h>
 
 KERNEL struct block block_of(const struct row_request *row, size_t k)
@@ -47,8 +46,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
                         (previous.box / own.box);
     geometry->follower = follower;
-    if (geometry->rounded.on)
-        rounded_joint(geometry, follower);
+    if (geometry->law->joint)
+        geometry->law->joint(geometry, follower);
     /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
@@ -92,12 +91,9 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
 {
     if (k + 1 == row->count)
         return (struct tilt){1, 0, 1};
-    if (geometry->rounded.on)
-        return rounded_hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
     if (row->domino[k + 1].lean != 0 || row->domino[k].lean != 0)
         return lean_end(row, k);
-    real sine = fmin((real)row->domino[k + 1].gap / (real)row->domino[k].height, 1);
-    return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
+    return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
 
 /* Returns the radius of the edges of domino k over its height; 0: they are sharp. */

@@ -32,7 +32,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
     enum dom_status status = geometry_tilt(&st->geometry, theta, &tilt);
     if (status != DOM_OK)
         return status;
-    struct roller k = roller_begin(&st->geometry, tilt);
+    struct walk k = st->geometry.law->begin(&st->geometry, tilt);
     w->moving = st->geometry.n;
     for (;;) {
         w->tilt[head - k.link.i] = k.link.i == 0 ? theta : tilt_angle(k.link.tilt);
@@ -40,9 +40,9 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
         if (!k.link.leads) { /* by rounding: it detaches just here */
-            roller_touch(&k);
+            st->geometry.law->touch(&k);
         }
-        roller_follow(&k);
+        st->geometry.law->next(&k);
     }
 }
 
@@ -258,16 +258,16 @@ KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)
         return;
-    const bool rounded = tip->geometry.rounded.on;
+    const bool closed = tip->geometry.law->closed_form;
     const real u = tip->geometry.reach, whole = tip->hi - tip->lo;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *tip, .to = tip->hi, .since = {.tau = tau}};
     w->moving = 1;
     while (!w->ended && w->next < w->times && (real)w->time[w->next] < 0) {
         real time = (real)w->time[w->next] / tau,
-             phi = rounded ? tipping_at(tip, -time) : 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2)));
+             phi = closed ? 4 * atan(tan(whole / 4) * exp(time * sqrt(u / 2))) : tipping_at(tip, -time);
         w->tilt[0] = tip->lo + phi;
-        w->omega[0] = (rounded ? tipping_rate(tip, phi) : sqrt(2 * u)) * sin(phi / 2) / tau;
+        w->omega[0] = (closed ? sqrt(2 * u) : tipping_rate(tip, phi)) * sin(phi / 2) / tau;
         watch_visit(w, w->time[w->next]);
     }
 }

@@ -94,12 +94,12 @@ static enum dom_status inertia_begin(const struct run *run, size_t k, struct til
 {
     struct geometry geometry = run->geometry[k];
     struct sums at = {0};
-    if (geometry.rounded.on && geometry.dynamics->conservative && run->inertia_ratio > 0) {
+    if (!geometry.law->closed_form && geometry.dynamics->conservative && run->inertia_ratio > 0) {
         *J = geometry.upright * (1 + run->inertia_ratio);
         return DOM_OK;
     }
     geometry.n = run->moving;
-    enum dom_status status = chain_sum(&geometry, rest, &at);
+    enum dom_status status = geometry.law->sum(&geometry, rest, &at);
     *J = at.J;
     return status;
 }
@@ -181,7 +181,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
-    d->st.start.omegasq = tips ? pair_push(geometry) : 0;
+    d->st.start.omegasq = tips ? geometry->law->push(geometry) : 0;
     run->carried = d->st.start.J * d->st.start.omegasq * block.unit;
     run->verdict.end = tips ? DOM_ROW_FALLS : DOM_ROW_LEANS;
     return status;

@@ -6,7 +6,6 @@
  * chain at first is that of the head before at its end, so the pass follows one chain and not two. Where a
  * bound does not suffice, or a domino detaches, the head runs as in any row (row_head).
  */
-#include "row/sample.h"
 #include "row/run.h"
 #include "row/slide.h"
 #include <stdlib.h>
@@ -256,7 +255,7 @@ KERNEL enum dom_status row_sample(const struct row_request *asked, struct random
     s->plain = true;
     num_rough_begin(&s->slide.flow);
     for (size_t k = 0; k < n; k++)
-        s->plain = s->plain && !s->geometry[k].rounded.on && asked->domino[k].lean == 0;
+        s->plain = s->plain && s->geometry[k].law->closed_form && asked->domino[k].lean == 0;
     return DOM_OK;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far each value of a row may be off: windows of gaps, places, heights, leans, and of the friction. */
-#include "row/trial.h"
+#include "planning/trial.h"
 
 /* The height of a domino is tried from a part of its own to a multiple, and the friction up to a multiple or
  * to this. */

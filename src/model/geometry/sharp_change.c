@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Differences of H: two chains together, and the far end of both in closed form. */
 #include "geometry/bound.h"
-#include "geometry/chain.h"
 #include "geometry/far.h"
-#include "geometry/rounded.h"
+#include "geometry/law.h"
 
 /*
  * Returns h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2). The
@@ -14,7 +13,7 @@ KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, s
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds of chain_energy_change. */
+/* The error bounds of a pass. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -45,8 +44,8 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 
 /*
  * Returns tan((theta_f - theta_1) / 2) for a follower that detaches at theta_f and had the tilt theta_1 when
- * its leader had that of `leader`. This is the step of chain_energy_change from theta_leave, where a = 0, so
- * Y = r L x. The arm of the leader contains cos - cos theta_leave = (leave_at - leave_by v) / leave_by.
+ * its leader had that of `leader`. This is the step of energy_change_between from theta_leave, where a = 0,
+ * so Y = r L x. The arm of the leader contains cos - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
 static real leaving_half_turn(const struct geometry *geometry, const struct link *leader)
 {
@@ -120,14 +119,6 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
            done_H1(state, a, tol);
 }
 
-/* What a pass computes: a constant of each caller, so that the compiler removes the rest. */
-enum {
-    PASS_ERROR = 1,             /* bounds */
-    PASS_SHIFT = 2,             /* a is the endless train at theta_c; b is a from its second domino on */
-    PASS_SECOND_DERIVATIVE = 4, /* H2 */
-    PASS_PUSHES = 8,            /* signs of contact forces */
-};
-
 /*
  * Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
  * to a.
@@ -194,8 +185,8 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
  * tilts; so the smallest differences keep their digits.
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
-                                                  struct tilt head, real t, const int pass, struct sums *sums,
-                                                  struct sums *error)
+                                                  struct tilt head, real t, const enum pass pass,
+                                                  struct sums *sums, struct sums *error)
 {
     struct sum_state state = {0};
     struct link a = link_head(geometry, head), b = link_head(geometry, from);
@@ -280,13 +271,6 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
-static real half_turn(struct tilt from, struct tilt head)
-{
-    real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
-    return sine / (1 + cosine);
-}
-
 /* Finds bounds for the results of another pass: the bounds of a pass that follows every domino, plus the
  * difference of the two passes. */
 static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
@@ -303,73 +287,42 @@ static enum dom_status energy_change_error(const struct geometry *geometry, stru
     return status;
 }
 
-KERNEL enum dom_status chain_energy_change(const struct geometry *geometry, struct tilt head,
-                                           struct sums *sums, struct sums *error)
+/* The pass is a constant of each call, so that the compiler removes what it does not ask for. */
+KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt head, enum pass pass,
+                                    struct sums *sums, struct sums *error)
 {
-    if (geometry->rounded.on)
-        return rolling_change(geometry, standing, head, tilt_angle(head), sums);
-    enum dom_status status =
-        energy_change_between(geometry, standing, head, half_of_tilt(head), 0, sums, NULL);
+    const real t = half_of_tilt(head);
+    enum dom_status status = pass == PASS_SHIFT
+                                 ? energy_change_between(geometry, standing, head, t, PASS_SHIFT, sums, NULL)
+                                 : energy_change_between(geometry, standing, head, t, PASS_PLAIN, sums, NULL);
     return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
 }
 
-KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
-                                       struct sums *error)
+KERNEL enum dom_status sharp_change_from(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                         enum pass pass, struct sums *sums)
 {
-    struct tilt head;
-    enum dom_status status = geometry_tilt(geometry, theta, &head);
-    return status == DOM_OK ? chain_energy_change(geometry, head, sums, error) : status;
-}
-
-KERNEL enum dom_status chain_fall(const struct geometry *geometry, struct sums *sums, struct sums *error)
-{
-    if (geometry->rounded.on)
-        return rolling_change(geometry, standing, geometry->c, tilt_angle(geometry->c), sums);
-    enum dom_status status = energy_change_between(geometry, standing, geometry->c, half_of_tilt(geometry->c),
-                                                   PASS_SHIFT, sums, NULL);
-    return status == DOM_OK && error ? energy_change_error(geometry, geometry->c, sums, error) : status;
-}
-
-KERNEL enum dom_status chain_energy_change_from(const struct geometry *geometry, struct tilt from,
-                                                struct tilt head, struct sums *sums)
-{
-    if (geometry->rounded.on)
-        return rolling_change(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
-    return energy_change_between(geometry, from, head, half_turn(from, head), 0, sums, NULL);
-}
-
-KERNEL enum dom_status chain_pushes(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    struct sums *sums)
-{
-    if (geometry->rounded.on)
-        return rolling_closed(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
-    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_PUSHES, sums, NULL);
-}
-
-KERNEL enum dom_status chain_energy_change_by(const struct geometry *geometry, struct tilt from,
-                                              struct tilt head, real by, struct sums *sums)
-{
-    if (geometry->rounded.on)
-        return rolling_change(geometry, from, head, by, sums);
-    return energy_change_between(geometry, from, head, tan(by / 2), 0, sums, NULL);
-}
-
-KERNEL enum dom_status chain_second_derivative_from(const struct geometry *geometry, struct tilt from,
-                                                    struct tilt head, struct sums *sums)
-{
-    if (geometry->rounded.on)
-        return rolling_change(geometry, from, head, 2 * atan(half_turn(from, head)), sums);
-    return energy_change_between(geometry, from, head, half_turn(from, head), PASS_SECOND_DERIVATIVE, sums,
-                                 NULL);
-}
-
-KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                  struct sums *fall)
-{
-    if (geometry->rounded.on) {
-        enum dom_status status = chain_fall(geometry, fall, NULL);
-        return status == DOM_OK ? chain_second_derivative_from(geometry, standing, head, sums) : status;
+    const real t = half_turn(from, head);
+    switch (pass) {
+    case PASS_SECOND_DERIVATIVE:
+        return energy_change_between(geometry, from, head, t, PASS_SECOND_DERIVATIVE, sums, NULL);
+    case PASS_PUSHES:
+        return energy_change_between(geometry, from, head, t, PASS_PUSHES, sums, NULL);
+    default:
+        return energy_change_between(geometry, from, head, t, PASS_PLAIN, sums, NULL);
     }
+}
+
+KERNEL enum dom_status sharp_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                       real by, struct sums *sums)
+{
+    return energy_change_between(geometry, from, head, tan(by / 2), PASS_PLAIN, sums, NULL);
+}
+
+/* Both passes run side by side: the processor computes square roots of one chain while those of the other
+ * wait. */
+KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
+                                  struct sums *at_c)
+{
     struct sum_state up = {0}, down = {0};
     struct link a = link_head(geometry, head), b = link_head(geometry, standing),
                 c = link_head(geometry, geometry->c);
@@ -400,6 +353,6 @@ KERNEL enum dom_status chain_both(const struct geometry *geometry, struct tilt h
         b.contact = c.contact;
         link_next(&c);
     }
-    *fall = sums_of(&down, 0, a.i + 1);
-    return sums_finite(fall) ? sum_result(geometry, &up, H2, a.i + 1, sums) : DOM_NOT_FINITE;
+    *at_c = sums_of(&down, 0, a.i + 1);
+    return sums_finite(at_c) ? sum_result(geometry, &up, H2, a.i + 1, sums) : DOM_NOT_FINITE;
 }

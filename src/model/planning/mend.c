@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What saves a row that does not fall: another gap, or a stronger push; and the largest growth of a row. */
-#include "row/trial.h"
+#include "planning/trial.h"
 
 /* ---- Gaps ---- */
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Friction between dominoes with rounded edges: the tip is a circle of radius rho_1, and the foot rolls
- * (geometry/rounded.h). About the lines of contact with the floor the arms, times r, are those of link_arm_a
- * and link_arm_b. The inertia of a domino changes with its tilt: A and B have i theta_i' and i theta_i'' + i'
+ * (geometry/rounded.h). About the lines of contact with the floor the arms, times r, are those of
+ * rounded_arms. The inertia of a domino changes with its tilt: A and B have i theta_i' and i theta_i'' + i'
  * theta_i'^2 / 2.
  */
-#include "dynamics/flow.h"
 #include "geometry/rounded.h"
 
 /*
@@ -17,7 +16,7 @@ struct rounding {
     real S, slope, second_derivative;
 };
 
-static void rounding_next(struct rounding *e, const struct roller *k, real S, real a, real b)
+static void rounding_next(struct rounding *e, const struct walk *k, real S, real a, real b)
 {
     const struct link *link = &k->link;
     const struct geometry *own = link->geometry;
@@ -32,11 +31,11 @@ static void rounding_next(struct rounding *e, const struct roller *k, real S, re
     e->slope = e->slope * step + 2 * slope;
 }
 
-KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometry, struct tilt head,
-                                                  struct equation_of_motion *equation)
+KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,
+                                        struct equation_of_motion *equation)
 {
     struct series A = {0}, B = {0}, C = {0};
-    struct roller k = roller_head(geometry, head);
+    struct walk k = rounded_begin(geometry, head);
     struct rounding e = {0};
     real S = 1, A_error = 0, B_error = 0, C_error = 0;
     bool wrong_side = false;
@@ -59,7 +58,8 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
         C_error += link->weight * (e.S + size) * lift;
         if (link->i + 1 >= geometry->n || !link->leads)
             break;
-        real a = link_arm_a(link), b = link_arm_b(link), ratio = fabs(a / b),
+        const struct arms arms = rounded_arms(link);
+        real a = arms.a, b = arms.b, ratio = fabs(arms.ratio),
              curve = fabs(k.second_derivative) + slope * slope * (fabs(k.rolling.curve) + 1),
              next = fmax(own->inertia * ratio, fmax(own->decay, own->decay_J));
         if (series_done(&C, link->weight * size * lift, fmax(own->weight * ratio, own->decay),
@@ -69,8 +69,8 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
             break;
         wrong_side = wrong_side || b <= 0;
         rounding_next(&e, &k, S, a, b);
-        S *= a / b;
-        roller_next(&k);
+        S *= arms.ratio;
+        rounded_next(&k);
     }
     chain_count(geometry, k.link.i + 1);
     rounded_count(geometry);
@@ -85,4 +85,13 @@ KERNEL enum dom_status rounded_equation_of_motion(const struct geometry *geometr
                                             .n = k.link.i + 1};
     equation->locks = wrong_side || equation->A <= 0;
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+KERNEL enum dom_status rounded_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
+{
+    (void)tol;
+    struct equation_of_motion equation = {.C = REAL_NAN};
+    enum dom_status status = rounded_equation(geometry, head, &equation);
+    *drive = equation.C;
+    return status;
 }

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows with random errors, in batches that may run in parallel. The random numbers of a row depend on the
  * seed and the number of the row alone. */
-#include "numerics/api.h"
+#include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
-#include "row/sample.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_randist.h>
@@ -46,7 +45,8 @@ struct shared {
 struct batch {
     gsl_rng *random[2];
     struct dom_domino *domino;
-    struct dom_sample sample; /* runs the rows; none if an engine does */
+    const struct kernel *kernel;
+    struct random_row *sample; /* runs the rows; NULL if an engine does */
 };
 
 /*
@@ -81,21 +81,22 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
 }
 
 /* Runs the row that was drawn. */
-static enum dom_status row_verdict(const struct batch *b, const struct shared *s, struct dom_verdict *verdict)
+static enum dom_status batch_verdict(const struct batch *b, const struct shared *s,
+                                     struct dom_verdict *verdict)
 {
     struct dom_row row = *s->row;
     if (!row.engine)
-        return sample_run(&b->sample, b->domino, s->placement->heights <= 0, verdict);
+        return b->kernel->row_sampled(b->sample, b->domino, s->placement->heights <= 0, verdict);
     row.domino = b->domino;
     row.floor = false;
-    return dom_row_run(&row, &s->compute, false, NULL, NULL, verdict);
+    return row_verdict(&row, &s->compute, false, NULL, NULL, verdict);
 }
 
 static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict verdict;
     row_draw(b, s->row, s->placement, i);
-    enum dom_status status = row_verdict(b, s, &verdict);
+    enum dom_status status = batch_verdict(b, s, &verdict);
     if (status != DOM_OK)
         return status;
     bool unknown = verdict.end == DOM_ROW_PASSES || verdict.end == DOM_ROW_PARTS;
@@ -105,6 +106,15 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     if (s->stops && !unknown && verdict.end != DOM_ROW_FALLS)
         s->stops[verdict.domino - 1]++;
     return DOM_OK;
+}
+
+/* Checks the row, and takes the memory to run others like it. */
+static enum dom_status batch_begin(struct batch *b, const struct shared *s)
+{
+    struct row_question q = row_question_make(s->row, &s->compute);
+    q.request.floor = false;
+    b->kernel = q.kernel;
+    return ASK(q, row_sample, &b->sample);
 }
 
 /* Runs batch number `index` of the rows, unless another batch has failed: a dom_task. */
@@ -120,7 +130,7 @@ static void batch_run(size_t index, void *context)
     if (status == DOM_OK)
         memcpy(b.domino, s->row->domino, s->row->count * sizeof *b.domino);
     if (status == DOM_OK && !s->row->engine)
-        status = sample_begin(s->row, &s->compute, &b.sample);
+        status = batch_begin(&b, s);
     for (size_t i = index * BATCH; i < p->rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
         status = row_try(&b, s, p->first + i);
     int none = DOM_OK;
@@ -129,7 +139,8 @@ static void batch_run(size_t index, void *context)
     for (int i = 0; i < 2; i++)
         if (b.random[i])
             gsl_rng_free(b.random[i]);
-    sample_end(&b.sample);
+    if (b.sample)
+        (void)b.kernel->row_sample_end(b.sample);
     free(b.domino);
 }
 
@@ -231,8 +242,7 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *p, struct dom_study *study, size_t *stops)
 {
-    struct shared shared = {
-        .row = row, .compute = compute ? *compute : dom_compute_default(), .placement = p};
+    struct shared shared = {.row = row, .compute = compute_or_default(compute), .placement = p};
     struct dom_work *work = shared.compute.work;
     shared.status = (int)study_check(row, &shared.compute, p);
     if (shared.status != DOM_OK)

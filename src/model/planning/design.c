@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Designs a row: from a first height and a last one to a separation, a growth and a number of dominoes with
- * which every cycle has a multiple of the energy that it needs. The search asks the public functions about
- * trains and rows, so that a designed row holds by the same verdict as one that a person enters.
+ * which every cycle has a multiple of the energy that it needs. The search asks the same questions as the
+ * public functions, so that a designed row holds by the same verdict as one that a person enters.
  */
+#include "dispatch/dispatch.h"
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -89,9 +90,10 @@ static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
     p->train.r = r;
     struct dom_compute compute = p->compute;
     enum dom_status status;
-    do
-        status = dom_barrier_find(&p->train, &compute, &barrier);
-    while (tried_again(status, &compute));
+    do {
+        struct question q = question_make(&p->train, &compute);
+        status = ASK(q, barrier_find, &barrier);
+    } while (tried_again(status, &compute));
     if (status == DOM_OK || status == DOM_STOPS)
         return barrier.kinetic / barrier.barrier;
     if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
@@ -161,7 +163,7 @@ static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, boo
         p->least = (dom_real)INFINITY;
         p->weakest = 0;
         p->whole = times;
-        status = dom_row_run(&row, &compute, times, ratio_seen, p, &verdict);
+        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
     } while (tried_again(status, &compute));
     p->seconds = verdict.seconds;
     if (status != DOM_OK)
@@ -187,7 +189,7 @@ static bool enough_in_engine(struct planner *p, struct choice c)
     if (!enough(p, c))
         return false;
     const struct dom_row row = row_of(p, c, p->wish->push, p->wish->engine);
-    enum dom_status status = dom_row_run(&row, &p->compute, true, NULL, NULL, &verdict);
+    enum dom_status status = row_verdict(&row, &p->compute, true, NULL, NULL, &verdict);
     bool falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     p->engine_seconds = verdict.seconds;
     p->engine_refused |= !falls;
@@ -424,7 +426,7 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design)
 {
-    struct dom_compute asked = compute ? *compute : dom_compute_default();
+    struct dom_compute asked = compute_or_default(compute);
     asked.errors = false;
     asked.method = DOM_METHOD_OURS;
     struct planner p = {.train = *train, .compute = asked, .wish = wish, .status = DOM_OK};
@@ -440,7 +442,9 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
         return DOM_BAD_PUSH;
     p.train.s = separation(GRID / 2);
     p.train.r = 1;
-    p.status = dom_train_check(&p.train, &p.compute);
+    struct question q = question_make(&p.train, &p.compute);
+    struct dom_angles angles;
+    p.status = ASK(q, angles_find, &angles);
     p.compute.precision = DOM_DOUBLE;
     p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
     struct dom_design found = {.s = DOM_NAN,

@@ -3,7 +3,6 @@
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
-#include "dynamics/list.h"
 #include "dynamics/walls.h"
 #include "geometry/reach.h"
 #include "numerics/real.h"
@@ -97,34 +96,4 @@ void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real r
     dom_real limit = atan((domino->thickness - 2 * radius) / domino->height);
     lean[0] = -limit - alpha;
     lean[1] = limit - alpha;
-}
-
-const struct dom_effect *dom_effect(enum dom_effect_name name)
-{
-    static const struct dom_effect *const all[] = {
-#define DYNAMICS(effect, member, status) &dom_effect_##effect,
-#define EFFECT(effect)                   &dom_effect_##effect,
-        DOM_DYNAMICS(DYNAMICS) DOM_EFFECTS(EFFECT)
-#undef DYNAMICS
-#undef EFFECT
-    };
-    return name < DOM_EFFECT_COUNT ? all[name] : NULL;
-}
-
-#define VALUE(effect, member, status) train->member,
-
-const struct dom_effect *dom_dynamics(const struct dom_train *train)
-{
-    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    int k = dynamics_first(value);
-    return k < DOM_DYNAMICS_COUNT ? dom_effect((enum dom_effect_name)k) : NULL;
-}
-
-const struct dom_effect *dom_law(const struct dom_train *train)
-{
-    const dom_real value[] = {DOM_DYNAMICS(VALUE)};
-    for (int k = 0; k < DOM_DYNAMICS_COUNT; k++)
-        if (dynamics_on(value[k]) && dom_effect((enum dom_effect_name)k)->dissipates)
-            return dom_effect((enum dom_effect_name)k);
-    return &dom_energy_balance;
 }

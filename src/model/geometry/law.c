@@ -1,0 +1,75 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The geometry of a train, as far as the law of contact does not decide it. */
+#include "geometry/law.h"
+
+/* Finds r^q, and r^q - 1 without cancellation. */
+static void geometry_powers(real r, real q, real *rq, real *rq_1)
+{
+    const int whole = (int)q;
+    if (q == (real)whole && whole <= 8) { /* hollow and solid: r^q - 1 = (r - 1) (1 + r + ...) */
+        real power = r, sum = 1;
+        for (int k = 1; k < whole; k++) {
+            sum += power;
+            power *= r;
+        }
+        *rq = power;
+        *rq_1 = (r - 1) * sum;
+        return;
+    }
+    *rq = pow(r, q);
+    /* The logarithm would lose digits where r^q is large, the difference where r^q is near 1. */
+    *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
+}
+
+KERNEL struct geometry geometry_read(const struct request *t)
+{
+    struct geometry geometry = {.s = (real)t->s,
+                                .r = (real)t->r,
+                                .d = (real)t->d,
+                                .q = (real)t->q,
+                                .tol = (real)t->tol,
+                                .box = 1,
+                                .n = CHAIN_ENDLESS,
+                                .interrupt = t->interrupt,
+                                .work = t->work};
+    geometry.reach = sqrt(1 + geometry.d * geometry.d);
+    geometry_gravity(&geometry, 0, 1);
+    return geometry;
+}
+
+KERNEL void geometry_gravity(struct geometry *geometry, real along, real down)
+{
+    real d = geometry->d;
+    geometry->g.along = along;
+    geometry->g.down = down;
+    geometry->h.x = d * down - along;
+    geometry->h.y = down + d * along;
+    geometry->upright = geometry->span = 1;
+    geometry->law = &sharp_edges;
+    geometry->rounded = (struct rounded){.tall = 1, .wide = d, .i.c = 1};
+}
+
+KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
+{
+    real d = geometry->d, L = s + d;
+    geometry->s = s;
+    geometry->r = r;
+    geometry->L = L;
+    geometry->rs = r * s;
+    geometry->rL = r * L;
+    /* The fma gives 1 - r s with one rounding. */
+    real short_of = fma(-r, s, 1);
+    /* A unit in the last place of 1: r s can exceed 1 by no more where s and r = 1/s are both rounded. */
+    if (short_of < -REAL_EPSILON)
+        return DOM_OUT_OF_REACH;
+    geometry->short_of = fmax(short_of, 0);
+    geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
+    /* The kinetic energy (24; c6) is as small as r^-(2q+1); below this limit it would lose its digits. */
+    if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
+        return DOM_UNDERFLOW;
+    geometry->weight = 1 / geometry->rq;
+    geometry->inertia = geometry->weight / r;
+
+    geometry->far.order = 0;
+    return geometry->law->set(geometry);
+}

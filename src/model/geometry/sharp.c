@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The law of contact of the paper: the edges are sharp, so that the tip of a follower touches the flat back
+ * of its leader, and a domino turns about the edge at the front of its foot.
+ */
+#include "geometry/far.h"
+#include "geometry/law.h"
+
+/* ---- Preparing a train or a row ---- */
+
+static enum dom_status sharp_set(struct geometry *geometry)
+{
+    const real s = geometry->s, r = geometry->r, d = geometry->d, L = geometry->L;
+    geometry->c = tilt_make(fmin(r * s, 1), sqrt(geometry->short_of * (1 + r * s)));
+    real x_inf = sqrt(s * (s + 2 * d)) / L;
+    geometry->inf = (struct tilt){x_inf, d / L, s / L};
+    geometry->decay = geometry->weight * fmax(0, 1 - r * L * x_inf);
+
+    /* (41; A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
+    geometry->leave_at = geometry->short_of * (1 + r * s);
+    geometry->leave_by = 2 * d * L * r * r;
+    real v_leave = geometry->leave_at / geometry->leave_by;
+    geometry->detaches = v_leave < geometry->inf.v;
+    geometry->f = geometry->inf;
+    if (geometry->detaches) {
+        geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
+        /* (42; A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
+        real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
+        real x_f =
+            2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
+        geometry->f = tilt_make(x_f, sqrt(one_minus_x * (2 - one_minus_x)));
+    }
+    return DOM_OK;
+}
+
+static struct tilt sharp_hit(const struct geometry *geometry, real gap)
+{
+    (void)geometry;
+    real sine = fmin(gap, 1);
+    return tilt_make(sine, sqrt((1 - sine) * (1 + sine)));
+}
+
+/* ---- One domino ---- */
+
+static struct tilt sharp_leader(const struct geometry *geometry, struct tilt follower)
+{
+    /* (12; b8) for a given follower: A cos theta + B sin theta = d, of whose two roots this is the
+     * smaller. */
+    real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
+    real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
+    real least = geometry->lean < 0 ? sin(geometry->lean) : 0;
+    return tilt_make(fmax((B * geometry->d - A * root) / (R * R), least),
+                     (A * geometry->d + B * root) / (R * R));
+}
+
+static real sharp_paper_fuel(const struct geometry *geometry)
+{
+    real s = geometry->s, d = geometry->d, x = geometry->h.x, y = geometry->h.y;
+    /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
+    if (geometry->detaches)
+        return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
+    /* h(0) - h(theta_inf), rationalized, so that no digits cancel near P = 0; on a level floor P = 0 at s = 2
+     * d^3 / (1 - d^2). */
+    return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
+           (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
+}
+
+static real sharp_tips_at(const struct geometry *geometry)
+{
+    return geometry->h.x / geometry->reach;
+}
+
+static real sharp_push(const struct geometry *geometry)
+{
+    real sine, cosine;
+    geometry_tips(geometry, &sine, &cosine);
+    return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
+}
+
+/* ---- The chain ---- */
+
+static struct walk sharp_begin(const struct geometry *geometry, struct tilt head)
+{
+    return (struct walk){.link = link_head(geometry, head)};
+}
+
+static void sharp_next(struct walk *walk)
+{
+    link_next(&walk->link);
+}
+
+static void sharp_touch(struct walk *walk)
+{
+    walk->link.contact = geometry_contact(walk->link.geometry, walk->link.tilt);
+    walk->link.step = 0;
+}
+
+static struct arms sharp_arms(const struct link *link)
+{
+    const bool rubs = link->geometry->mu != 0; /* without friction the ratio is the slope (14; b10) */
+    return (struct arms){
+        .a = contact_arm_a(link), .b = contact_arm_b(link), .ratio = rubs ? torque_ratio(link) : link->step};
+}
+
+static size_t sharp_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
+{
+    size_t n = 1;
+    k[0] = (struct moving){.link = link_head(geometry, head), .size = 1};
+    for (; n < room && n < geometry->n && k->link.leads; n++, k++) {
+        k->arms = sharp_arms(&k->link);
+        k[1].link = k->link;
+        link_next(&k[1].link);
+        k[1].second_derivative = link_second_derivative(&k->link, k->second_derivative);
+        k[1].size = k->size / k->link.geometry->r;
+    }
+    if (k->link.leads)
+        k->arms = sharp_arms(&k->link);
+    return n;
+}
+
+/* ---- Passes ---- */
+
+static enum dom_status sharp_sign(const struct geometry *geometry, struct tilt head, real *H1)
+{
+    struct sum_state a = {0};
+    struct sums sums;
+    struct link k = link_head(geometry, head);
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, k.i);
+        if (status != DOM_OK)
+            return status;
+        add_H1(&a, &k);
+        if (k.i + 1 >= geometry->n || !k.leads || done_H1(&a, &k, (real)0.75 / TAIL_SHARE)) {
+            status = sum_result(geometry, &a, 0, k.i + 1, &sums);
+            *H1 = sums.H1;
+            return status;
+        }
+        link_next(&k);
+    }
+}
+
+static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
+{
+    struct sum_state a = {0};
+    struct link k = link_head(geometry, head);
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, k.i);
+        if (status != DOM_OK)
+            return status;
+        add_J(&a, &k);
+        add_H1(&a, &k);
+        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
+            return sum_result(geometry, &a, 0, k.i + 1, sums);
+        link_next(&k);
+    }
+}
+
+/* Adds the rest of J, H1 and J'/2 from this domino on, if its tilt is near enough to theta_inf (far_near). */
+static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
+{
+    const struct geometry *geometry = k->geometry;
+    const struct far *far = &geometry->far;
+    if (geometry->n != CHAIN_ENDLESS || far->order == 0 || geometry->follower)
+        return false;
+    real z = far_off(geometry, k->tilt), share = far_share(far, z), H1 = k->weight * k->slope,
+         J = k->inertia * k->slope * k->slope;
+    if (!far_done(&a->H1, -H1 / 2 * far->H[1], H1 / 2 * far->rest_H * share, geometry->tol) ||
+        !far_done(&a->J, J * far->J[0], J * far->rest_J * share, geometry->tol))
+        return false;
+    struct far_point J_far = far_J(far, z);
+    series_add(&a->H1, H1 * far_H(far, z).first);
+    series_add(&a->J, J * J_far.value);
+    *half_J1 +=
+        k->inertia * k->slope * (second_derivative * J_far.value + k->slope * k->slope * J_far.first / 2);
+    return true;
+}
+
+static enum dom_status sharp_rates(const struct geometry *geometry, struct tilt head, bool every,
+                                   struct sums *sums, real *half_J1)
+{
+    struct sum_state a = {0};
+    struct link k = link_head(geometry, head);
+    real second_derivative = 0;
+    *half_J1 = 0;
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, k.i);
+        if (status != DOM_OK)
+            return status;
+        if (!every && rates_close(&k, second_derivative, &a, half_J1))
+            break;
+        add_J(&a, &k);
+        add_H1(&a, &k);
+        *half_J1 += k.inertia * k.slope * second_derivative;
+        if (k.i + 1 >= geometry->n || !k.leads || (done_J(&a, &k) && done_H1(&a, &k, geometry->tol)))
+            break;
+        second_derivative = link_second_derivative(&k, second_derivative);
+        link_next(&k);
+    }
+    return sum_result(geometry, &a, 0, k.i + 1, sums);
+}
+
+static const struct contact_law sharp_edges = {
+    .closed_form = true,
+    .work_most = 60000000,
+    .set = sharp_set,
+    .hit = sharp_hit,
+    .leader = sharp_leader,
+    .paper_fuel = sharp_paper_fuel,
+    .tips_at = sharp_tips_at,
+    .push = sharp_push,
+    .begin = sharp_begin,
+    .next = sharp_next,
+    .touch = sharp_touch,
+    .arms = sharp_arms,
+    .list = sharp_list,
+    .sign = sharp_sign,
+    .sum = sharp_sum,
+    .change = sharp_change,
+    .change_from = sharp_change_from,
+    .change_by = sharp_change_by,
+    .both = sharp_both,
+    .rates = sharp_rates,
+    .equation = sharp_equation,
+    .drive = sharp_drive,
+};

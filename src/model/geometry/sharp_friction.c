@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The passes with friction down a chain of dominoes with sharp edges: dynamics/friction.c has the equations.
+ */
+#include "geometry/far.h"
+#include "geometry/law.h"
+
+/*
+ * The series follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the equations like it for B and
+ * C, differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1.
+ */
+KERNEL void far_friction_make(struct geometry *geometry)
+{
+    real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
+    real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
+    /* theta_1', as a function of theta, and theta_1'', each with its derivatives. */
+    const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
+    /* S_1 = a / b. */
+    const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
+    const real S1 = above[1] - above[0] * below1,
+               S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
+    const real k = step[0], k1 = step[1];
+    /* Derivatives of the products S theta_1', S theta_1'^2 and S theta_1''. */
+    const real a[] = {S[0] * k, S[1] * k + S[0] * k1, S[2] * k + 2 * S[1] * k1 + S[0] * step[2]};
+    const real b[] = {a[0] * k, a[1] * k + a[0] * k1, a[2] * k + 2 * a[1] * k1 + a[0] * step[2]};
+    const real c[] = {S[0] * contact[0], S[1] * contact[0] + S[0] * contact[1],
+                      S[2] * contact[0] + 2 * S[1] * contact[1] + S[0] * contact[2]};
+    const real height_slope = geometry_height_slope(geometry, geometry->inf),
+               height = geometry_height(geometry, geometry->inf),
+               h[] = {-height_slope / 2, height / 2, height_slope / 2};
+    struct far_friction f = {.known = fabs(above[0]) < 1};
+    /* 1 - r^-q S_1, from r^q - 1. */
+    f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
+    f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
+    f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);
+    f.A[0] = 1 / (1 - m * a[0]);
+    f.A[1] = m * a[1] * f.A[0] / (1 - m * a[0] * k);
+    f.A[2] = m * (a[2] * f.A[0] + (2 * a[1] * k + a[0] * k1) * f.A[1]) / (1 - m * a[0] * k * k);
+    f.B[0] = m * c[0] * f.A[0] / (1 - m * b[0]);
+    f.B[1] = m * (b[1] * f.B[0] + c[1] * f.A[0] + c[0] * k * f.A[1]) / (1 - m * b[0] * k);
+    f.B[2] = m *
+             (b[2] * f.B[0] + (2 * b[1] * k + b[0] * k1) * f.B[1] + c[2] * f.A[0] +
+              (2 * c[1] * k + c[0] * k1) * f.A[1] + c[0] * k * k * f.A[2]) /
+             (1 - m * b[0] * k * k);
+    geometry->far_friction = f;
+}
+
+static void friction_count(const struct geometry *geometry, size_t n)
+{
+    chain_count(geometry, n);
+    if (geometry->work)
+        geometry->work->entered[DOM_EFFECT_friction]++;
+}
+
+/* One domino, its S_i, and theta_i''. */
+struct friction_link {
+    struct link link;
+    real S, second_derivative;
+    real noise; /* rounding error of S, in units; more than 1 where b = Y + mu X cancels, since X < 0 */
+    /* the contact force on a follower that lies too flat passes on the wrong side of its hinge: b <= 0 */
+    bool wrong_side;
+};
+
+static void friction_next(struct friction_link *k)
+{
+    const struct contact *contact = &k->link.contact;
+    real b = contact_arm_b(&k->link);
+    k->wrong_side = k->wrong_side || b <= 0;
+    k->noise += contact->X < 0 ? (contact->Y - k->link.geometry->mu * contact->X) / fabs(b) - 1 : 0;
+    k->S *= torque_ratio(&k->link);
+    k->second_derivative = link_second_derivative(&k->link, k->second_derivative);
+    link_next(&k->link);
+}
+
+static void drive_add(const struct friction_link *k, struct series *C)
+{
+    const struct link *link = &k->link;
+    series_add(C, -link->weight * k->S * geometry_height_slope(link->geometry, link->tilt) / 2);
+}
+
+/*
+ * Returns true when the tail of C can be left out at a tolerance. friction_done finds the same for all three
+ * sums. Far down the train, dominoes pass on no more than near the end of an endless train.
+ */
+static bool drive_done(const struct friction_link *k, struct series *C, real tol)
+{
+    const struct geometry *geometry = k->link.geometry;
+    real ratio = fmax(geometry->weight * fabs(torque_ratio(&k->link)), geometry->decay);
+    return series_done(C, k->link.weight * fabs(k->S) * geometry->reach, ratio, tol);
+}
+
+static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
+{
+    const struct link *link = &k->link;
+    const struct geometry *geometry = link->geometry;
+    real S = fabs(k->S), Y = link->contact.Y,
+         margin_slope = geometry->r * geometry->L / (Y * Y) * link->slope * link->slope;
+    real ratio = fmax(geometry->inertia * fabs(torque_ratio(link)), fmax(geometry->decay, geometry->decay_J));
+    return drive_done(k, C, geometry->tol) &&
+           series_done(A, link->inertia * S * link->slope, ratio, geometry->tol) &&
+           series_done(B, link->inertia * S * (fabs(k->second_derivative) + margin_slope), ratio,
+                       geometry->tol);
+}
+
+/* Returns the distance of a tilt from theta_inf, to the fourth order. */
+static real far_angle(const struct geometry *geometry, struct tilt t)
+{
+    real z = far_off(geometry, t);
+    return 2 * z * (1 - z * z / 3);
+}
+
+static real far_value(const real f[3], real e)
+{
+    return f[0] - f[1] * e + f[2] * e * e / 2;
+}
+
+/* Adds the rest of C from this domino on, if it is so near to theta_inf that the last term does not
+ * matter. */
+static bool drive_closes(const struct friction_link *k, struct series *C, real tol)
+{
+    const struct link *link = &k->link;
+    const struct geometry *geometry = link->geometry;
+    const struct far_friction *far = &geometry->far_friction;
+    if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known)
+        return false;
+    real e = far_angle(geometry, link->tilt), part = link->weight * k->S;
+    if (e > geometry->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
+        return false;
+    series_add(C, part * far_value(far->C, e));
+    return true;
+}
+
+/* Adds the rest of all three sums, under this condition for each. */
+static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
+                            struct series *C)
+{
+    const struct link *link = &k->link;
+    const struct geometry *geometry = link->geometry;
+    const struct far_friction *far = &geometry->far_friction;
+    if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known)
+        return false;
+    real e = far_angle(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
+    if (!far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol))
+        return false;
+    real rest = part * (k->second_derivative * far->A[0] + slope * slope * far->B[0]),
+         last = part * (fabs(k->second_derivative * far->A[2]) + slope * slope * fabs(far->B[2])) * e * e;
+    if (!far_done(B, rest, last, geometry->tol) || !drive_closes(k, C, geometry->tol))
+        return false;
+    series_add(A, part * slope * far_value(far->A, e));
+    series_add(B,
+               part * (k->second_derivative * far_value(far->A, e) + slope * slope * far_value(far->B, e)));
+    return true;
+}
+
+KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,
+                                      struct equation_of_motion *equation)
+{
+    struct series A = {0}, B = {0}, C = {0};
+    struct friction_link k = {.link = link_head(geometry, head), .S = 1, .noise = 1};
+    for (;;) {
+        const struct link *link = &k.link;
+        enum dom_status status = chain_watch(geometry, link->i);
+        if (status != DOM_OK)
+            return status;
+        if (friction_closes(&k, &A, &B, &C))
+            break;
+        series_add(&A, link->inertia * k.S * link->slope);
+        series_add(&B, link->inertia * k.S * k.second_derivative);
+        drive_add(&k, &C);
+        if (link->i + 1 >= geometry->n || !link->leads || friction_done(&k, &A, &B, &C))
+            break;
+        friction_next(&k);
+    }
+    friction_count(geometry, k.link.i + 1);
+    *equation = (struct equation_of_motion){.A = A.sum + A.lost,
+                                            .B = B.sum + B.lost,
+                                            .C = C.sum + C.lost,
+                                            .A_size = A.size * k.noise,
+                                            .B_size = B.size * k.noise,
+                                            .C_size = C.size * k.noise,
+                                            .n = k.link.i + 1};
+    equation->locks = k.wrong_side || equation->A <= 0;
+    return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
+}
+
+/* Finds C alone, which is 0 at the top of a barrier. With tol = 1 only its sign is right, and few dominoes
+ * are enough. */
+KERNEL enum dom_status sharp_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
+{
+    struct series C = {0};
+    struct friction_link k = {.link = link_head(geometry, head), .S = 1};
+    for (;;) {
+        enum dom_status status = chain_watch(geometry, k.link.i);
+        if (status != DOM_OK)
+            return status;
+        if (drive_closes(&k, &C, tol))
+            break;
+        drive_add(&k, &C);
+        if (k.link.i + 1 >= geometry->n || !k.link.leads || drive_done(&k, &C, tol))
+            break;
+        k.S *= torque_ratio(&k.link);
+        link_next(&k.link);
+    }
+    friction_count(geometry, k.link.i + 1);
+    *drive = C.sum + C.lost;
+    return isfinite(*drive) ? DOM_OK : DOM_NOT_FINITE;
+}
