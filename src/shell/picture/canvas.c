@@ -9,31 +9,31 @@
 /* ---- Colours ---- */
 
 static const struct {
-    const char *colour; /* in files, and where a terminal has all colours; NULL: that of text */
-    int of_256, of_8;   /* the nearest that others have; -1: that of text */
-    char letter;        /* of a curve, without braille */
+    int rgb;
+    int of_8;    /* the nearest of eight colours, as its escape sequence has it; 0 for that of text */
+    char letter; /* of a curve, without braille */
 } inks[INKS] = {
-    [INK_TEXT] = {"#000000", -1, -1, '*'},    [INK_BLUE] = {"#0072b2", 32, 34, 'o'},
-    [INK_RED] = {"#d55e00", 166, 31, '#'},    [INK_GREEN] = {"#009e73", 36, 32, '+'},
-    [INK_PURPLE] = {"#cc79a7", 175, 35, 'x'}, [INK_ORANGE] = {"#e69f00", 214, 33, '%'},
-    [INK_SKY] = {"#56b4e9", 74, 36, '@'},     [INK_GREY] = {"#777777", 245, -1, '.'},
+    [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
+    [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
+    [INK_SKY] = {0x56b4e9, 36, '@'},   [INK_GREY] = {0x777777, 0, '.'},
 };
 
-const char *ink_colour(enum ink ink)
+int ink_colour(enum ink ink)
 {
-    return inks[ink].colour;
+    return inks[ink].rgb;
 }
 
-void shade_colour(double shade, int rgb[3])
+int shade_colour(double shade)
 {
     static const unsigned char viridis[][3] = {{68, 1, 84},    {71, 44, 122},  {59, 81, 139},
                                                {44, 113, 142}, {33, 144, 141}, {39, 173, 129},
                                                {92, 200, 99},  {170, 220, 50}, {253, 231, 37}};
     enum { STEPS = sizeof viridis / sizeof *viridis - 1 };
     double at = fmin(fmax(shade, 0), 1) * STEPS;
-    int k = at >= STEPS ? STEPS - 1 : (int)at;
+    int k = at >= STEPS ? STEPS - 1 : (int)at, rgb = 0;
     for (int i = 0; i < 3; i++)
-        rgb[i] = (int)lround(viridis[k][i] + (at - k) * (viridis[k + 1][i] - viridis[k][i]));
+        rgb = rgb << 8 | (int)lround(viridis[k][i] + (at - k) * (viridis[k + 1][i] - viridis[k][i]));
+    return rgb;
 }
 
 static bool begins(const char *text, const char *with)
@@ -47,7 +47,7 @@ struct look look_of(FILE *stream)
     struct look look = {.colours = COLOURS_NONE};
     if (!isatty(fileno(stream)) || !term)
         return look;
-    /* The fonts of these have no braille. */
+    /* The fonts of these terminals have no braille. */
     bool letters =
         begins(term, "dumb") || begins(term, "linux") || begins(term, "vt") || begins(term, "cons");
     look.braille = terminal_utf8() && !letters;
@@ -96,11 +96,11 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Dots on and off, from the first on; letters are apart by themselves. */
+/* Returns true if a dot of a dashed line is drawn. Letters, which differ from curve to curve, all are. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
-        unsigned bits;
+        unsigned bits; /* from the lowest on */
         int length;
     } dashes[DASHES] = {{1, 1}, {0x0f, 7}, {0x1, 3}, {0x11f, 11}, {0x3, 5}};
     const int k = dash % DASHES;
@@ -122,40 +122,20 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
     }
 }
 
-/* Writes the character of a code point below 0x10000, in UTF-8. */
-static void glyph_of(unsigned code, char glyph[GLYPH])
+/* Writes dots as a character, which is a letter without braille. */
+static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
-    if (code < 0x80)
-        snprintf(glyph, GLYPH, "%c", (int)code);
-    else
-        snprintf(glyph, GLYPH, "%c%c%c", (int)(0xe0 | code >> 12), (int)(0x80 | (code >> 6 & 0x3f)),
-                 (int)(0x80 | (code & 0x3f)));
+    if (!c->look.braille)
+        return snprintf(glyph, GLYPH, "%c", inks[ink].letter);
+    return snprintf(glyph, GLYPH, "\xe2%c%c", (int)(0xa0 | dots >> 6), (int)(0x80 | (dots & 0x3f)));
 }
 
-static const char *cell_glyph(const struct canvas *c, const struct canvas_cell *cell, char glyph[GLYPH])
+void canvas_sample(const struct canvas *c, enum ink ink, int dash, char sample[4 * GLYPH])
 {
-    if (cell->glyph[0] || !cell->dots)
-        return cell->glyph[0] ? cell->glyph : " ";
-    glyph_of(c->look.braille ? 0x2800u + cell->dots : (unsigned)inks[cell->ink].letter, glyph);
-    return glyph;
-}
-
-const char *canvas_sample(const struct canvas *c, enum ink ink, int dash, char sample[4 * GLYPH])
-{
-    enum { CELLS = 3 };
-    sample[0] = '\0';
-    if (!c->look.braille) {
-        snprintf(sample, (size_t)4 * GLYPH, "%c", inks[ink].letter);
-        return sample;
-    }
-    size_t used = 0;
-    for (int k = 0; k < CELLS; k++) {
-        char glyph[GLYPH];
-        unsigned dots = (dash_on(c, dash, 2 * k) ? 0x04u : 0) | (dash_on(c, dash, 2 * k + 1) ? 0x20u : 0);
-        glyph_of(0x2800u + dots, glyph);
-        used += (size_t)snprintf(sample + used, (size_t)4 * GLYPH - used, "%s", glyph);
-    }
-    return sample;
+    for (int k = 0, used = 0; k < (c->look.braille ? 3 : 1); k++)
+        used +=
+            dots_text(c, (dash_on(c, dash, 2 * k) ? 0x04u : 0) | (dash_on(c, dash, 2 * k + 1) ? 0x20u : 0),
+                      ink, sample + used);
 }
 
 /* ---- Text and shades ---- */
@@ -177,82 +157,88 @@ void canvas_text(struct canvas *c, int column, int row, const char *text, enum i
 
 void canvas_shade(struct canvas *c, int column, int row, double upper, double lower)
 {
-    struct canvas_cell *cell = cell_at(c, column, row);
-    if (!cell)
-        return;
-    *cell = (struct canvas_cell){.upper = (short)(isnan(upper) ? -1 : lround(255 * upper)),
-                                 .lower = (short)(isnan(lower) ? -1 : lround(255 * lower))};
-}
-
-static const char *shade_sequence(const struct canvas *c, bool ground, int shade, char text[32])
-{
-    int rgb[3];
-    if (shade < 0)
-        return ground ? "\033[49m" : "\033[39m";
-    shade_colour(shade / 255.0, rgb);
-    if (c->look.colours == COLOURS_ALL)
-        snprintf(text, 32, "\033[%d;2;%d;%d;%dm", ground ? 48 : 38, rgb[0], rgb[1], rgb[2]);
-    else
-        snprintf(text, 32, "\033[%d;5;%dm", ground ? 48 : 38,
-                 16 + 36 * ((rgb[0] + 25) / 51) + 6 * ((rgb[1] + 25) / 51) + (rgb[2] + 25) / 51);
-    return text;
-}
-
-/* Without many colours a shade is a letter, the darker the more. */
-static const char *shade_letter(const struct canvas *c, const struct canvas_cell *cell)
-{
     static const char *const blocks[] = {"░", "▒", "▓", "█"}, *const letters[] = {".", ":", "-", "=", "+",
                                                                                   "*", "#", "%", "@"};
-    int shade = cell->upper < 0   ? cell->lower
-                : cell->lower < 0 ? cell->upper
-                                  : (cell->upper + cell->lower) / 2;
-    return shade < 0 ? " " : c->look.braille ? blocks[shade * 4 / 256] : letters[shade * 9 / 256];
+    struct canvas_cell *cell = cell_at(c, column, row);
+    double mean = isnan(upper) ? lower : isnan(lower) ? upper : (upper + lower) / 2;
+    const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
+    if (!cell)
+        return;
+    if (!c->look.braille || c->look.colours < COLOURS_256) /* a shade is a letter, the darker the more */
+        canvas_text(c, column, row,
+                    shade < 0         ? " "
+                    : c->look.braille ? blocks[shade * 4 / 256]
+                                      : letters[shade * 9 / 256],
+                    INK_TEXT);
+    else
+        *cell = (struct canvas_cell){.upper = isnan(upper) ? -1 : shade_colour(upper),
+                                     .lower = isnan(lower) ? -1 : shade_colour(lower)};
 }
 
 /* ---- Writing ---- */
 
-static void shade_write(const struct canvas *c, const struct canvas_cell *cell, FILE *out)
+enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
+
+/* Writes the escape sequence of a colour, -1 for the colour of the terminal. */
+static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
 {
-    char text[32];
-    if (!c->look.braille || c->look.colours < COLOURS_256) {
-        fputs(shade_letter(c, cell), out);
-        return;
-    }
-    fputs(shade_sequence(c, false, cell->upper < 0 ? cell->lower : cell->upper, text), out);
-    fputs(shade_sequence(c, true, cell->upper < 0 ? -1 : cell->lower, text), out);
-    fputs(cell->upper < 0 ? "▄\033[0m" : "▀\033[0m", out);
+    int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
+    if (rgb < 0)
+        fprintf(out, "\033[%dm", ground + 1);
+    else if (c->look.colours == COLOURS_ALL)
+        fprintf(out, "\033[%d;2;%d;%d;%dm", ground, red, green, blue);
+    else /* a cube of 6 x 6 x 6 colours */
+        fprintf(out, "\033[%d;5;%dm", ground,
+                16 + 36 * ((red + 25) / 51) + 6 * ((green + 25) / 51) + (blue + 25) / 51);
 }
 
 static void ink_write(const struct canvas *c, enum ink ink, FILE *out)
 {
-    int rgb[3];
     if (c->look.colours == COLOURS_NONE)
         return;
-    if (inks[ink].of_256 < 0)
-        fputs("\033[0m", out);
-    else if (c->look.colours == COLOURS_ALL && sscanf(inks[ink].colour, "#%2x%2x%2x", (unsigned *)&rgb[0],
-                                                      (unsigned *)&rgb[1], (unsigned *)&rgb[2]) == 3)
-        fprintf(out, "\033[38;2;%d;%d;%dm", rgb[0], rgb[1], rgb[2]);
-    else if (c->look.colours >= COLOURS_256)
-        fprintf(out, "\033[38;5;%dm", inks[ink].of_256);
-    else if (inks[ink].of_8 >= 0)
+    fputs("\033[0m", out);
+    if (c->look.colours == COLOURS_8 && inks[ink].of_8)
         fprintf(out, "\033[%dm", inks[ink].of_8);
+    else if (c->look.colours > COLOURS_8 && ink != INK_TEXT)
+        colour_write(c, GROUND_FRONT, inks[ink].rgb, out);
 }
 
-static bool shaded(const struct canvas_cell *cell)
+static bool is_shaded(const struct canvas_cell *cell)
 {
     return cell->upper >= 0 || cell->lower >= 0;
 }
 
-static bool blank(const struct canvas_cell *cell)
+static bool is_blank(const struct canvas_cell *cell)
 {
-    return !cell->dots && !shaded(cell) && (cell->glyph[0] == '\0' || strcmp(cell->glyph, " ") == 0);
+    return !cell->dots && !is_shaded(cell) && (cell->glyph[0] == '\0' || strcmp(cell->glyph, " ") == 0);
 }
 
 bool canvas_blank(const struct canvas *c, int column, int row)
 {
     const struct canvas_cell *cell = cell_at(c, column, row);
-    return !cell || blank(cell);
+    return !cell || is_blank(cell);
+}
+
+/* Writes a cell. Returns the ink that is set then: `now` is the one that is set before. */
+static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
+{
+    char glyph[GLYPH];
+    if (is_shaded(cell)) {
+        colour_write(c, GROUND_FRONT, cell->upper < 0 ? cell->lower : cell->upper, out);
+        colour_write(c, GROUND_BACK, cell->upper < 0 ? -1 : cell->lower, out);
+        fputs(cell->upper < 0 ? "▄\033[0m" : "▀\033[0m", out);
+        return INK_TEXT;
+    }
+    if (is_blank(cell)) {
+        putc(' ', out);
+        return now;
+    }
+    if (cell->ink != now)
+        ink_write(c, (enum ink)cell->ink, out);
+    if (!cell->glyph[0])
+        dots_text(c, cell->dots, cell->ink, glyph);
+    fputs(cell->glyph[0] ? cell->glyph : glyph, out);
+    return (enum ink)cell->ink;
 }
 
 void canvas_write(const struct canvas *c, int from, FILE *out)
@@ -261,24 +247,12 @@ void canvas_write(const struct canvas *c, int from, FILE *out)
         const struct canvas_cell *cell = &c->cell[(size_t)row * (size_t)c->width];
         int end = c->width;
         enum ink now = INK_TEXT;
-        while (end > 0 && blank(&cell[end - 1]))
+        while (end > 0 && is_blank(&cell[end - 1]))
             end--;
-        for (int k = 0; k < end; k++) {
-            char glyph[GLYPH];
-            if (shaded(&cell[k])) {
-                shade_write(c, &cell[k], out);
-                now = INK_TEXT;
-                continue;
-            }
-            if (!blank(&cell[k]) && cell[k].ink != now) {
-                now = (enum ink)cell[k].ink;
-                fputs(now != INK_TEXT && c->look.colours != COLOURS_NONE ? "\033[0m" : "", out);
-                ink_write(c, now, out);
-            }
-            fputs(cell_glyph(c, &cell[k], glyph), out);
-        }
-        if (now != INK_TEXT && c->look.colours != COLOURS_NONE)
-            fputs("\033[0m", out);
+        for (int k = 0; k < end; k++)
+            now = cell_write(c, &cell[k], now, out);
+        if (now != INK_TEXT)
+            ink_write(c, INK_TEXT, out);
         putc('\n', out);
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Pictures in characters: lines of braille dots or of letters, text, and shades, in colour where the terminal
- * has it.  A cell shows one thing, the one that was put there last; dots of one cell add up.
+ * has colours. A cell shows what was put there last; only the dots of a cell add up.
  */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Colours that stay apart for colour-blind people (Okabe and Ito); 0 is that of text. */
+/* Colours that colour-blind people can tell apart (Okabe and Ito). INK_TEXT is the colour of text. */
 enum ink {
     INK_TEXT,
     INK_BLUE,
@@ -18,12 +18,15 @@ enum ink {
     INK_PURPLE,
     INK_ORANGE,
     INK_SKY,
-    INK_GREY, /* what is only a help to the eye */
+    INK_GREY, /* for lines that only guide the eye */
     INKS
 };
 
-/* Returns the colour as gnuplot writes it, "#0072b2". */
-const char *ink_colour(enum ink ink);
+/* Returns the colour of an ink, 0xrrggbb. */
+int ink_colour(enum ink ink);
+
+/* Returns the colour of a shade in 0 .. 1 of the palette viridis, whose brightness rises steadily. */
+int shade_colour(double shade);
 
 /* What the terminal of a stream can show; a file and a pipe get plain letters. */
 struct look {
@@ -35,48 +38,46 @@ struct look look_of(FILE *stream);
 enum { GLYPH = 5 /* bytes of a character in UTF-8, with its end */ };
 
 struct canvas_cell {
+    char glyph[GLYPH]; /* "" for none */
     unsigned char dots, ink;
-    char glyph[GLYPH];  /* "" for none */
-    short upper, lower; /* shades of a map, 0 .. 255; -1 for none */
+    int upper, lower; /* colours of the halves; -1 for none */
 };
 
 struct canvas {
     struct look look;
-    int width, height; /* cells */
-    int across, down;  /* dots in a cell */
+    int width, height; /* in cells */
+    int across, down;  /* the number of dots in a cell */
     struct canvas_cell *cell;
 };
 
-/* Makes an empty canvas; false: out of memory. */
+/* Makes an empty canvas. Returns false if there is no memory. */
 bool canvas_make(struct canvas *canvas, struct look look, int width, int height);
 void canvas_free(struct canvas *canvas);
 
-/* Puts a dot, counted from the upper left; outside the canvas nothing happens. */
+/* Puts a dot, counted from the upper left. A dot outside the canvas is ignored. */
 void canvas_dot(struct canvas *canvas, int x, int y, enum ink ink);
 
-/* How a line is broken, by the number of the curve: in one colour, too, the first of them stay apart. */
+/* The number of patterns of dashes, which keep curves apart that have one colour. Pattern 0 is unbroken. */
 enum { DASHES = 5 };
 
-/* Draws a line of dots; *phase carries the dashes on from one piece of a curve to the next. */
+/* Draws a line of dots. *phase is the place in the pattern, which goes on from one piece of a curve to the
+ * next. */
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
-/* Returns what stands for a curve in a legend. */
-const char *canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
+/* Writes a short piece of a curve for a legend. */
+void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
 
-/* Puts text from a cell on, as far as the canvas goes. */
+/* Writes text from a cell on. What is outside the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Puts two shades, 0 .. 1, one above the other, into a cell; NaN for none. */
+/* Puts two shades in 0 .. 1, one above the other, into a cell; NaN for none. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
-/* Returns true if a cell shows nothing, or is outside. */
+/* Returns true if a cell shows nothing, or is outside the canvas. */
 bool canvas_blank(const struct canvas *canvas, int column, int row);
 
-/* Writes the canvas from a row on, without blanks at the ends of lines. */
+/* Writes the rows of the canvas from a row on, without blanks at their ends. */
 void canvas_write(const struct canvas *canvas, int from, FILE *out);
-
-/* Writes red, green and blue of a shade, dark to light also in grey: viridis in nine steps. */
-void shade_colour(double shade, int rgb[3]);
 
 #endif

@@ -1,30 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Charts in characters: title, axes, curves, legend. */
+/* Charts in characters. */
 #include "answer/wrap.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
 #include <math.h>
 #include <string.h>
 
-enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4 };
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 /* columns of the y axis */ };
 
-/* The part of the canvas between the axes, in cells; bottom is the row of the axis. */
+/* The part of the canvas between the axes, in cells; bottom is the row of the x axis. */
 struct frame {
     struct canvas *canvas;
     const struct chart *chart;
     int left, top, right, bottom;
-    int label_rows; /* of the x axis */
+    int most; /* rows that each text may take */
 };
-
-static bool has_line(enum chart_kind kind)
-{
-    return kind == CHART_LINE || kind == CHART_STEPS || kind == CHART_MARKED || kind == CHART_BOTH;
-}
-
-static bool has_points(enum chart_kind kind)
-{
-    return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
-}
 
 /* ---- From values to dots ---- */
 
@@ -45,19 +35,19 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Cuts [*from, *to], parts of a line, to where a + part * change is in [low, high]. */
-static void clip(double a, double change, double low, double high, double *from, double *to)
+/* Cuts [*from, *to], parts of a line, to where start + part * change is in [low, high]. */
+static void clip(double start, double change, double low, double high, double *from, double *to)
 {
-    double first = (low - a) / change, last = (high - a) / change;
+    double first = (low - start) / change, last = (high - start) / change;
     if (change == 0) {
-        *to = a >= low && a <= high ? *to : -1;
+        *to = start >= low && start <= high ? *to : -1;
         return;
     }
     *from = fmax(*from, fmin(first, last));
     *to = fmin(*to, fmax(first, last));
 }
 
-/* Draws a line, as far as it is between the axes. */
+/* Draws the part of a line that is between the axes. */
 static void line_draw(const struct frame *f, double x0, double y0, double x1, double y1,
                       const struct chart_curve *curve, int *phase)
 {
@@ -70,16 +60,18 @@ static void line_draw(const struct frame *f, double x0, double y0, double x1, do
                     curve->dash, phase);
 }
 
-static void point_draw(const struct frame *f, double x, double y, enum ink ink)
+static void points_draw(const struct frame *f, const struct chart_curve *curve)
 {
-    double px = axis_place(&f->chart->x, x), py = axis_place(&f->chart->y, y);
-    if (!(px >= -1e-9 && px <= 1 + 1e-9 && py >= -1e-9 && py <= 1 + 1e-9))
-        return;
-    int dot[] = {(int)dot_x(f, x), (int)dot_y(f, y)};
-    if (f->canvas->look.braille)
-        canvas_text(f->canvas, dot[0] / f->canvas->across, dot[1] / f->canvas->down, "●", ink);
-    else
-        canvas_dot(f->canvas, dot[0], dot[1], ink);
+    for (const struct chart_point *p = curve->point; p < curve->point + curve->count; p++) {
+        double px = axis_place(&f->chart->x, p->x), py = axis_place(&f->chart->y, p->y);
+        if (!(px >= -1e-9 && px <= 1 + 1e-9 && py >= -1e-9 && py <= 1 + 1e-9))
+            continue;
+        int x = (int)dot_x(f, p->x), y = (int)dot_y(f, p->y);
+        if (f->canvas->look.braille)
+            canvas_text(f->canvas, x / f->canvas->across, y / f->canvas->down, "●", curve->ink);
+        else
+            canvas_dot(f->canvas, x, y, curve->ink);
+    }
 }
 
 static void curve_draw(const struct frame *f, const struct chart_curve *curve)
@@ -119,11 +111,7 @@ static void ranges_draw(const struct frame *f, const struct chart_curve *curve)
     }
 }
 
-static double map_at(const struct chart_map *m, double x, double y)
-{
-    int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
-    return m->value[k * m->across + i];
-}
+/* ---- Maps ---- */
 
 static void map_ends(const struct chart_map *m, double *low, double *high)
 {
@@ -136,67 +124,71 @@ static void map_ends(const struct chart_map *m, double *low, double *high)
         }
 }
 
-static double shade_of(double value, double low, double high)
+/* Returns the shade of a place, given as shares of the axes, or NaN where there is no value. */
+static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
 {
+    int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
+    double value = m->value[k * m->across + i];
     return isfinite(value) ? (high > low ? (value - low) / (high - low) : 0.5) : (double)NAN;
 }
 
 static void map_draw(const struct frame *f)
 {
+    const struct chart_map *m = &f->chart->map;
     double low, high;
-    map_ends(&f->chart->map, &low, &high);
     int wide = f->right - f->left, tall = f->bottom - f->top;
+    map_ends(m, &low, &high);
     for (int row = 0; row < tall; row++)
         for (int column = 0; column < wide; column++) {
-            double x = (column + 0.5) / wide, upper = 1 - (row + 0.25) / tall,
-                   lower = 1 - (row + 0.75) / tall;
+            double x = (column + 0.5) / wide;
             canvas_shade(f->canvas, f->left + column, f->top + row,
-                         shade_of(map_at(&f->chart->map, x, upper), low, high),
-                         shade_of(map_at(&f->chart->map, x, lower), low, high));
+                         map_shade(m, x, 1 - (row + 0.25) / tall, low, high),
+                         map_shade(m, x, 1 - (row + 0.75) / tall, low, high));
         }
 }
 
-/* ---- Around it ---- */
+/* ---- Texts and axes ---- */
 
 /*
- * Writes a text between two columns, in at most so many lines, of which the last is cut off where it is too
- * long. Returns how many lines there are; without a canvas it only counts them.
+ * Writes a text between two columns, in at most so many rows, of which the last is cut off where it is too
+ * long. Returns how many rows there are; without a canvas it only counts them.
  */
-static int lines_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
+static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
-    int lines = 0;
-    for (size_t n; *text && lines < most; lines++, text += n + (text[n] == ' ')) {
+    int rows = 0;
+    for (size_t n; *text && rows < most; rows++, text += n + (text[n] == ' ')) {
         char line[CHART_TEXT];
-        n = lines + 1 < most ? line_break(text, right - left) : strlen(text);
+        n = rows + 1 < most ? line_break(text, right - left) : strlen(text);
         snprintf(line, sizeof line, "%.*s", (int)n, text);
         int at = centred ? (right - left - terminal_columns(line)) / 2 : 0;
         if (c)
-            canvas_text(c, left + (at > 0 ? at : 0), row + lines, line, INK_TEXT);
+            canvas_text(c, left + (at > 0 ? at : 0), row + rows, line, INK_TEXT);
     }
-    return lines;
+    return rows;
 }
 
-static int ticks_y(const struct chart *chart, int rows, double tick[TICKS], char label[TICKS][TICK_TEXT])
+/* Makes the ticks of the y axis and their texts. Returns the columns of the widest one. */
+static int ticks_y(const struct frame *f, double tick[TICKS], char text[TICKS][TICK_TEXT], int *count)
 {
-    int widest = 0, n = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3, tick);
-    for (int k = 0; k < n; k++) {
-        int wide = tick_text(tick[k], label[k]);
+    int widest = 0, rows = f->bottom - f->top;
+    *count = axis_ticks(&f->chart->y, rows < 6 ? 3 : rows / 3, tick);
+    for (int k = 0; k < *count; k++) {
+        int wide = tick_text(tick[k], text[k]);
         widest = wide > widest ? wide : widest;
     }
-    for (int k = n; k < TICKS; k++)
-        tick[k] = (double)NAN;
     return widest;
 }
 
-static void axis_y_draw(const struct frame *f, const double tick[TICKS], char label[TICKS][TICK_TEXT])
+static void axis_y_draw(const struct frame *f, const double tick[TICKS], char text[TICKS][TICK_TEXT],
+                        int count)
 {
     bool boxes = f->canvas->look.braille;
     for (int row = f->top; row < f->bottom; row++)
         canvas_text(f->canvas, f->left - 1, row, boxes ? "│" : "|", INK_TEXT);
-    for (int k = 0; k < TICKS && !isnan(tick[k]); k++) {
+    for (int k = 0; k < count; k++) {
         int row = (int)dot_y(f, tick[k]) / f->canvas->down;
         row = row >= f->bottom ? f->bottom - 1 : row;
-        canvas_text(f->canvas, f->left - 2 - (int)strlen(label[k]), row, label[k], INK_TEXT);
+        canvas_text(f->canvas, f->left - 2 - (int)strlen(text[k]), row, text[k], INK_TEXT);
         canvas_text(f->canvas, f->left - 1, row, boxes ? "┤" : "+", INK_TEXT);
     }
 }
@@ -211,17 +203,17 @@ static void axis_x_draw(const struct frame *f)
     for (int column = f->left; column < f->right; column++)
         canvas_text(c, column, f->bottom, boxes ? "─" : "-", INK_TEXT);
     for (int k = 0; k < n; k++) {
-        char label[TICK_TEXT];
-        int wide = tick_text(tick[k], label);
+        char text[TICK_TEXT];
+        int wide = tick_text(tick[k], text);
         int column = (int)dot_x(f, tick[k]) / c->across, at = column - wide / 2;
         at = at + wide > c->width ? c->width - wide : at;
         if (at < free_from)
             continue;
         free_from = at + wide + 1;
         canvas_text(c, column, f->bottom, boxes ? "┴" : "+", INK_TEXT);
-        canvas_text(c, at, f->bottom + 1, label, INK_TEXT);
+        canvas_text(c, at, f->bottom + 1, text, INK_TEXT);
     }
-    lines_put(c, f->left, f->right, f->bottom + 2, f->label_rows, true, f->chart->x.label);
+    text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
 }
 
 /* Draws a vertical line with its name for each event. */
@@ -241,63 +233,71 @@ static void events_draw(const struct frame *f)
 
 /* ---- The legend ---- */
 
-/* Draws the legend if `draw`, and returns the rows it takes. */
-static int legend(const struct chart *chart, struct canvas *c, int row, bool draw)
+static bool has_points(enum chart_kind kind)
 {
+    return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
+}
+
+/* Writes the titles of the curves from a row on, or only counts the rows if that is negative. Returns how
+ * many rows there are. */
+static int legend(const struct frame *f, int row)
+{
+    struct canvas *c = f->canvas;
     int column = 2, rows = 0;
-    for (int k = 0; k < chart->curves; k++) {
-        const struct chart_curve *curve = &chart->curve[k];
+    for (int k = 0; k < f->chart->curves; k++) {
+        const struct chart_curve *curve = &f->chart->curve[k];
         char sample[4 * GLYPH], text[160];
         if (!*curve->title)
             continue;
-        bool braille = c->look.braille, dot = has_points(curve->kind);
+        bool braille = c->look.braille;
         canvas_sample(c, curve->ink, curve->dash, sample);
-        if (braille && dot)
+        if (braille && has_points(curve->kind))
             snprintf(sample, sizeof sample, "●");
         else if (curve->kind == CHART_RANGES)
             snprintf(sample, sizeof sample, "%s", braille ? "│" : "|");
         snprintf(text, sizeof text, " %s", curve->title);
-        int wide = terminal_columns(sample) + terminal_columns(text);
+        int first = terminal_columns(sample), wide = first + terminal_columns(text);
         if (rows == 0 || column + wide > c->width) {
             column = 2;
             rows++;
         }
-        if (draw) {
+        if (row >= 0) {
             canvas_text(c, column, row + rows - 1, sample, curve->ink);
-            canvas_text(c, column + terminal_columns(sample), row + rows - 1, text, INK_TEXT);
+            canvas_text(c, column + first, row + rows - 1, text, INK_TEXT);
         }
         column += wide + LEGEND_APART;
     }
     return rows;
 }
 
-/* Draws the shades of a map with the values of their ends, below what they mean where there is no room
- * beside. Returns how many rows that takes; without a canvas it only counts them. */
-static int map_legend(const struct chart *chart, struct canvas *c, int width, int row, int most)
+/* Does the same with the shades of a map and the values at their ends, below what they mean if there is no
+ * room beside it. */
+static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };
+    struct canvas *c = row < 0 ? NULL : f->canvas;
+    const char *label = f->chart->map.label;
     double low, high;
     char text[CHART_TEXT + 32], last[32];
-    map_ends(&chart->map, &low, &high);
-    bool none = !(low <= high);
-    snprintf(last, sizeof last, none ? "no value" : " %.4g", high);
-    int rows = 0, at = snprintf(text, sizeof text, none ? "%s: " : "%s: %.4g ", chart->map.label, low);
+    map_ends(&f->chart->map, &low, &high);
+    snprintf(last, sizeof last, " %.4g", high);
+    int rows = 0, at = snprintf(text, sizeof text, "%s: %.4g ", label, low), width = f->canvas->width;
     if (at + SHADES + (int)strlen(last) + 2 > width) {
-        rows = lines_put(c, 2, width, row, most, false, chart->map.label);
-        at = snprintf(text, sizeof text, none ? "%s" : "%s%.4g ", "", low);
+        rows = text_put(c, 2, width, row, f->most, false, label);
+        at = snprintf(text, sizeof text, "%.4g ", low);
     }
     if (c) {
         canvas_text(c, 2, row + rows, text, INK_TEXT);
-        for (int k = 0; k < SHADES && !none; k++)
+        for (int k = 0; k < SHADES; k++)
             canvas_shade(c, 2 + at + k, row + rows, (double)k / (SHADES - 1), (double)k / (SHADES - 1));
-        canvas_text(c, 2 + at + (none ? 0 : SHADES), row + rows, last, INK_TEXT);
+        canvas_text(c, 2 + at + SHADES, row + rows, last, INK_TEXT);
     }
     return rows + 1;
 }
 
-/* ---- All of it ---- */
+/* ---- The whole chart ---- */
 
-static void chart_draw(const struct frame *f)
+static void data_draw(const struct frame *f)
 {
     const struct chart *chart = f->chart;
     if (chart->map.value)
@@ -307,10 +307,10 @@ static void chart_draw(const struct frame *f)
         const struct chart_curve *curve = &chart->curve[k];
         if (curve->kind == CHART_RANGES || curve->kind == CHART_BOTH)
             ranges_draw(f, curve);
-        if (has_line(curve->kind))
+        if (curve->kind != CHART_RANGES && curve->kind != CHART_POINTS)
             curve_draw(f, curve);
-        for (size_t i = 0; i < curve->count && has_points(curve->kind); i++)
-            point_draw(f, curve->point[i].x, curve->point[i].y, curve->ink);
+        if (has_points(curve->kind))
+            points_draw(f, curve);
     }
 }
 
@@ -318,30 +318,25 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
 {
     struct canvas canvas;
     double tick[TICKS];
-    char label[TICKS][TICK_TEXT];
-    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
+    char text[TICKS][TICK_TEXT];
+    int (*const legend_put)(const struct frame *f, int row) = chart->map.value ? map_legend : legend;
+    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0, ticks;
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
-    const int most = height / 10 > 0 ? height / 10 : 1;
-    int title_rows = lines_put(NULL, 0, width, 0, most, true, chart->title);
-    struct frame f = {.canvas = &canvas, .chart = chart, .left = 7, .right = width};
-    f.top = title_rows + lines_put(NULL, 0, width, 0, most, false, chart->y.label) +
-            event_rows(chart, 1.0 / (width - 7));
-    f.label_rows = lines_put(NULL, f.left, width, 0, most, true, chart->x.label);
-    f.bottom = canvas.height - 2 - f.label_rows;
-    int legend_rows =
-        chart->map.value ? map_legend(chart, NULL, width, 0, most) : legend(chart, &canvas, 0, false);
-    int room = f.bottom - f.top - ROWS_LEAST;
+    struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_LEAST, .right = width};
+    f.most = height / 10 > 0 ? height / 10 : 1;
+    int title_rows = text_put(&canvas, 0, width, 0, f.most, true, chart->title);
+    f.top = title_rows + text_put(&canvas, 0, width, title_rows, f.most, false, chart->y.label) +
+            event_rows(chart, 1.0 / (width - AXIS_LEAST));
+    int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
+    f.bottom = canvas.height - 2 - label_rows;
+    int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
     f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0; /* what does not fit is left out */
-    f.left = ticks_y(chart, f.bottom - f.top, tick, label) + 3;
-    chart_draw(&f);
-    axis_y_draw(&f, tick, label);
+    f.left = ticks_y(&f, tick, text, &ticks) + 3;
+    data_draw(&f);
+    axis_y_draw(&f, tick, text, ticks);
     axis_x_draw(&f);
-    lines_put(&canvas, 0, width, 0, most, true, chart->title);
-    lines_put(&canvas, 0, width, title_rows, most, false, chart->y.label);
-    legend(chart, &canvas, f.bottom + 2 + f.label_rows, true);
-    if (chart->map.value)
-        map_legend(chart, &canvas, width, f.bottom + 2 + f.label_rows, most);
+    legend_put(&f, f.bottom + 2 + label_rows);
     canvas_write(&canvas, 0, out);
     canvas_free(&canvas);
     if (*chart->note) {
