@@ -14,7 +14,8 @@ int names_exact(names_list *list, const void *context, const char *text)
     return -1;
 }
 
-/* Returns how many edits lead from a to b: insert, delete, replace, swap two neighbours. For short words. */
+/* Returns the edit distance of two short words: the number of insertions, deletions, replacements and swaps
+ * of neighbours. */
 static size_t distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };
@@ -42,7 +43,7 @@ static size_t distance(const char *a, const char *b)
 const char *names_closest(names_list *list, const void *context, const char *text)
 {
     const char *name, *best = NULL;
-    size_t least = (strlen(text) + 1) / 3; /* a third of the letters may be wrong */
+    size_t least = (strlen(text) + 1) / 3; /* up to a third of the letters may be wrong */
     for (int k = 0; (name = list(context, k)) != NULL; k++) {
         size_t d = strcasecmp(text, name) == 0 ? 0 : distance(text, name);
         if (d <= least && d < strlen(name)) {

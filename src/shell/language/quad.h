@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Numbers as people type them and as they are shown, in the widest arithmetic; and the functions of <math.h>
- * in it: wide(sqrt)(x) is the square root of a domq_real, as sqrt(x) is that of a double.
+ * Mathematics and text in the widest arithmetic: quad(sqrt)(x) is the square root of a domq_real.
  */
-#ifndef SHELL_WIDE_H
-#define SHELL_WIDE_H
+#ifndef SHELL_QUAD_H
+#define SHELL_QUAD_H
 
 #include "domino_quad.h"
 #include <math.h>
 
 #if defined DOMQ_REAL_FLOAT128
 #define quad(function) function##f128
-/* glibc has these whatever the compiler; its header declares them for gcc alone. */
+/* glibc defines these functions for every compiler, but its header declares them only for gcc. */
 extern domq_real quad(sqrt)(domq_real), quad(fabs)(domq_real), quad(sin)(domq_real), quad(cos)(domq_real),
     quad(tan)(domq_real), quad(asin)(domq_real), quad(acos)(domq_real), quad(atan)(domq_real),
     quad(exp)(domq_real), quad(log)(domq_real), quad(log10)(domq_real), quad(floor)(domq_real),
@@ -22,7 +21,7 @@ extern domq_real quad(atan2)(domq_real, domq_real), quad(hypot)(domq_real, domq_
 #define quad(function) function##l
 #endif
 
-/* pi, as a sum of doubles: right to 49 digits. */
+/* pi to 49 digits, as a sum of doubles */
 #define QUAD_PI                                                                                              \
     ((domq_real)3.141592653589793116 + (domq_real)1.2246467991473532072e-16 -                                \
      (domq_real)2.9947698097183396659e-33)
@@ -37,21 +36,22 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
     return a < b ? a : b;
 }
 
-enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 }; /* digits that read back to the same number; room for any */
+/* Enough digits for a round trip, and room for the text of any number. */
+enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number as printf's "%.*g" does. */
+/* Writes a number as printf does with "%.*g". */
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT]);
 
-/* The same with 10 digits for messages: quad_shown(x).text. */
+/* Returns the text of a number with 10 digits, for messages: quad_shown(x).text. */
 struct quad_shown {
     char text[WIDE_TEXT];
 };
 struct quad_shown quad_shown(domq_real value);
 
-/* Writes a number in the fewest digits that read back to the same number. */
+/* Writes a number in the fewest digits that are read back as the same number. */
 const char *quad_exact(domq_real value, char text[WIDE_TEXT]);
 
-/* Reads a number as strtod does; errno is ERANGE for one out of range. */
+/* Reads a number as strtod does. errno is ERANGE if it is out of range. */
 domq_real quad_read(const char *text, char **end);
 
 #endif

@@ -13,9 +13,7 @@ struct unit {
     struct quantity is;
 };
 
-#define DEGREE (QUAD_PI / 180)
-
-/* As quotients of whole numbers, so that they are right in the widest arithmetic. */
+/* Quotients of whole numbers are exact to the last digit in any arithmetic. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
@@ -34,11 +32,11 @@ static const struct unit units[] = {
     {"s", {.value = 1, .time = 1}},
     {"ms", {.value = PART(1, 1000), .time = 1}},
     {"rad", {.value = 1, .angle = 1}},
-    {"deg", {.value = DEGREE, .angle = 1}},
+    {"deg", {.value = QUAD_PI / 180, .angle = 1}},
     {NULL, {.value = 0}},
 };
 
-/* Units as words, which are read and not offered. */
+/* Words for units. Completion does not offer them. */
 static const struct word {
     const char *word, *name;
 } words[] = {
@@ -72,7 +70,7 @@ bool quantity_alike(struct quantity a, struct quantity b)
     return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
 }
 
-/* Writes the base units with their powers, and this between two of them. */
+/* Writes the base units with their exponents, and the text `between` between two of them. */
 static const char *unit_write(struct quantity q, const char *between, char *text, size_t size)
 {
     static const char *const base[] = {"kg", "m", "s", "rad"};
@@ -97,7 +95,7 @@ const char *expression_unit_typed(struct quantity q, char *text, size_t size)
     return unit_write(q, "*", text, size);
 }
 
-/* Names a quantity, NULL if its unit is the shorter name, and shows how people write one. */
+/* Quantities with a name, and how people write them. The name is NULL if the unit is shorter. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;
@@ -159,7 +157,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit that a word stands for, with an 's' at its end or without; NULL: none. */
+/* Returns the unit that a word stands for in its singular or plural, or NULL. */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;
@@ -172,7 +170,7 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity there */
+    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity */
         return NULL;
     for (const struct unit *u = units; u->name; u++)
         if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)

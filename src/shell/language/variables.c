@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct variable *variable_find(const struct variables *variables, const char *name)
+static struct variable *find(const struct variables *variables, const char *name)
 {
     for (size_t i = 0; i < variables->count; i++)
         if (strcmp(variables->list[i].name, name) == 0)
@@ -13,38 +13,37 @@ const struct variable *variable_find(const struct variables *variables, const ch
     return NULL;
 }
 
+const struct variable *variable_find(const struct variables *variables, const char *name)
+{
+    return find(variables, name);
+}
+
 bool variable_put(struct variables *variables, const struct variable *variable)
 {
-    size_t i = 0;
-    struct variable kept = *variable;
-    if (variable->body && !(kept.body = strdup(variable->body)))
+    struct variable copy = *variable, *at = find(variables, variable->name);
+    if (variable->body && !(copy.body = strdup(variable->body)))
         return false;
-    while (i < variables->count && strcmp(variables->list[i].name, variable->name) != 0)
-        i++;
-    if (i == variables->count) {
-        struct variable *more = realloc(variables->list, (i + 1) * sizeof *more);
+    if (!at) {
+        struct variable *more = realloc(variables->list, (variables->count + 1) * sizeof *more);
         if (!more) {
-            free(kept.body);
+            free(copy.body);
             return false;
         }
         variables->list = more;
-        variables->list[variables->count++] = (struct variable){.body = NULL};
-    }
-    free(variables->list[i].body);
-    variables->list[i] = kept;
+        at = &more[variables->count++];
+    } else
+        free(at->body);
+    *at = copy;
     return true;
 }
 
 void variable_drop(struct variables *variables, const char *name)
 {
-    size_t i = 0;
-    while (i < variables->count && strcmp(variables->list[i].name, name) != 0)
-        i++;
-    if (i == variables->count)
+    struct variable *at = find(variables, name);
+    if (!at)
         return;
-    free(variables->list[i].body);
-    variables->count--;
-    memmove(&variables->list[i], &variables->list[i + 1], (variables->count - i) * sizeof *variables->list);
+    free(at->body);
+    memmove(at, at + 1, (size_t)(variables->list + --variables->count - at) * sizeof *at);
 }
 
 bool variables_copy(struct variables *to, const struct variables *from)
@@ -96,10 +95,8 @@ const char *variable_head(const struct variable *v, char text[VARIABLE_HEAD])
 
 const char *variable_value(const struct variable *v, char text[VARIABLE_VALUE])
 {
-    char number[WIDE_TEXT];
-    expression_unit_typed(v->value, text, VARIABLE_VALUE);
-    char unit[VARIABLE_VALUE / 2];
-    snprintf(unit, sizeof unit, "%s", text);
+    char number[WIDE_TEXT], unit[VARIABLE_VALUE / 2];
+    expression_unit_typed(v->value, unit, sizeof unit);
     snprintf(text, VARIABLE_VALUE, "%s%s%s", quad_exact(v->value.value, number), *unit ? " " : "", unit);
     return text;
 }

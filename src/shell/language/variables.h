@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What 'let' defines: variables, which hold a value, and functions, which hold the text of an expression. */
+/* The variables and functions that 'let' defines. A function is kept as the text of its expression. */
 #ifndef SHELL_VARIABLES_H
 #define SHELL_VARIABLES_H
 
@@ -9,9 +9,9 @@ enum { VARIABLE_NAME = 32, VARIABLES_MOST = 256 };
 
 struct variable {
     char name[VARIABLE_NAME];
-    struct quantity value;                              /* of a variable */
-    char *body;                                         /* of a function; NULL: a variable */
-    int count;                                          /* arguments of a function */
+    struct quantity value;                              /* the value of a variable */
+    char *body;                                         /* the text of a function; NULL for a variable */
+    int count;                                          /* the number of arguments of a function */
     char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* their names */
 };
 
@@ -20,22 +20,25 @@ struct variables {
     size_t count;
 };
 
+/* Returns the variable with this name, or NULL. */
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
-/* Keeps a variable, which replaces an earlier one of this name; its body is copied.  False: no memory. */
+/* Adds a copy of a variable, or replaces the one with its name. Returns false if there is no memory. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
-/* Forgets a variable or function; nothing happens if there is none of this name. */
+/* Removes the variable with this name, if there is one. */
 void variable_drop(struct variables *variables, const char *name);
 
-/* Copies all variables; returns false without memory. */
+/* Returns false if there is no memory. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
 
-/* Writes "x" or "f(s, d)"; and what it stands for, as an expression: "0.048 m", "rmax(s)*s". */
+/* Writes "x" or "f(s, d)". */
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
 const char *variable_head(const struct variable *variable, char text[VARIABLE_HEAD]);
+
+/* Writes the value of a variable as an expression: "0.048 m". */
 enum { VARIABLE_VALUE = 128 };
 const char *variable_value(const struct variable *variable, char text[VARIABLE_VALUE]);
 
