@@ -26,7 +26,7 @@ struct walk_units walk_units(const struct query *query, int cycle)
     };
 }
 
-/* Compares everything that an answer depends on with what the session had when the walk began. */
+/* Returns true if everything that an answer depends on is as it was when the walk began. */
 static bool same_train(const struct walk *walk, const struct scene *scene)
 {
     const struct domq_train *a = &walk->train, *b = &scene->train;
@@ -61,124 +61,144 @@ void walk_columns_in(const struct query *query, struct answer *a)
         columns_in_joules(a);
 }
 
+struct measured angle_text(const struct query *query, domq_real theta, int digits)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    struct measured said;
+    snprintf(said.text, sizeof said.text, "%.*g %s", digits, (double)style_angle(style, theta),
+             style_angle_unit(style));
+    return said;
+}
+
 /* ---- In words ---- */
 
-/* Holds the first impulses of the collision, as text. */
+/* What the sentences about a place of the walk need. */
+struct place {
+    const struct query *query;
+    const struct walk *walk;
+    const struct domq_state *state;
+    struct answer *answer;
+    struct walk_units units;
+    bool rubs, rounds; /* the train has friction; its edges are rounded */
+};
+
+static struct measured angle_at(const struct place *p, domq_real theta)
+{
+    return angle_text(p->query, theta, 6);
+}
+
+/* Returns "10.3 rad/s" for tau omega. */
+static struct measured omega_at(const struct place *p, domq_real omega)
+{
+    struct measured said = angle_text(p->query, omega / p->units.tau, 6);
+    size_t used = strlen(said.text);
+    snprintf(said.text + used, sizeof said.text - used, "/s");
+    return said;
+}
+
+static struct measured energy_at(const struct place *p, domq_real energy)
+{
+    struct measured said;
+    snprintf(said.text, sizeof said.text, "%.6g %s", (double)(energy * p->units.energy),
+             p->units.energy_unit);
+    return said;
+}
+
+/* The first impulses of the collision. */
 struct impulses {
     const struct walk_units *units;
     char text[160];
-    int seen;
+    int count;
     bool bounded;
 };
 
-static bool impulse_seen(const struct domq_force *f, void *context)
+static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
-    if (f->i > 0 && isnan(f->impulse)) /* no domino leans on the last */
+    if (f->i > 0 && isnan(f->impulse)) /* no domino leans on the last one */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
-    snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->seen ? ", " : "",
+    snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->count ? ", " : "",
              (double)(f->impulse * i->units->weight * i->units->tau));
-    return ++i->seen < 4;
+    return ++i->count < 4;
 }
 
-/* Holds an angular velocity as text, in the session's unit of angles. */
-struct spoken {
-    char text[WIDE_TEXT + 8];
-};
-
-static struct spoken spoken_omega(const struct query *query, domq_real omega)
+static void say_launch(const struct place *p)
 {
-    struct spoken s;
-    snprintf(s.text, sizeof s.text, "%.6g %s/s", (double)style_angle(&query->state->settings.style, omega),
-             style_angle_unit(&query->state->settings.style));
-    return s;
-}
-
-static void say_launch(const struct query *query, const struct walk *w, const struct domq_state *s,
-                       struct answer *a)
-{
-    struct walk_units u = walk_units(query, w->cycle);
+    const struct walk *w = p->walk;
     struct domq_launch l;
     struct domq_barrier b;
-    struct impulses impulses = {.units = &u, .bounded = true};
+    struct impulses impulses = {.units = &p->units, .bounded = true};
     enum dom_status found = domq_barrier_find(&w->train, &w->compute, &b);
     if (domq_launch_find(&w->train, &w->compute, &l) != DOM_OK || (found != DOM_OK && found != DOM_STOPS) ||
-        domq_cycle_forces(&w->train, &w->compute, 0, impulse_seen, &impulses) != DOM_OK)
+        domq_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
         return;
-    domq_real omega = quad(sqrt)(l.omegasq) / u.tau;
-    bool rubs = domq_law(&w->train)->dissipates;
-    bool rounds = w->train.rho != 0;
-    const char *inertia = rubs ? "A(0)" : "J(0)", *own = rounds ? "i(0)" : "1";
+    domq_real omega = quad(sqrt)(l.omegasq);
+    const char *inertia = p->rubs ? "A(0)" : "J(0)";
     answer_say(
-        a,
+        p->answer,
         "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
         "on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) omega_1(theta_c), "
         "%s%s = %.6g (22; c4), (24; c6).",
-        spoken_omega(query, omega / l.velocity_ratio).text, measured(u.height, "m", 6).text,
-        spoken_omega(query, omega).text, inertia, inertia, own, inertia, rounds ? "/i(0)" : "",
-        (double)(1 / (1 - l.velocity_ratio)));
-    if (rubs)
-        answer_say(a,
+        omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
+        omega_at(p, omega).text, inertia, inertia, p->rounds ? "i(0)" : "1", inertia,
+        p->rounds ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
+    if (p->rubs)
+        answer_say(p->answer,
                    "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the share that the "
                    "contacts pass on.",
-                   rounds ? "i(theta_i) " : "");
-    if (rounds)
-        answer_say(a,
+                   p->rounds ? "i(theta_i) " : "");
+    if (p->rounds)
+        answer_say(p->answer,
                    "i(theta) is the inertia of a domino with rounded edges, about its line of contact with "
                    "the floor, over that with sharp edges.");
     if (impulses.bounded)
-        answer_say(a, "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
-                   impulses.text, impulses.seen >= 4 ? ", ..." : "", u.weight_unit);
+        answer_say(p->answer,
+                   "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
+                   impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
-        answer_say(a, "At r s = 1 the head is hit at its own hinge: the arm of the contact is 0, and its "
-                      "impulse has no bound in this model (14; b10).");
-    answer_say(a, "The collision takes %.4g %% of the kinetic energy%s; %.6g %s are left.",
-               (double)(100 * s->lost / s->before),
-               rubs     ? ""
-               : rounds ? ", the share i(0)/J(0)"
-                        : ", the share 1/J(0)",
-               (double)(l.kinetic * u.energy), u.energy_unit);
+        answer_say(p->answer,
+                   "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, and "
+                   "its impulse has no bound in this model (14; b10).");
+    answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s are left.",
+               (double)(100 * p->state->lost / p->state->before),
+               p->rubs     ? ""
+               : p->rounds ? ", the share i(0)/J(0)"
+                           : ", the share 1/J(0)",
+               energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
-        answer_say(a, "There is nothing to climb: the train goes down from the first moment on (26; c8).");
+        answer_say(p->answer,
+                   "There is nothing to climb: the train goes down from the first moment on (26; c8).");
     else
-        answer_say(a,
-                   "The train has %s of the energy that it needs to go on: it must climb %.6g %s, up to a "
-                   "tilt of %.6g "
-                   "%s%s, and it %s by %.6g %s (26; c8).",
-                   measured_share(b.kinetic / b.barrier, 3).text, (double)(b.barrier * u.energy),
-                   u.energy_unit, (double)style_angle(&query->state->settings.style, b.theta_m),
-                   style_angle_unit(&query->state->settings.style),
-                   rubs ? ", friction on the way included" : "",
-                   b.margin >= 0 ? "clears the barrier" : "misses the top",
-                   (double)(quad(fabs)(b.margin) * u.energy), u.energy_unit);
-}
-
-static void say_top(const struct query *query, const struct walk *w, const struct domq_state *s,
-                    struct answer *a)
-{
-    struct walk_units u = walk_units(query, w->cycle);
-    if (domq_law(&w->train)->dissipates) {
         answer_say(
-            a,
-            "The hardest tilt, theta_m = %.6g %s: the train has climbed %.6g %s, friction has taken %.6g, "
-            "and %.6g %s of motion are left. From now on it gains more than friction takes (26; c8).",
-            (double)style_angle(&query->state->settings.style, s->theta),
-            style_angle_unit(&query->state->settings.style), (double)(s->climbed * u.energy), u.energy_unit,
-            (double)(s->friction_work * u.energy), (double)(s->kinetic * u.energy), u.energy_unit);
-        return;
-    }
-    answer_say(
-        a,
-        "Top of the barrier, theta_m = %.6g %s. The train is at its highest: it has climbed %.6g %s, and "
-        "%.6g %s of motion are left, the margin. From now on it goes down (26; c8).",
-        (double)style_angle(&query->state->settings.style, s->theta),
-        style_angle_unit(&query->state->settings.style), (double)(s->climbed * u.energy), u.energy_unit,
-        (double)(s->kinetic * u.energy), u.energy_unit);
+            p->answer,
+            "The train has %s of the energy that it needs to go on: it must climb %s, up to a tilt of %s%s, "
+            "and it %s by %s (26; c8).",
+            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
+            angle_at(p, b.theta_m).text, p->rubs ? ", friction on the way included" : "",
+            b.margin >= 0 ? "clears the barrier" : "misses the top", energy_at(p, quad(fabs)(b.margin)).text);
 }
 
-/* Returns the energy of position of a domino, h(theta), in m g h / 2 above the floor at its foot. */
+static void say_top(const struct place *p)
+{
+    const struct domq_state *s = p->state;
+    if (p->rubs)
+        answer_say(
+            p->answer,
+            "The hardest tilt, theta_m = %s: the train has climbed %s, friction has taken %.6g, and %s of "
+            "motion are left. From now on it gains more than friction takes (26; c8).",
+            angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
+            (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
+    else
+        answer_say(
+            p->answer,
+            "Top of the barrier, theta_m = %s. The train is at its highest: it has climbed %s, and %s of "
+            "motion are left, the margin. From now on it goes down (26; c8).",
+            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+}
+
+/* Returns the potential energy of a domino, h(theta), in m g h / 2 above the floor at its foot. */
 static domq_real height_of(const struct domq_train *train, domq_real theta)
 {
     const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
@@ -186,98 +206,89 @@ static domq_real height_of(const struct domq_train *train, domq_real theta)
            (train->d - 2 * rho) * quad(sin)(from_plumb);
 }
 
-static void say_fall(const struct query *query, const struct walk *w, const struct domq_state *s,
-                     struct answer *a)
+static void say_fall(const struct place *p)
 {
-    struct walk_units u = walk_units(query, w->cycle);
+    const struct walk *w = p->walk;
     struct domq_angles angles;
     size_t domino = w->events[w->event].domino;
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
     answer_say(
-        a,
-        "Domino %zu detaches from domino %zu, which has come to theta_leave = %.6g %s: the arm of its "
-        "force is 0. It comes to rest at theta_f = %.6g %s with all that follow it, and pushes no more "
-        "(%s41; A17%s42; A18). Of the energy set free since the launch %.6g %s came from it; it keeps %.6g.",
-        domino, domino - 1, (double)style_angle(&query->state->settings.style, angles.theta_leave),
-        style_angle_unit(&query->state->settings.style),
-        (double)style_angle(&query->state->settings.style, angles.theta_f),
-        style_angle_unit(&query->state->settings.style), w->train.rho != 0 ? "as in " : "",
-        w->train.rho != 0 ? " and " : "), (", (double)((0 - s->fallen) * u.energy), u.energy_unit,
-        (double)(weight * height_of(&w->train, angles.theta_f) * u.energy));
+        p->answer,
+        "Domino %zu detaches from domino %zu, which has come to theta_leave = %s: the arm of its force is 0. "
+        "It comes to rest at theta_f = %s with all that follow it, and pushes no more %s. Of the energy set "
+        "free since the launch %s came from it; it keeps %.6g.",
+        domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
+        p->rounds ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
+        energy_at(p, 0 - p->state->fallen).text,
+        (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
 }
 
-static void say_stop(const struct query *query, const struct walk *w, const struct domq_state *s,
-                     struct answer *a)
+static void say_stop(const struct place *p)
 {
-    struct walk_units u = walk_units(query, w->cycle);
     struct domq_barrier b;
-    if (domq_barrier_find(&w->train, &w->compute, &b) != DOM_STOPS)
+    if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
         return;
     answer_say(
-        a,
-        "The train stops at theta = %.6g %s: all its kinetic energy, %.6g %s, has gone into %s. The top "
-        "of the barrier is at theta_m = %.6g %s, %.6g %s higher (26; c8). There is no next hit; 'why' says "
-        "more.",
-        (double)style_angle(&query->state->settings.style, s->theta),
-        style_angle_unit(&query->state->settings.style), (double)(b.kinetic * u.energy), u.energy_unit,
-        domq_law(&w->train)->dissipates ? "the climb and friction" : "the climb",
-        (double)style_angle(&query->state->settings.style, b.theta_m),
-        style_angle_unit(&query->state->settings.style), (double)(-b.margin * u.energy), u.energy_unit);
+        p->answer,
+        "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the barrier "
+        "is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' says more.",
+        angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
+        p->rubs ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
+        energy_at(p, -b.margin).text);
 }
 
-static void say_hit(const struct query *query, const struct walk *w, const struct domq_state *s,
-                    struct answer *a)
+static void say_hit(const struct place *p)
 {
-    struct walk_units u = walk_units(query, w->cycle), next = walk_units(query, w->cycle + 1);
-    answer_say(a,
-               "The head reaches the next domino, %s tall, at theta_c = %.6g %s: %s (2; a2). "
-               "It turns "
-               "with %s; the cycle has set free %.6g %s, the fuel P (25; c7), and lasted %s.",
-               measured(next.height, "m", 6).text,
-               (double)style_angle(&query->state->settings.style, s->theta),
-               style_angle_unit(&query->state->settings.style),
-               w->train.rho != 0 ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-               spoken_omega(query, quad(sqrt)(s->omegasq) / u.tau).text, (double)(-s->climbed * u.energy),
-               u.energy_unit, measured(s->time * u.tau, "s", 6).text);
-    if (domq_law(&w->train)->dissipates)
-        answer_say(a, "Friction between dominoes has taken %.6g %s of it.",
-                   (double)(s->friction_work * u.energy), u.energy_unit);
-    answer_say(a,
+    const struct domq_state *s = p->state;
+    struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
+    answer_say(
+        p->answer,
+        "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; the cycle "
+        "has set free %s, the fuel P (25; c7), and lasted %s.",
+        measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+        p->rounds ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+        omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+        measured(s->time * p->units.tau, "s", 6).text);
+    if (p->rubs)
+        answer_say(p->answer, "Friction between dominoes has taken %s of it.",
+                   energy_at(p, s->friction_work).text);
+    answer_say(p->answer,
                "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), "
                "%s (23; c5).",
                measured(s->time * next.tau, "s", 6).text);
 }
 
-static void say_between(const struct query *query, const struct walk *w, const struct domq_state *s,
-                        struct answer *a)
+static void say_between(const struct place *p)
 {
-    struct walk_units u = walk_units(query, w->cycle);
-    bool climbs = s->acceleration < 0;
-    answer_say(a, "On the way, theta = %.6g %s: the train %s, and the head turns with %s (21; c3).",
-               (double)style_angle(&query->state->settings.style, s->theta),
-               style_angle_unit(&query->state->settings.style), climbs ? "slows down" : "gathers speed",
-               spoken_omega(query, quad(sqrt)(s->omegasq) / u.tau).text);
+    answer_say(p->answer, "On the way, theta = %s: the train %s, and the head turns with %s (21; c3).",
+               angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
+               omega_at(p, quad(sqrt)(p->state->omegasq)).text);
 }
 
 void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
               struct answer *answer)
 {
-    static void (*const say[])(const struct query *, const struct walk *, const struct domq_state *,
-                               struct answer *) = {
+    static void (*const say[])(const struct place *) = {
         [DOM_EVENT_LAUNCH] = say_launch, [DOM_EVENT_FALL] = say_fall, [DOM_EVENT_TOP] = say_top,
         [DOM_EVENT_STOP] = say_stop,     [DOM_EVENT_HIT] = say_hit,
     };
     const struct domq_event *e = &walk->events[walk->event];
+    const struct place place = {.query = query,
+                                .walk = walk,
+                                .state = state,
+                                .answer = answer,
+                                .units = walk_units(query, walk->cycle),
+                                .rubs = domq_law(&walk->train)->dissipates,
+                                .rounds = walk->train.rho != 0};
     answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
-    (walk->theta == e->theta ? say[e->kind] : say_between)(query, walk, state, answer);
+    (walk->theta == e->theta ? say[e->kind] : say_between)(&place);
 }
 
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta)
 {
     struct domq_value omegasq, stop = {.value = DOMQ_NAN};
-    const struct answer_style *style = &query->state->settings.style;
     enum dom_status status =
         domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
@@ -287,11 +298,10 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The end may have been rounded up to the 6 digits of a table: a picture does not show the difference. */
+    /* The tilt may have been rounded up to the 6 digits of a table: a picture does not show the difference.
+     */
     if (stop.value < theta * (1 - (domq_real)1e-5))
-        return problem_error(
-            problem, "the train does not come to T = %.10g %s: it stops at %.10g %s, below the barrier",
-            (double)style_angle(style, theta), style_angle_unit(style),
-            (double)style_angle(style, stop.value), style_angle_unit(style));
+        return problem_error(problem, "the train does not come to T = %s: it stops at %s, below the barrier",
+                             angle_text(query, theta, 10).text, angle_text(query, stop.value, 10).text);
     return true;
 }
