@@ -51,7 +51,7 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), most = 1;
     for (int n = 0; n < digits; n++)
         most *= 10;
-    for (; digits < 15 && quad(fabs)(shown) >= most; most *= 10)
+    for (; digits < 15 && quad(fabs)(shown) >= most - (domq_real)0.5; most *= 10) /* 99.9 is not 1e+02 */
         digits++;
     quad_text(shown, digits, number);
     snprintf(said.text, sizeof said.text, "%s%s%s", number, *measure.unit ? " " : "", measure.unit);
