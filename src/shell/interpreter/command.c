@@ -37,15 +37,15 @@ const char *topic_names(const void *context, int k)
     int commands = every_count;
     if (k < commands)
         return command_names(context, k);
-    /* 'fuel' is a command and a parameter, and is listed once. */
+    /* A name that a command and a parameter share, such as 'fuel', is listed once. */
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
     return NULL;
 }
 
-/* Returns the one parameter that the word stands for: its first synonym, or a name of one of its numbers, as
- * 'hollow' is of q.  NULL if there is none. */
+/* Returns the only parameter that a word stands for, as its first synonym or as a word for one of its values,
+ * such as 'hollow' for q. Returns NULL if there is none. */
 static const struct parameter *parameter_for(const char *word)
 {
     bool usual;
@@ -58,7 +58,7 @@ static const struct parameter *parameter_for(const char *word)
     return NULL;
 }
 
-/* Returns true if the word is a synonym of the topic, or one of the words that a parameter takes. */
+/* Returns true if a word is a synonym of the topic, or a word for one of its values. */
 static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
@@ -85,10 +85,10 @@ const char *value_names(const void *context, int k)
     for (int n = 0; expression_names(NULL, n); n++)
         if (k-- == 0)
             return expression_names(NULL, n);
-    int own = state ? (int)state->variables.count : 0;
+    int count = state ? (int)state->variables.count : 0;
     return k == 0              ? "ans"
-           : state && k <= own ? state->variables.list[k - 1].name
-                               : topic_names(NULL, k - 1 - own);
+           : state && k <= count ? state->variables.list[k - 1].name
+                               : topic_names(NULL, k - 1 - count);
 }
 
 const char *command_keys(const void *command, int k)
@@ -99,8 +99,10 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    int k = names_exact(command_names, NULL, name);
-    return k < 0 ? NULL : every[k];
+    for (int k = 0; k < every_count; k++)
+        if (every[k]->name[0] == name[0] && strcmp(every[k]->name, name) == 0)
+            return every[k];
+    return NULL;
 }
 
 int command_principal(const struct command *c)
@@ -116,29 +118,7 @@ const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
     return usage;
 }
 
-static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
-                       domq_real *number, struct problem *problem)
-{
-    struct domq_angles angles;
-    /* A number without a unit is in the session's unit of angles. */
-    domq_real theta =
-        q.angle == 1 || query->state->settings.style.angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
-    enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    /* theta_c as an answer gave it, in degrees with all digits, may have been rounded up. */
-    domq_real slack =
-        2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
-    if (!(theta >= 0 && theta <= angles.theta_c + slack))
-        return problem_no_answer(problem,
-                                 "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                                 "%.17g], 'thetac' is its end",
-                                 a->name, quad_shown(style_angle(&query->state->settings.style, theta)).text,
-                                 style_angle_unit(&query->state->settings.style), a->name,
-                                 (double)style_angle(&query->state->settings.style, angles.theta_c));
-    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* no -0 */
-    return true;
-}
+/* ---- Values of arguments ---- */
 
 static bool is_tilt(const struct argument *a)
 {
@@ -149,23 +129,75 @@ struct quantity argument_unit(const struct argument *a)
 {
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
     return p ? expression_unit(p->value[a->which].unit)
-           : a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH
-               ? (struct quantity){.value = 1, .length = 1}
-           : is_tilt(a) ? (struct quantity){.value = 1, .angle = 1}
-                        : (struct quantity){.value = 1};
+             : (struct quantity){.value = 1,
+                                 .length = a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH,
+                                 .angle = is_tilt(a)};
+}
+
+static bool out_of_range(struct problem *problem, const struct argument *a, domq_real value, const char *is,
+                         const char *range)
+{
+    return problem_no_answer(problem, "%s = %s is %s; %s is %s", a->name, quad_shown(value).text, is, a->name,
+                             range);
+}
+
+/* Checks a tilt. A number without a unit is in the session's unit of angles. */
+static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
+                       domq_real *number, struct problem *problem)
+{
+    const struct answer_style *style = &query->state->settings.style;
+    struct domq_angles angles;
+    domq_real theta = q.angle == 1 || style->angle == ANGLE_RAD ? q.value : q.value * (QUAD_PI / 180);
+    enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    /* The theta_c of an answer in degrees, with all its digits, may have been rounded up. */
+    domq_real slack =
+        2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
+    if (!(theta >= 0 && theta <= angles.theta_c + slack))
+        return problem_no_answer(problem,
+                                 "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
+                                 "%.17g], 'thetac' is its end",
+                                 a->name, quad_shown(style_angle(style, theta)).text, style_angle_unit(style),
+                                 a->name, (double)style_angle(style, angles.theta_c));
+    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
+    return true;
+}
+
+static bool of_check(const struct query *query, const struct argument *a, domq_real value,
+                     struct problem *problem)
+{
+    char range[96];
+    const struct parameter *p = parameter_find(a->of);
+    const struct domq_effect_argument *of = &p->value[a->which];
+    if (strcmp(a->name, of->name) == 0 || (value >= of->lowest && value <= of->highest))
+        return parameter_check(query->state, p, a->which, value, problem);
+    snprintf(range, sizeof range, "a value of %s, %g .. %g", p->name, (double)of->lowest,
+             (double)of->highest);
+    return out_of_range(problem, a, value, "out of range", range);
+}
+
+static bool count_check(const struct query *query, const struct argument *a, domq_real value,
+                        struct problem *problem)
+{
+    char range[96];
+    int most = a->most ? a->most(query->scene) : COUNT_MAX;
+    snprintf(range, sizeof range, "an integer in 1 .. %d%s%s", most, a->most ? ", " : "",
+             a->most ? a->most_of : "");
+    return (value >= 1 && value <= most && value == quad(floor)(value)) ||
+           out_of_range(problem, a, value, "not a count", range);
 }
 
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
     char kind[64], wanted[64];
-    const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
     struct quantity unit = argument_unit(a);
-    /* s and d are over the height: a length is divided by that of the first domino. */
-    bool over_height = p && strcmp(p->value[a->which].unit, "h") == 0;
-    if (over_height && quantity_alike(q, (struct quantity){.length = 1}))
+    /* s and d are shares of the height, so that a length is divided by the height of the first domino. */
+    bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
+    if (is_share && quantity_alike(q, (struct quantity){.length = 1}))
         q = (struct quantity){.value = q.value / query->scene->scale.h};
-    /* A rotation may be given as a frequency, too, since radians are often left out: 8*sqrt(g/h). */
+    /* A rotation may be a frequency, since radians are often left out: 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(q, (struct quantity){.time = -1}))
         q.angle = 1;
     const char *example = expression_example(unit);
@@ -173,41 +205,31 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
         return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,
                              expression_kind(unit, wanted, sizeof wanted),
                              expression_kind(q, kind, sizeof kind),
-                             example       ? "one such as '"
-                             : over_height ? "it without a unit, or as a length"
-                                           : "it without a unit",
+                             example    ? "one such as '"
+                             : is_share ? "it without a unit, or as a length"
+                                        : "it without a unit",
                              example ? example : "", example ? "'" : "");
     *number = q.value;
-    if (a->kind == ARGUMENT_ANY)
-        return true;
-    if (is_tilt(a))
+    switch (a->kind) {
+    case ARGUMENT_TILT:
+    case ARGUMENT_PLACE:
         return tilt_check(query, a, q, number, problem);
-    if (a->kind == ARGUMENT_HEIGHT && !(q.value > 0))
-        return problem_no_answer(problem, "%s = %s is not a height; %s is a length in metres, larger than 0",
-                                 a->name, quad_shown(q.value).text, a->name);
-    if (a->kind == ARGUMENT_LENGTH && !(q.value >= 0 && q.value <= (domq_real)1e9))
-        return problem_no_answer(problem, "%s = %s is not a gap; %s is a length in metres, 0 or more",
-                                 a->name, quad_shown(q.value).text, a->name);
-    int most = a->most ? a->most(query->scene) : COUNT_MAX;
-    if (a->kind == ARGUMENT_COUNT && !(q.value >= 1 && q.value <= most && q.value == quad(floor)(q.value)))
-        return problem_no_answer(problem, "%s = %s is not a count; %s is an integer in 1 .. %d%s%s", a->name,
-                                 quad_shown(q.value).text, a->name, most, a->most ? ", " : "",
-                                 a->most ? a->most_of : "");
-    const struct domq_effect_argument *of = p ? &p->value[a->which] : NULL;
-    if (p && strcmp(a->name, of->name) != 0 && !(q.value >= of->lowest && q.value <= of->highest))
-        return problem_no_answer(problem, "%s = %s is out of range; %s is a value of %s, %g .. %g", a->name,
-                                 quad_shown(q.value).text, a->name, p->name, (double)of->lowest,
-                                 (double)of->highest);
-    return !p || parameter_check(query->state, p, a->which, q.value, problem);
+    case ARGUMENT_HEIGHT:
+        return q.value > 0 ||
+               out_of_range(problem, a, q.value, "not a height", "a length in metres, larger than 0");
+    case ARGUMENT_LENGTH:
+        return (q.value >= 0 && q.value <= (domq_real)1e9) ||
+               out_of_range(problem, a, q.value, "not a gap", "a length in metres, 0 or more");
+    case ARGUMENT_COUNT:
+        return count_check(query, a, q.value, problem);
+    case ARGUMENT_OF:
+        return of_check(query, a, q.value, problem);
+    default:
+        return true;
+    }
 }
 
-/* Returns true for an argument that an expression gives, not a name, word, file or line. */
-static bool is_value(enum argument_kind kind)
-{
-    return kind == ARGUMENT_TILT || kind == ARGUMENT_OF || kind == ARGUMENT_HEIGHT ||
-           kind == ARGUMENT_LENGTH || kind == ARGUMENT_COUNT || kind == ARGUMENT_ANY ||
-           kind == ARGUMENT_PLACE;
-}
+/* ---- Commands in expressions ---- */
 
 int command_values(const struct command *c, int *fewest)
 {
@@ -215,11 +237,11 @@ int command_values(const struct command *c, int *fewest)
     *fewest = 0;
     for (int i = 0; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
-        bool value = is_value(a->kind) && most == i;
-        if (!value && !a->optional)
+        bool is_value = a->kind >= ARGUMENT_TILT && a->kind <= ARGUMENT_PLACE && most == i;
+        if (!is_value && !a->optional)
             return -1;
-        most += value;
-        *fewest += value && !a->optional;
+        most += is_value;
+        *fewest += is_value && !a->optional;
     }
     return c->columns && c->principal ? most : -1;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The commands.  A row of a command table drives dispatch, arguments and their errors, help, completion
- * and the use of a command as a name in expressions.
+ * The commands. Each is a row of a table, from which follow how its arguments are read, its errors, its help
+ * and completion, and its value in expressions.
  */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
@@ -10,29 +10,32 @@
 #include "session/parameters.h"
 #include "session/query.h"
 
-/* What an argument is; it decides how it is read, what is wrong with it, and what completion offers. */
+/* The kind of an argument says how it is parsed and checked, and what completion offers. */
 enum argument_kind {
     ARGUMENT_NONE,
-    ARGUMENT_TILT,      /* an angle in [0, theta_c] */
-    ARGUMENT_OF,        /* a value for the parameter argument.of */
-    ARGUMENT_HEIGHT,    /* a length > 0 */
-    ARGUMENT_LENGTH,    /* a length >= 0 */
-    ARGUMENT_COUNT,     /* an integer in 1 .. COUNT_MAX */
-    ARGUMENT_ANY,       /* any value */
-    ARGUMENT_NUMBER,    /* a plain number */
-    ARGUMENT_PARAMETER, /* the name of a parameter; without a value after it, or of a variable */
+    /* An expression gives these: */
+    ARGUMENT_TILT,   /* an angle in [0, theta_c] */
+    ARGUMENT_OF,     /* a value of the parameter that `of` names */
+    ARGUMENT_HEIGHT, /* a length > 0 */
+    ARGUMENT_LENGTH, /* a length >= 0 */
+    ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
+    ARGUMENT_ANY,    /* a value in any unit */
+    ARGUMENT_NUMBER, /* a plain number */
+    ARGUMENT_PLACE,  /* an angle as above, or one of the choices, for which the number is -1 - index */
+    /* Words and names: */
+    ARGUMENT_CHOICE,    /* one of the choices; the number is its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_VALUE,     /* a value for the parameter or effect before it, or a file that gives it */
+    ARGUMENT_PARAMETER, /* the name of a parameter, or of a variable unless a value follows */
+    ARGUMENT_VALUE,     /* a value of the parameter or effect before it, or a file with values */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
-    ARGUMENT_CHOICE,    /* one of the names in argument.choices; its number */
-    ARGUMENT_PLACE,     /* the same, as -1 - its number, or an angle in [0, theta_c] */
-    ARGUMENT_WORD,      /* any word, or several between "..." */
-    ARGUMENT_FILE,      /* a path, between "..." if it has blanks */
-    ARGUMENT_GRID,      /* values of parameters and effects, up to a ':' */
-    ARGUMENT_COMMAND,   /* ':' and a command that answers */
-    ARGUMENT_WORDS,     /* all that is left of the command: argument.parse parses the words and values */
-    ARGUMENT_UNIT,      /* "to" and a unit */
-    ARGUMENT_REST,      /* the rest of the line as it is */
+    ARGUMENT_WORD,      /* any word, or a text between "..." */
+    ARGUMENT_FILE,      /* a path; with blanks in it, between "..." */
+    ARGUMENT_REST,      /* the rest of the line as it is, also behind ';' */
+    /* The argument's own function parses these: */
+    ARGUMENT_GRID,    /* names with values */
+    ARGUMENT_COMMAND, /* a command that answers, perhaps after ':' */
+    ARGUMENT_WORDS,   /* words and values up to the end of the command */
+    ARGUMENT_UNIT,    /* "to" and a unit */
 };
 
 #define COUNT_MAX 10000000
@@ -45,67 +48,62 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    const char
-        *of;   /* the parameter of ARGUMENT_OF; what the choices are; what not any value of ARGUMENT_ANY is */
-    int which; /* of the parameter's values, from 0 */
+    const char *of; /* the parameter of ARGUMENT_OF; else what a value or choice is called in messages */
+    int which;      /* index of the value of that parameter */
     bool optional;
-    names_list *choices; /* the names that it takes, or that completion offers for it */
-    /* Parse and bind ARGUMENT_GRID, ARGUMENT_COMMAND, ARGUMENT_WORDS and ARGUMENT_UNIT; what parse finds is
-     * question->parsed, and bind makes given->bound of it. The context of choices of ARGUMENT_WORDS is the
-     * word before the one that is completed. Where choices is value_names, it is a definition. */
+    names_list *choices;
+    /* Parse the last four kinds into question->parsed, and bind that in a state as given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
-    int (*most)(const struct scene *scene); /* of ARGUMENT_COUNT; NULL: COUNT_MAX */
-    const char *most_of;                    /* the name of what `most` limits */
+    int (*most)(const struct scene *scene); /* the upper bound of ARGUMENT_COUNT; if NULL, COUNT_MAX */
+    const char *most_of;                    /* what that bound is the number of, for messages */
 };
 
 enum { ARGUMENTS_MAX = 3 };
 
-/* The arguments that a command is given, as they were read. */
+/* The arguments of a command, bound in a state. */
 struct arguments {
-    int count; /* number of arguments that were given */
+    int count;
     domq_real number[ARGUMENTS_MAX];
-    struct quantity quantity[ARGUMENTS_MAX]; /* of ARGUMENT_ANY */
+    struct quantity quantity[ARGUMENTS_MAX]; /* the number with its unit */
     const char *word[ARGUMENTS_MAX];
-    const struct parameter
-        *parameter; /* the parameter that ARGUMENT_PARAMETER or ARGUMENT_EFFECT names; NULL: none */
-    const struct variable *variable; /* the one that ARGUMENT_PARAMETER, ARGUMENT_TOPIC or a definition names;
-                                        NULL: none */
-    int column[ARGUMENTS_MAX];       /* their places in the line, for messages */
-    void *bound;                     /* the result of argument.bind, or NULL */
-    void (*bound_free)(void *bound); /* frees that result; or NULL */
+    int column[ARGUMENTS_MAX];         /* columns in the line, for messages */
+    const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
+    const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
+    void *bound;                       /* the result of argument.bind */
+    void (*bound_free)(void *bound);   /* frees that result, or is NULL */
 };
 
+/* A command. Strings and pointers that do not apply to it are NULL. */
 struct command {
     const char *name;
     struct argument argument[ARGUMENTS_MAX];
-    const char *summary;          /* one line */
-    const char *synonyms;         /* other words that people look for, for 'apropos'; or NULL */
-    const char *equation;         /* of the paper, or NULL */
-    const char *help;             /* more, or NULL */
-    const char *example;          /* commands that show it, or NULL */
-    const char *see;              /* other commands, or NULL */
-    const struct column *columns; /* of the answer, or NULL */
-    const char *principal;        /* the key of its value in an expression; NULL: none */
-    bool rows;
-    const char *echo;    /* the column that repeats this parameter, unless an argument takes its place */
-    const char *unswept; /* why 'sweep' does not take it, though it answers; or NULL */
-    bool train;          /* is about the endless train */
-    bool draws;          /* gives a picture in a table */
-    const char *holds;   /* what is true if its answer is yes, see answer_holds; NULL: it decides nothing */
-    bool runs;           /* runs other commands, whose answers go where its own would */
-    bool files;          /* touches files: not in a safe session */
-    bool changes;        /* may change parameters, effects, the row or variables: 'undo' takes it back */
-    bool pages;          /* gives a long text, which a terminal shows a page at a time */
-    const char
-        *shortest; /* the shortest beginning that means this command, though others begin so; or NULL */
-    /* Answers the query, and gives its next state; or describes a problem and returns false. */
+    const char *summary;  /* one line */
+    const char *synonyms; /* other words that people look for, with blanks between them */
+    const char *equation; /* the equations of the paper */
+    const char *help;     /* the text below the summary */
+    const char *example;  /* commands that show it */
+    const char *see;      /* related commands */
+    const struct column *columns;
+    const char *principal; /* the key of the column that is its value in expressions */
+    bool rows;             /* The answer may have several rows. */
+    const char *echo;      /* the column that repeats this parameter, unless an argument gives its value */
+    const char *unswept;   /* why 'sweep' refuses a command that answers */
+    bool train;            /* The answer is about the endless train. */
+    bool draws;            /* The answer is a picture in a table. */
+    const char *holds;     /* what is true if the answer is yes, see answer_holds */
+    bool runs;             /* It runs other commands, which write to its output. */
+    bool files;            /* It reads or writes files, which a safe session refuses. */
+    bool changes;         /* It may change parameters, effects, the row or variables, which 'undo' reverts. */
+    bool pages;           /* The answer is a long text, for the pager. */
+    const char *shortest; /* the shortest abbreviation that means this command though it is ambiguous */
+    /* Answers a query and writes its next state. Returns false with a problem. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
-    /* The same for a command that acts on the session itself; run is then NULL. */
+    /* Does the same in place of `run` for a command that acts on the session. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
-    /* Draws the answer into a file whose ending is that of a picture; NULL: the answer has none. */
+    /* Draws the answer into a file with the ending of a picture. */
     bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
@@ -115,70 +113,63 @@ struct command_group {
 };
 
 /*
- * Sets the groups that all functions below look in, which end with a NULL title: once, before the first
- * command runs.  The list itself is at the top of the house, in commands/registry.c, since only there every
- * command is known.
+ * Registers the groups of all commands, which end with a NULL title, before the first command runs. The list
+ * comes from commands/registry.c, since this folder is below the commands.
  */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Lists for names.h: commands; commands and parameters; keys of the command that is the context. */
+/* Lists for names.h: all commands; commands and parameters; the keys of the command that is the context. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
-/* Returns the k-th of the topics that people also know by this word, or NULL: 'growth' is r, and 'speed' is
- * several. */
-const char *topic_meant(const char *word, int k);
-
-/* Lists for names.h every name that has a value in a state; without one (NULL) those that every state has. */
+/* Lists for names.h all names that have a value in the state that is the context, or, if that is NULL, in
+ * every state. */
 const char *value_names(const void *context, int k);
 
-/* Returns the command with exactly this name, or NULL. */
-const struct command *command_find(const char *name);
+/* Returns topic k of those that people also call by this word, or NULL: 'growth' is r, 'speed' is several. */
+const char *topic_meant(const char *word, int k);
 
-enum { USAGE_SIZE = 96 };
+/* Returns the command with this name, or NULL. */
+const struct command *command_find(const char *name);
 
 /* Returns the index of the principal column of a command that has one. */
 int command_principal(const struct command *command);
 
-/* Writes the usage of a command: "rmax [S]". */
-const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
-
-/* Returns the unit of the values of an argument, 1 for a plain number. */
-struct quantity argument_unit(const struct argument *argument);
-
-/* Checks a value for an argument of this kind, and stores it.  Reports what is wrong and returns false. */
-bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
-                    domq_real *number, struct problem *problem);
-
 /*
- * Returns the most arguments that a command may have as a name in expressions: those before the first that
- * cannot be a value (a file, a word). *fewest: the arguments that are required. -1: the command has no value
- * there.
+ * Returns the maximum number of arguments that a command takes in an expression: those before the first that
+ * is no value. `fewest` is the minimum. Returns -1 if the command has no value.
  */
 int command_values(const struct command *command, int *fewest);
 
-/* Reports an error where a safe session may not run the command, since it touches files. */
+/* Writes the usage of a command: "rmax [S]". */
+enum { USAGE_SIZE = 96 };
+const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
+
+/* Returns true unless the command touches files and the session is safe, which is a problem. */
 bool command_allowed(const struct means *means, const struct command *command, struct problem *problem);
 
-/* Runs a command whose arguments are read, as expressions do: the answer is kept, not written. */
+/* Runs a command whose arguments are bound, and keeps the cells of its answer instead of writing them. */
 bool command_keep(const struct query *query, const struct command *command, struct cell *kept,
                   struct problem *problem);
 
-/*
- * Runs every command of a text: lines, and ';' between commands; '#' begins a comment; '> FILE' and
- * '>> FILE' send an answer to a file.
- */
+/* Runs the commands of a text of one or more lines. */
 void command_run_text(struct session *session, const char *text);
 
-/* omega from tau^2 omega^2 and the bound of that; at rest the bound is that of a root near 0. */
+/* Returns the unit in which an argument is measured, 1 for a plain number. */
+struct quantity argument_unit(const struct argument *argument);
+
+/* Stores the value of an argument as a number. Returns false with a problem if it does not fit. */
+bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
+                    domq_real *number, struct problem *problem);
+
+/* Returns omega from tau^2 omega^2 and its error bound. At rest, the bound is that of the root of a number
+ * near 0. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* The cell of a member of a result, with the bound of its error. */
+/* The cell of a member of a result with its error bound; the same, multiplied by a factor. */
 #define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
-
-/* The same in another unit: both times a factor. */
 #define CELL_TIMES(result, member, factor)                                                                   \
     cell_bound((result).member *(factor), (result).error.member *(factor))
 
