@@ -120,38 +120,6 @@ TEST(a_text_without_a_right_end_is_one_line)
     }
 }
 
-/* Writes a text by answer_line, or as the one argument of answer_say; the caller frees what it returns. */
-static char *answered(const char *text, bool formatted)
-{
-    char *written = NULL;
-    size_t size;
-    FILE *out = open_memstream(&written, &size);
-    assert_non_null(out);
-    struct answer answer = {.out = out, .style = {.format = &format_table}};
-    if (formatted)
-        answer_say(&answer, "%s", text);
-    else
-        answer_line(&answer, text);
-    fclose(out);
-    return written;
-}
-
-TEST(a_short_text_needs_no_format)
-{
-    for (int k = 0; k < 20000; k++) {
-        char text[16];
-        size_t n = bits(sizeof text);
-        for (size_t i = 0; i < n; i++)
-            text[i] = " 4.%\n\033"[bits(6)];
-        text[n] = '\0';
-        char *line = answered(text, false), *formatted = answered(text, true);
-        assert_string_equal(line, formatted);
-        assert_true(strlen(line) > 0);
-        free(line);
-        free(formatted);
-    }
-}
-
 /* Finds the end as its definition says, letter by letter. */
 static const char *end_of(const char *c, const char *ends)
 {

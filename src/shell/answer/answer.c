@@ -18,19 +18,27 @@ const char *style_angle_unit(const struct answer_style *style)
     return style->angle == ANGLE_DEG ? "deg" : "rad";
 }
 
+/* ---- Columns ---- */
+
 bool column_is_angle(const struct column *c)
 {
     return strncmp(c->unit, "rad", 3) == 0;
+}
+
+void column_fit(struct column *c, const char *word)
+{
+    int width = terminal_columns(word);
+    c->width = width > c->width ? width : c->width;
 }
 
 struct column *answer_columns(struct answer *a, const struct column *columns)
 {
     int n = 0;
     do
-        a->own[n] = columns[n];
+        a->copy[n] = columns[n];
     while (columns[n++].key);
-    a->columns = a->own;
-    return a->own;
+    a->columns = a->copy;
+    return a->copy;
 }
 
 void answer_leave_out(struct answer *a, const char *key)
@@ -58,68 +66,54 @@ void answer_largest(struct answer *a, const char *key, domq_real number)
             a->largest[i] = fmax(a->largest[i], fabs((double)number));
 }
 
-void column_fit(struct column *c, const char *word)
+bool answer_bounded(const struct answer *a, int i)
 {
-    int wide = terminal_columns(word);
-    c->width = wide > c->width ? wide : c->width;
+    return (a->bounded >> i & 1) != 0;
 }
 
 /* ---- Before the first row ---- */
 
-/* Adds a column for bounds after each column for which the first row has a number with a bound. */
-static void bounds_prepare(struct answer *a, const struct cell *cells)
-{
-    for (int i = 0; a->columns[i].key && !a->begun && !a->planned && a->style.errors; i++)
-        if (a->columns[i].width == 0 && (cells[i].kind == CELL_REAL || cells[i].kind == CELL_NONE))
-            a->bounded |= 1u << i;
-}
-
-/* Chooses one unit a column for a table of rows, the largest where nothing is known of a column. */
-static void measures_prepare(struct answer *a, const struct cell *cells)
-{
-    if (a->begun || a->planned)
-        return;
-    for (int i = 0; a->columns[i].key; i++) {
-        bool number = cells && cells[i].kind == CELL_REAL;
-        domq_real first = number ? quad(fabs)(cells[i].number) : 0, most = (domq_real)a->largest[i];
-        bool known = number || most > 0;
-        a->measure[i] = measure_of(a->columns[i].unit, known ? quad_larger(first, most) : (domq_real)DBL_MAX);
-    }
-}
-
-/* Finds the width and the letters of the terminal. */
-static void answer_ask(struct answer *a)
+/* Finds out what the terminal can show. */
+static void terminal_look(struct answer *a)
 {
     a->on_terminal = terminal_shows(a->out);
     a->width = terminal_width(a->out);
     a->letters = a->width && terminal_utf8();
     a->bold = terminal_colour(a->out);
-    errno = 0; /* asking what is no terminal sets it */
+    errno = 0; /* looking at what is no terminal sets it */
 }
 
-/* Prepares the first line: writes the blank line between answers. */
-static void answer_prepare(struct answer *a)
+void answer_plan(struct answer *a, const struct cell *sample)
 {
-    if (a->prepared)
+    if (a->is_planned || !a->out || a->point) /* the sweep plans the rows of its points */
         return;
-    a->prepared = true;
-    if (!a->planned)
-        answer_ask(a);
+    a->is_planned = true;
+    terminal_look(a);
+    for (int i = 0; a->columns[i].key; i++) {
+        bool is_real = sample && sample[i].kind == CELL_REAL;
+        if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
+            a->bounded |= 1u << i;
+        /* A column of which nothing is known gets its largest unit. */
+        domq_real most = (domq_real)a->largest[i];
+        most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
+               : most > 0 ? most
+                          : (domq_real)DBL_MAX;
+        a->measure[i] = measure_of(a->columns[i].unit, most);
+    }
+}
+
+/* Prepares the output for the first line of the answer. */
+static void answer_open(struct answer *a)
+{
+    if (a->is_open)
+        return;
+    a->is_open = true;
+    if (!a->is_planned)
+        terminal_look(a);
     if (a->on_terminal)
         progress_end();
-    if (a->gap && a->style.format->for_people)
+    if (a->blank_above && a->style.format->for_people)
         putc('\n', a->out);
-}
-
-void answer_plan(struct answer *a, const struct cell *like)
-{
-    if (!a->out || a->point) /* the rows of a point are as those of the sweep */
-        return;
-    answer_ask(a);
-    if (like)
-        bounds_prepare(a, like);
-    measures_prepare(a, like);
-    a->planned = true;
 }
 
 struct answer answer_part(const struct answer *a, FILE *out, bool first)
@@ -127,50 +121,50 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
     struct answer part = *a;
     part.out = out;
     part.kept = NULL;
-    part.begun = part.begun || !first;
-    part.prepared = part.prepared || !first;
+    part.has_rows = part.has_rows || !first;
+    part.is_open = part.is_open || !first;
     return part;
 }
 
 /* ---- Rows ---- */
 
 /*
- * Makes cells empty whose numbers the precision cannot hold: the one place where that is found.  Returns the
- * reason of the row, or that one in its place; people read it below the table, once.
+ * Makes cells empty if the precision cannot hold their numbers, and returns the reason of the row, which may
+ * be that.  People read it once, below the table.
  */
-static const char *row_finite(struct answer *a, struct cell *shown, const char *reason,
-                              char lost[ANSWER_REASON])
+static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
+                               char too_large[ANSWER_REASON])
 {
     const enum dom_precision precision = a->style.precision;
     const char *key = NULL;
     for (int i = 0; a->columns[i].key; i++)
-        if (!cell_finite(&a->style, shown[i])) {
-            shown[i].kind = CELL_NONE;
+        if (!cell_finite(&a->style, cells[i])) {
+            cells[i].kind = CELL_NONE;
             key = key ? key : a->columns[i].key;
         }
     if (!key)
         return reason;
     bool people = a->style.format->for_people;
-    snprintf(people && !*a->unsaid ? a->unsaid : lost, ANSWER_REASON,
+    snprintf(people && !*a->late_reason ? a->late_reason : too_large, ANSWER_REASON,
              "%s is beyond what %s precision can hold%s", key, domq_arithmetic(precision)->name,
              precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
-    return people || (reason && *reason) ? reason : lost;
+    return people || (reason && *reason) ? reason : too_large;
 }
 
-/* Returns the text as it may be shown; *own is what the caller frees. */
-static const char *shown_text(const char *text, char **own)
+/* Returns the text as it may be shown.  The caller frees *copy. */
+static const char *escaped(const char *text, char **copy)
 {
     if (!text || !escape_needed(text))
         return text;
-    *own = escape_copy(text);
-    return *own ? *own : "?";
+    *copy = escape_copy(text);
+    return *copy ? *copy : "?";
 }
 
-static void answer_write(struct answer *a, const struct cell *cells, const char *reason)
+static void row_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     const struct format *format = a->style.format;
     struct cell shown[ANSWER_COLUMNS];
-    char *own[ANSWER_COLUMNS] = {NULL}, lost[ANSWER_REASON]; /* own: of words, and of the reason after them */
+    char *copies[ANSWER_COLUMNS] = {NULL}, too_large[ANSWER_REASON]; /* copies of words, then of the reason */
     int count = 0;
     for (; a->columns[count].key; count++) {
         struct cell *cell = &shown[count];
@@ -181,23 +175,22 @@ static void answer_write(struct answer *a, const struct cell *cells, const char 
             cell->error = style_angle(&a->style, cell->error);
         }
         if (cell->kind == CELL_WORD && !format->escapes)
-            cell->word = shown_text(cell->word, &own[count]);
+            cell->word = escaped(cell->word, &copies[count]);
     }
-    reason = row_finite(a, shown, reason, lost);
+    reason = cells_check(a, shown, reason, too_large);
     if (!format->escapes)
-        reason = shown_text(reason, &own[count]);
-    answer_prepare(a);
-    bounds_prepare(a, cells);
-    measures_prepare(a, cells);
+        reason = escaped(reason, &copies[count]);
+    answer_plan(a, cells);
+    answer_open(a);
     errno = 0;
-    if (!a->begun && format->begin)
+    if (!a->has_rows && format->begin)
         format->begin(a, shown, reason);
     format->row(a, shown, reason);
-    a->begun = true;
-    if (ferror(a->out) && !a->lost)
-        a->lost = errno;
+    a->has_rows = true;
+    if (ferror(a->out) && !a->error)
+        a->error = errno;
     for (int i = 0; i <= count; i++)
-        free(own[i]);
+        free(copies[i]);
 }
 
 void answer_keep(struct answer *a, const struct cell *cells)
@@ -210,16 +203,16 @@ void answer_keep(struct answer *a, const struct cell *cells)
 
 bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    struct cell shown[ANSWER_COLUMNS];
+    struct cell left[ANSWER_COLUMNS];
     answer_keep(a, cells);
     for (int i = 0, n = 0; a->left_out && a->columns[n].key; i++)
         if (!(a->left_out >> i & 1))
-            shown[n++] = cells[i];
-    cells = a->left_out ? shown : cells;
+            left[n++] = cells[i];
+    cells = a->left_out ? left : cells;
     if (a->point) {
         a->point(a, cells, reason);
     } else if (a->out) {
-        answer_write(a, cells, reason);
+        row_write(a, cells, reason);
         if (reason)
             answer_say(a, "%s", reason);
     }
@@ -231,6 +224,8 @@ bool answer_lost(const struct answer *a)
     return a->out && ferror(a->out) != 0;
 }
 
+/* ---- Sentences, and the end ---- */
+
 bool answer_for_people(const struct answer *a)
 {
     return a->out && a->style.format->for_people && !a->point;
@@ -240,19 +235,16 @@ void answer_say(struct answer *a, const char *format, ...)
 {
     if (!answer_for_people(a))
         return;
-    answer_prepare(a);
+    answer_open(a);
     va_list arguments;
     va_start(arguments, format);
-    a->style.format->note(a, format, arguments);
+    a->style.format->sentence(a, format, arguments);
     va_end(arguments);
 }
 
-void answer_line(struct answer *a, const char *text)
+void answer_holds(struct answer *a, bool yes)
 {
-    if (!answer_for_people(a))
-        return;
-    answer_prepare(a);
-    a->style.format->line(a, text);
+    a->holds = yes ? ANSWER_YES : ANSWER_NO;
 }
 
 const char *answer_end(struct answer *a)

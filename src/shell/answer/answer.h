@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an answer is: named columns, and how and where their rows are to be written. */
+/*
+ * Answers.  A command names the columns of its answer, then gives rows of cells, which a format writes at
+ * once, so that a long curve streams.  Sentences are for people only.
+ */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -10,167 +13,151 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-struct column {
-    const char *key;     /* name in csv and json, head of a table */
-    const char *unit;    /* "" for a pure number; "rad" and "rad/s" follow the style's angle; see measure.h */
-    const char *meaning; /* one line, for people */
-    int width;           /* of words, or of few digits, in a table of rows; 0 for a number */
-};
+enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
 
-enum { ANSWER_COLUMNS = 24 /* at most */, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
+struct column {
+    const char *key;     /* the name of the column */
+    const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, else see measure.h */
+    const char *meaning; /* one line for people */
+    int width;           /* the width of words, or of few digits, in a table of rows; 0 for a number */
+};
 
 struct answer {
-    FILE *out;        /* NULL: the answer is only kept */
-    const char *path; /* the name of the file that out writes after a '>'; NULL: none */
-    bool appended;    /* that file comes after '>>' */
-    bool printed;     /* the answer is the value of an expression, which follows */
-    struct quantity value;
+    FILE *out;        /* NULL if the answer is only kept */
+    const char *path; /* the name of the file after '>', or NULL */
+    bool appended;    /* the file comes after '>>' */
     struct answer_style style;
-    const char *command; /* its name, for programs */
-    const char *note;    /* unless NULL and not of_row, what programs should know about the whole answer */
-    char *head; /* the last head that csv wrote into this file, ANSWER_HEAD bytes; NULL: none is kept */
-    const char *others;           /* what csv writes at the end of its head and of each row, each ended by
-                                     a NUL; NULL for nothing */
-    const struct column *columns; /* ends with a NULL key */
-    struct column own[ANSWER_COLUMNS]; /* room for columns that this one answer has: see answer_columns */
-    bool rows;                         /* a table with a head, rather than a line a column */
-    bool of_row;                       /* about the row, also of a command that else is about the train */
-    bool units;                        /* csv names its columns with their units: it is read back */
-    bool begun;
-    bool prepared; /* what comes before the next row has been written */
-    bool planned;  /* width, letters, bold and bounded are known */
-    bool letters;  /* the field's letters can be shown */
-    bool bold;
-    bool on_terminal;
-    int width;                      /* of the terminal; 0 for none */
-    unsigned left_out;              /* bit i: cell i of each row has no column, see answer_leave_out */
-    unsigned bounded;               /* bit i: see answer_bounded */
-    double largest[ANSWER_COLUMNS]; /* the largest number that answer_largest has announced */
-    struct measure measure[ANSWER_COLUMNS]; /* of each column in a table of rows, from its first row on */
-    bool told;                              /* a person was told something, though no row was written */
-    bool gap;                   /* set a blank line between this answer and the one before, for people */
-    int lost;                   /* errno of the first write that failed; 0 for none */
-    struct cell *kept;          /* the cells of the last row, or NULL */
-    bool reasoned;              /* every row has a place for a reason */
-    char unsaid[ANSWER_REASON]; /* the reason of a missing number in rows without a place for reasons; "" for
-                                   none */
-    const struct cell *like; /* unless NULL, a row of the kinds of cells that most rows have, for the head */
-    /* Unless NULL, the answer is that of one point of a sweep: this takes its rows, and swept is its own. */
+    const char *command;                /* the name of the command, for programs */
+    const char *note;                   /* what programs should know about the answer, or NULL */
+    const struct column *columns;       /* end with a NULL key */
+    struct column copy[ANSWER_COLUMNS]; /* room for columns that differ from those of the command */
+    unsigned left_out;                  /* bit i: cell i of each row has no column (see answer_leave_out) */
+    bool rows;                          /* the answer is a table of rows, rather than a single row */
+    bool units;                         /* csv names the units, because the file can be read back */
+    bool has_reasons;                   /* csv has a column for reasons */
+    char *head;        /* the last line of column names that csv wrote to this file, or NULL */
+    const char *extra; /* what csv adds to its head, then to each row, each with a NUL; may be NULL */
+
+    /* What people see. */
+    bool blank_above; /* a blank line separates the answer from the one before */
+    bool is_open;     /* that blank line is written */
+    bool has_rows;    /* the first row is written, with what comes before it */
+    bool is_planned;  /* the rest of this paragraph is known */
+    bool on_terminal, letters,
+        bold;         /* whether `out` is a terminal, with the letters of the field, with colours */
+    int width;        /* the columns of the terminal, or 0 without one */
+    unsigned bounded; /* bit i: column i has error bounds, which programs get in a column of their own */
+    double largest[ANSWER_COLUMNS];         /* see answer_largest */
+    struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
+    const struct cell *sample; /* a row with the usual kinds of cells if the first row has others, or NULL */
+
+    /* What the session keeps. */
+    bool is_value; /* the answer is this value of an expression */
+    struct quantity value;
+    struct cell *kept;                                 /* takes the cells of the last row; may be NULL */
+    enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
+    bool told;                                         /* a person was told something without a row */
+    int error;                                         /* errno of the first write that failed, or 0 */
+    char late_reason[ANSWER_REASON];                   /* a reason for which the rows have no place, or "" */
+
+    /* If not NULL, the answer is that of one point of a sweep, and this function takes its rows. */
     void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
     struct swept *swept;
-    enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
 };
 
-/* What went wrong, and where, for programs that read answers. */
+/* What went wrong, for programs that read answers. */
 struct failure {
-    const char *command; /* the one that ran; NULL where there was none */
+    const char *command; /* NULL if no command was recognised */
     const char *text, *source;
     long line;
-    int column; /* from 1; 0: the whole line */
+    int column; /* counts from 1; 0 stands for the whole line */
 };
 
-/* A way to write answers. */
+/* How answers are written.  Functions that write nothing are NULL. */
 struct format {
-    bool for_people; /* sentences, headings and units stand around the rows; else programs read them */
-    bool escapes;    /* the format has its own way to write control characters, which a program reads back */
-    /* Writes the beginning, before the first row, whose cells and reason are given; NULL: nothing. */
+    bool for_people; /* rather than for programs: with sentences and units */
+    bool escapes;    /* the format escapes control characters in a way that programs read back */
+    /* Writes what comes before the first row, which is given. */
     void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
-    /* Writes a row; reason, unless NULL, says why a value is missing, "" that there is nothing to say. */
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
-    /* Writes a short text as it is, in lines of its own; NULL where note is. */
-    void (*line)(struct answer *answer, const char *text);
-    /* Writes a sentence; NULL: the format has no place for one. */
-    void (*note)(struct answer *answer, const char *format, va_list arguments);
-    /* Writes that a command without an answer is done; NULL: nothing. */
+    void (*sentence)(struct answer *answer, const char *format, va_list arguments);
+    /* Writes that a command without an answer is done. */
     void (*done)(FILE *out, const char *command);
-    /* Writes an error, beside that on standard error; NULL: nothing. */
+    /* Writes an error, which also goes to standard error. */
     void (*failed)(FILE *out, const struct failure *failure);
-    /* Returns true if a line of a file names columns; NULL: no line does. */
+    /* Returns true for a line of column names. */
     bool (*is_head)(const char *line);
-    /* Writes the end, after the last row. Returns the text for which the format has no place, or NULL. */
+    /* Ends the answer, as answer_end does. */
     const char *(*end)(struct answer *answer);
 };
 
-/* Returns true if programs get the bounds of column i in a column after it. */
-static inline bool answer_bounded(const struct answer *answer, int i)
-{
-    return (answer->bounded >> i & 1) != 0;
-}
+/* ---- Columns, before the first row ---- */
 
-/* Returns the note that programs get, or NULL. */
-static inline const char *answer_note(const struct answer *answer)
-{
-    return answer->of_row ? NULL : answer->note;
-}
-
-/* Returns true for a column of angles, which follow the style's unit. */
+/* Returns true for a column of angles, which are shown in the unit of the style. */
 bool column_is_angle(const struct column *column);
 
-/* Returns these columns as the answer's own copy, which may be changed before the first row. */
+/* Makes a column of words at least as wide as a word. */
+void column_fit(struct column *column, const char *word);
+
+/* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Leaves the column with this key out of the answer, before the first row. Rows still have a cell for it. */
+/* Removes a column from the answer.  Rows still have a cell for it. */
 void answer_leave_out(struct answer *answer, const char *key);
 
-/* Gives the column with this key another meaning, in this answer alone; before the first row. */
+/* Changes the meaning of a column in this answer. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);
 
 /*
- * Announces a number of the column with this key, before the first row and after columns are left out. In a
- * table of rows the largest number that was announced decides the unit of the column; otherwise the first row
- * does. An answer without this column ignores the call.
+ * Announces a number that a column will contain, if the answer has this column.  In a table of rows the unit
+ * of a column depends on the largest number that was announced or is in the first row.
  */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
-/* Makes a column of words, in an answer's own columns, as wide as a word that it is to hold. */
-void column_fit(struct column *column, const char *word);
+/* ---- Rows ---- */
 
 /*
- * Writes a row; reason, unless NULL, says why something does not exist: a line for people, a last column or
- * key "reason" for programs; csv has that column where its first row has a reason.  Returns true, with which
- * a command ends that has answered.
+ * Writes a row.  If something in it does not exist, `reason` says why: to people on a line below, to programs
+ * in a column or key "reason", which csv has only if the first row has a reason.  Without a reason it is
+ * NULL, or "" if other rows may have one.  Always returns true, so that a command can end with a row.
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
-/* Keeps the cells of a row, as 'ans', without writing them: people read the answer in sentences. */
-void answer_keep(struct answer *answer, const struct cell *cells);
-
-/* Writes a row of these cells, in which nothing is missing. */
+/* Writes a row in which nothing is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
+/* Keeps the cells of a row for 'ans' without writing them, because people read the answer in sentences. */
+void answer_keep(struct answer *answer, const struct cell *cells);
+
 /*
- * Finds out now what the first row would, if it were like this one (NULL: no column has bounds).  Then copies
- * of the answer can write their rows elsewhere: answer_part gives one, whose next row is the first of all, or
- * not.
+ * answer_plan finds out what the first row would otherwise decide, if it were like `sample`.  If that is
+ * NULL, no column has error bounds.  Then answer_part returns copies of the answer, which write their rows
+ * elsewhere. Only the first part writes what comes before the first row.
  */
-void answer_plan(struct answer *answer, const struct cell *like);
+void answer_plan(struct answer *answer, const struct cell *sample);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
-/*
- * Ends the answer.  Returns what its rows had no place for, which the caller reports, or NULL: people read it
- * below the answer.
- */
-const char *answer_end(struct answer *answer);
-
-/* Keeps what the command decides, for 'assert': a row falls, a train goes on. */
-static inline void answer_holds(struct answer *answer, bool yes)
-{
-    answer->holds = yes ? ANSWER_YES : ANSWER_NO;
-}
-
-/* Returns true after a write error (full disk, closed pipe): stop producing rows. */
+/* Returns true if rows cannot be written any more, because the disk is full or a pipe has no reader. */
 bool answer_lost(const struct answer *answer);
 
-/* Returns true if the output is a table for a person. */
+/* Returns true if column i has error bounds. */
+bool answer_bounded(const struct answer *answer, int i);
+
+/* ---- Sentences, and the end ---- */
+
+/* Returns true if the answer is a table for people. */
 bool answer_for_people(const struct answer *answer);
 
-/* Writes a sentence that only people see. */
+/* Writes a sentence, which only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Writes a short text that only people see, as it is. */
-void answer_line(struct answer *answer, const char *text);
+/* Sets what the answer decides, such as that a row falls.  'assert' and 'solve' look at that. */
+void answer_holds(struct answer *answer, bool yes);
 
-/* Return radians in the style's unit of angles, and the name of that unit. */
+/* Ends the answer.  Returns a text for which its rows had no place, for the caller to report, or NULL. */
+const char *answer_end(struct answer *answer);
+
+/* Return an angle in the unit of the style, and the name of that unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line of names, then a line a row, with commas between (RFC 4180). */
+/* The format csv (RFC 4180): a line of column names, then a line for each row. */
 #include "language/csv.h"
 #include "answer/answer.h"
 #include <ctype.h>
@@ -14,21 +14,21 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Takes what comes after the head or after the cells of the next row. */
-static const char *others_next(struct answer *a)
+/* Returns what is to be added to the head or to the next row. */
+static const char *extra_next(struct answer *a)
 {
-    const char *others = a->others ? a->others : "";
-    a->others = a->others ? others + strlen(others) + 1 : NULL;
-    return others;
+    const char *extra = a->extra ? a->extra : "";
+    a->extra = a->extra ? extra + strlen(extra) + 1 : NULL;
+    return extra;
 }
 
-/* Writes the names of the columns; the first row decides whether there is a column for reasons. */
+/* Writes the column names, unless the rows above have the same columns. */
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;
     char head[ANSWER_HEAD];
     size_t n = 0;
-    a->reasoned = a->reasoned || reason;
+    a->has_reasons = a->has_reasons || reason;
     for (int i = 0; a->columns[i].key && n < sizeof head; i++) {
         const struct column *c = &a->columns[i];
         n += (size_t)snprintf(head + n, sizeof head - n, a->units && *c->unit ? "%s%s (%s)" : "%s%s",
@@ -37,18 +37,16 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
             n += (size_t)snprintf(head + n, sizeof head - n, ",%s_error", c->key);
     }
     if (n < sizeof head)
-        snprintf(head + n, sizeof head - n, "%s%s", a->reasoned ? ",reason" : "",
-                 answer_note(a) ? ",note" : "");
-    /* Rows with the columns of the rows above go on below them. */
-    const char *others = others_next(a);
-    bool again = a->head && !*others && strcmp(a->head, head) == 0;
-    if (a->style.header && !again)
-        fprintf(a->out, "%s%s\n", head, others);
+        snprintf(head + n, sizeof head - n, "%s%s", a->has_reasons ? ",reason" : "", a->note ? ",note" : "");
+    const char *extra = extra_next(a);
+    bool is_same = a->head && !*extra && strcmp(a->head, head) == 0;
+    if (a->style.header && !is_same)
+        fprintf(a->out, "%s%s\n", head, extra);
     if (a->head)
-        memcpy(a->head, *others ? "" : head, *others ? 1 : sizeof head);
+        memcpy(a->head, *extra ? "" : head, *extra ? 1 : sizeof head);
 }
 
-/* Numbers and empty cells begin with no letter. */
+/* A line is a head if each of its cells begins with a letter. */
 static bool csv_is_head(const char *line)
 {
     for (const char *cell = line; *cell; cell += strcspn(cell, ","), cell += *cell == ',')
@@ -67,22 +65,22 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         if (answer_bounded(a, i))
             fprintf(a->out, ",%s", cell_plain_bound(&a->style, cells[i], "", text));
     }
-    if (a->reasoned) {
+    if (a->has_reasons) {
         putc_unlocked(',', a->out);
         cell_write(a, cell_word(reason));
-    } else if (reason && !*a->unsaid)
-        snprintf(a->unsaid, sizeof a->unsaid, "%s", reason);
-    if (answer_note(a)) {
+    } else if (reason && !*a->late_reason)
+        snprintf(a->late_reason, sizeof a->late_reason, "%s", reason);
+    if (a->note) {
         putc_unlocked(',', a->out);
-        cell_write(a, cell_word(answer_note(a)));
+        cell_write(a, cell_word(a->note));
     }
-    fputs_unlocked(others_next(a), a->out);
+    fputs_unlocked(extra_next(a), a->out);
     putc_unlocked('\n', a->out);
 }
 
 static const char *csv_end(struct answer *a)
 {
-    return *a->unsaid ? a->unsaid : NULL;
+    return *a->late_reason ? a->late_reason : NULL;
 }
 
 const struct format format_csv = {.begin = csv_begin, .row = csv_row, .is_head = csv_is_head, .end = csv_end};

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How answers are written.  To add a format, write one file like csv.c with its `struct format`, and name it
- * in FORMATS: 'set output', its help and its completion take it from there.
+ * The list of formats.  To add one, write a file like csv.c with its `struct format`, and add its name to
+ * FORMATS.  'set output', its help and its completion follow.
  */
 #ifndef SHELL_FORMAT_H
 #define SHELL_FORMAT_H
 
 #include "answer/answer.h"
 
-/* All formats, the default first. */
+/* The first one is the default. */
 #define FORMATS(EACH) EACH(table) EACH(csv) EACH(json)
 
 #define FORMAT_EXTERN(name) extern const struct format format_##name;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An object a row, on a line of its own; an object for each command, also for errors and where there is no
- * row. */
+/* The format json: one object a row, on a line of its own.  A command without rows and an error also give an
+ * object. */
 #include "answer/answer.h"
 #include "io/escape.h"
 
@@ -28,9 +28,9 @@ static void json_row(struct answer *a, const struct cell *cells, const char *rea
         fputs_unlocked(",\"reason\":", a->out);
         cell_write(a, cell_word(*reason ? reason : NULL));
     }
-    if (answer_note(a)) {
+    if (a->note) {
         fputs_unlocked(",\"note\":", a->out);
-        cell_write(a, cell_word(answer_note(a)));
+        cell_write(a, cell_word(a->note));
     }
     fputs_unlocked("}\n", a->out);
 }

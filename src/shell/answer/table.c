@@ -149,7 +149,7 @@ static void row_stacked(struct answer *a, const struct cell *cells)
         int width = terminal_columns(c->key);
         key_width = width > key_width ? width : key_width;
     }
-    if (a->begun)
+    if (a->has_rows)
         putc('\n', a->out);
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
@@ -252,12 +252,12 @@ static void table_begin(struct answer *a, const struct cell *cells, const char *
 {
     (void)reason;
     for (enum line line = KEYS; a->rows && rows_fit(a) && line <= UNITS; line++)
-        row_line(a, a->like ? a->like : cells, line);
+        row_line(a, a->sample ? a->sample : cells, line);
 }
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    (void)reason; /* answer_row writes it below the table */
+    (void)reason; /* answer_row writes the reason below the table */
     if (!a->rows)
         row_lines(a, cells);
     else if (rows_fit(a))
@@ -266,43 +266,29 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_stacked(a, cells);
 }
 
-static void table_line(struct answer *a, const char *text)
-{
-    char shown[TEXT_LINE], line[TEXT_LINE];
-    escape_text(text, shown, sizeof shown);
-    int indent = (int)strspn(shown, " ");
-    fprintf(a->out, "%*s", indent, "");
-    write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->width);
-    putc('\n', a->out);
-}
-
 /* Writes a sentence.  A '\n' at the beginning or the end of the format asks for a blank line.  A '\n' in the
  * arguments, perhaps in the name of a file, does not. */
-static void table_note(struct answer *a, const char *format, va_list arguments)
+static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
-    char text[TEXT_LINE];
+    char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];
     vsnprintf(text, sizeof text, format, arguments);
     size_t length = strlen(text);
     bool above = *format == '\n',
          below = length > 1 && format[strlen(format) - 1] == '\n' && text[length - 1] == '\n';
     text[length - below] = '\0';
-    if (above)
-        putc('\n', a->out);
-    table_line(a, text + above);
-    if (below)
-        putc('\n', a->out);
+    escape_text(text + above, shown, sizeof shown);
+    int indent = (int)strspn(shown, " ");
+    fprintf(a->out, "%s%*s", above ? "\n" : "", indent, "");
+    write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->width);
+    fputs(below ? "\n\n" : "\n", a->out);
 }
 
 static const char *table_end(struct answer *a)
 {
-    if (*a->unsaid)
-        answer_say(a, "%s", a->unsaid);
+    if (*a->late_reason)
+        answer_say(a, "%s", a->late_reason);
     return NULL;
 }
 
-const struct format format_table = {.for_people = true,
-                                    .begin = table_begin,
-                                    .row = table_row,
-                                    .line = table_line,
-                                    .note = table_note,
-                                    .end = table_end};
+const struct format format_table = {
+    .for_people = true, .begin = table_begin, .row = table_row, .sentence = table_sentence, .end = table_end};

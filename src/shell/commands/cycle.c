@@ -248,7 +248,7 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
                                                 : "no fuel";
     answer_holds(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
-    answer_line(a, "");
+    answer_say(a, "%s", "");
     return answer_row(a,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           cell_word(verdict)),

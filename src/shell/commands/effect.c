@@ -151,7 +151,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     answer_leave_out(a, "source");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
-        column_fit(&a->own[1], effect_setting(query->scene, k, setting));
+        column_fit(&a->copy[1], effect_setting(query->scene, k, setting));
     }
     for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];

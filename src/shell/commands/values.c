@@ -109,7 +109,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     struct quantity q = query->given->quantity[0];
     const struct conversion *to = query->given->bound;
     char unit[48], number[WIDE_TEXT];
-    a->printed = true;
+    a->is_value = true;
     a->value = q;
     expression_unit_text(q, unit, sizeof unit);
     if (to) {
@@ -129,7 +129,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     if (people && *unit)
         answer_say(a, "%s %s", quad_text(q.value, digits, number), unit);
     else if (people)
-        answer_line(a, quad_text(q.value, digits, number));
+        answer_say(a, "%s", quad_text(q.value, digits, number));
     else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",

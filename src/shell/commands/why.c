@@ -143,7 +143,7 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
                                                   : "no fuel"),
                  CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
                  CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max));
-    answer_line(a, "");
+    answer_say(a, "%s", "");
     symbols_say(query, a, verdict, &b, &limit);
     if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)
         contact_say(query, a, &contact);

@@ -52,7 +52,7 @@ static bool run_call(struct session *session, const struct command *c, const str
         .head = end->head,
         .columns = c->columns,
         .rows = c->rows,
-        .gap = end->answered && session->source,
+        .blank_above = end->answered && session->source,
         .kept = c->principal ? kept : NULL,
     };
     if (output->format)
@@ -68,15 +68,15 @@ static bool run_call(struct session *session, const struct command *c, const str
                          : c->run(query, &answer, problem);
     progress_end();
     session->fresh = session->fresh && done && !c->columns;
-    if (done && c->train && !answer.of_row && session->state.scene.effect[DOM_EFFECT_row].on)
+    if (done && answer.note)
         say_train(session, &answer);
     const char *unsaid = done ? answer_end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
-    session->wrote = answer.begun;
+    session->wrote = answer.has_rows;
     end->answered = end->answered || (done && c->columns) || answer.told;
-    end->error = answer.lost ? answer.lost : end->error;
-    if (done && answer.printed) {
+    end->error = answer.error ? answer.error : end->error;
+    if (done && answer.is_value) {
         session->ans.printed = true;
         session->ans.value = answer.value;
     } else if (done && c->principal) {

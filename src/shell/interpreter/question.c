@@ -405,7 +405,7 @@ bool question_value(const struct question *q, const struct query *query, struct 
     if (!question_ask(q, query, &answer, problem))
         return false;
     *value = answer.value;
-    if (answer.printed)
+    if (answer.is_value)
         return true;
     if (!question_needs_number(q, problem))
         return false;

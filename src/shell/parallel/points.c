@@ -13,9 +13,9 @@ bool points_answer(const struct query *query, struct problem *problem, struct an
     w.interrupt = query->scene->compute.interrupt;
     struct workers_end end = workers_run(&w);
     *by_point = end.how == WORKERS_ENDED;
-    a->begun = a->prepared = true; /* sentences come below these rows */
+    a->has_rows = a->is_open = true; /* sentences come below these rows */
     if (end.how == WORKERS_LOST)
-        a->lost = a->lost ? a->lost : end.error;
+        a->error = a->error ? a->error : end.error;
     if (end.how == WORKERS_INTERRUPTED || end.how == WORKERS_NO_MEMORY)
         return problem_status(problem, query->scene,
                               end.how == WORKERS_INTERRUPTED ? DOM_INTERRUPTED : DOM_NO_MEMORY);

@@ -51,9 +51,10 @@ static void film_frame(struct film *f, const struct stage *stage)
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-#define FOLLOWED 30 /* the view follows the front where the largest domino is this many times the smallest   \
-                     */
-#define HELD 1      /* s, for which the last frame is shown */
+#define FOLLOWED                                                                                             \
+    30         /* the view follows the front where the largest domino is this many times the smallest        \
+                */
+#define HELD 1 /* s, for which the last frame is shown */
 
 struct row_film {
     struct film film;
@@ -360,7 +361,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
             "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
-    a->of_row = row || what->train;
+    if (row || what->train)
+        a->note = NULL;  /* it is no answer about the train, or the user knows that it is */
     a->style.errors = 0; /* a picture needs no bounds */
     return row ? animate_row(&film) : animate_train(&film);
 }

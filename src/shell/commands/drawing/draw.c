@@ -120,7 +120,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->of_row = true;
+    a->note = NULL; /* which is about the train */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
@@ -187,7 +187,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
-    a->of_row = what->train; /* it was asked for */
+    if (what->train)
+        a->note = NULL; /* the user knows */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;

@@ -166,8 +166,8 @@ static void columns_choose(const struct plot *plot, struct column *chosen)
 static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot *plot = &plots[(int)query->given->number[0]];
-    columns_choose(plot, a->own);
-    a->columns = a->own;
+    columns_choose(plot, a->copy);
+    a->columns = a->copy;
     a->style.errors = 0; /* a picture needs no bounds */
     return plot_draw(plot, query, a, problem);
 }

@@ -36,7 +36,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         answer_leave_out(a, "lean");
     a->units = true;
     a->style.errors = false; /* 'effect row FILE' reads these columns, and no others */
-    a->others = a->path ? query->scene->listed.others : NULL;
+    a->extra = a->path ? query->scene->listed.others : NULL;
     for (int writes = 0; writes < 2; writes++) /* the first pass finds the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
             const struct domq_domino *d = &scene.domino[k];

@@ -246,17 +246,17 @@ static void point_none(struct sweeper *w, size_t k, struct answer *to, const cha
     struct cell like[ANSWER_COLUMNS];
     char reason[SWEPT_REASON];
     snprintf(reason, sizeof reason, "%.*s", SWEPT_REASON - 1, why);
-    bool head = to && !to->begun && to->style.format->for_people;
+    bool head = to && !to->has_rows && to->style.format->for_people;
     if (head && point_like(w)) {
         memcpy(like, w->swept.first, sizeof like);
-        to->like = like;
+        to->sample = like;
     }
     point_values(w, k);
     swept_begin(&w->swept);
     w->swept.to = to;
     swept_none(&w->swept, reason);
     if (to)
-        to->like = NULL;
+        to->sample = NULL;
 }
 
 /* Writes the rows of point k, unless `to` is NULL. Returns false if the line is wrong, as w->problem
@@ -434,7 +434,7 @@ static bool sweep_rows(const struct query *query, struct problem *problem, struc
     if ((bounds || sweep_measured(a, w)) && !point_like(w) && w->problem.kind == PROBLEM_WRONG)
         return sweep_error(query, problem, w);
     a->columns = w->swept.column;
-    a->reasoned = true;
+    a->has_reasons = true;
     sweep_largest(a, &w->sweep->grid);
     answer_plan(a, w->swept.first);
     w->answer = *a;

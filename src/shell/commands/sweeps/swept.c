@@ -89,9 +89,9 @@ static void swept_write(struct swept *s, const struct cell *row, const char *rea
         return;
     /* A table has no column of reasons; other formats have one in every row. */
     answer_row(s->to, row, s->to->style.format->for_people ? NULL : reason ? reason : "");
-    if (*s->to->unsaid)
-        swept_reason(s, s->to->unsaid);
-    s->to->unsaid[0] = '\0'; /* the sweep prints it */
+    if (*s->to->late_reason)
+        swept_reason(s, s->to->late_reason);
+    s->to->late_reason[0] = '\0'; /* the sweep prints it */
 }
 
 void swept_row(struct answer *a, const struct cell *cells, const char *reason)
