@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* count, the quiz: how many dominoes it takes to topple one of a given height. */
+/* count: how many dominoes it takes to topple one of a given height. */
 #include "commands/tables.h"
 #include "language/quad.h"
 #include <string.h>
@@ -15,108 +15,90 @@ const struct column count_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes "hollow", "solid", or "q = 3.5". */
+/* Returns "hollow", "solid" or "q = 3.5". */
 static const char *mass_name(domq_real q, char name[32])
 {
     const char *word = parameter_word(parameter_find("q"), q);
     if (word)
-        snprintf(name, 32, "%s", word);
-    else
-        snprintf(name, 32, "q = %g", (double)q);
+        return word;
+    snprintf(name, 32, "q = %g", (double)q);
     return name;
 }
 
-/* Finds whether a train goes on; *why is the reason if it does not, or NULL. */
+/* Finds whether a train goes on. Sets *why to the reason if it does not, and to NULL if it does. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
-                                      bool *feasible, const char **why)
+                                      const char **why)
 {
     struct domq_barrier barrier;
     enum dom_status status = domq_barrier_find(train, compute, &barrier);
-    *feasible = status == DOM_OK;
     *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
            : status == DOM_STOPS      ? "the train has too little energy to go on"
            : status == DOM_NO_FUEL    ? "falling sets no energy free"
            : status == DOM_LOCKS      ? "friction locks the train"
            : status == DOM_UNDERFLOW  ? "r is so large that no energy is left"
                                       : NULL;
-    return *feasible || *why ? DOM_OK : status;
+    return *why ? DOM_OK : status;
 }
 
-/* Says of one kind of domino whether this growth is possible, and what the largest would make of the count.
- */
-static bool count_kind(const struct query *query, struct answer *a, struct problem *problem,
-                       struct domq_train train, domq_real height)
+/* Says whether one kind of domino can fall with this growth, and how few would be enough with its largest
+ * growth. */
+static bool kind_say(const struct query *query, struct answer *a, struct problem *problem,
+                     struct domq_train train, domq_real height)
 {
+    const struct domq_compute *compute = &query->scene->compute;
     struct domq_limit limit;
-    struct domq_count count = {.dominoes = DOMQ_NAN, .exact = DOMQ_NAN, .last = DOMQ_NAN};
-    char name[32], number[WIDE_TEXT], said[96] = "no number of dominoes is enough";
-    bool feasible;
+    struct domq_count count;
+    char name[32], number[WIDE_TEXT], dominoes[96] = "no number of dominoes is enough";
     const char *why;
-    enum dom_status status = count_feasible(&train, &query->scene->compute, &feasible, &why);
+    enum dom_status status = count_feasible(&train, compute, &why);
     if (status == DOM_OK)
-        status = domq_limit_rmax(&train, &query->scene->compute, &limit);
+        status = domq_limit_rmax(&train, compute, &limit);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (limit.ends == DOM_END_NONE) {
         answer_say(a, "  %-7s no; not even equal dominoes go on", mass_name(train.q, name));
         return true;
     }
-    if (domq_count_find(query->scene->scale.h, height, limit.r_max, &query->scene->compute, &count) ==
-            DOM_OK &&
+    if (domq_count_find(query->scene->scale.h, height, limit.r_max, compute, &count) == DOM_OK &&
         isfinite(count.dominoes))
-        snprintf(said, sizeof said, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
+        snprintf(dominoes, sizeof dominoes, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
                  count.dominoes == 1 ? "" : "es");
     answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s", mass_name(train.q, name),
-               feasible ? "yes;" : "no;", (double)limit.r_max, said);
+               why ? "no;" : "yes;", (double)limit.r_max, dominoes);
     return true;
 }
 
-/* Writes a growth with this many digits, or with as many more as a growth that is nearly 1 needs to differ
- * from 1. */
-static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
+/* Says it for each kind of domino that has a name, and for that of the session. */
+static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
+                      const struct domq_train *train, domq_real height)
 {
-    while (strcmp(quad_text(r, digits, text), "1") == 0 && r != 1)
-        digits++;
-    return text;
-}
-
-/* Says which kinds of dominoes can fall, and how few of each would be enough. */
-static bool count_explain(const struct query *query, struct answer *a, struct problem *problem,
-                          const struct domq_train *train, domq_real height)
-{
-    bool named = false;
-    char number[WIDE_TEXT];
-    const struct word *words = parameter_find("q")->words;
-    answer_say(a,
-               "\nFalling with growth %s at s = %.6g, by kind of domino:", growth_text(train->r, 6, number),
+    bool has_name = false;
+    answer_say(a, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
                (double)train->s);
-    for (const struct word *w = words; w->name; w++) {
+    for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
         kind.q = w->value;
-        if (w > words && w[-1].value == w->value) /* a synonym */
-            continue;
-        named = named || kind.q == train->q;
-        if (!count_kind(query, a, problem, kind, height))
-            return false;
+        has_name = has_name || kind.q == train->q;
+        if (!(w[1].name && w[1].value == w->value) && !kind_say(query, a, problem, kind, height))
+            return false; /* synonyms stand beside each other */
     }
-    return named || count_kind(query, a, problem, *train, height);
+    return has_name || kind_say(query, a, problem, *train, height);
 }
 
-/* Writes "the 20th domino", or "the first domino". */
+/* Returns "the 20th domino" or "the first domino". */
 static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
 {
     static const char *const ends[] = {"th", "st", "nd", "rd"};
     char number[WIDE_TEXT];
     int hundreds = (int)(n - 100 * quad(floor)(n / 100)), last = hundreds % 10;
-    bool teen = hundreds > 10 && hundreds < 14;
     if (n == 1)
         return "the first domino";
     snprintf(text, WIDE_TEXT + 16, "the %s%s domino", quad_text(n, WIDE_DIGITS, number),
-             teen || last > 3 ? "th" : ends[last]);
+             last > 3 || hundreds / 10 == 1 ? "th" : ends[last]);
     return text;
 }
 
-/* Says the answer of the quiz in three lines, where a number of dominoes is enough. */
+/* Answers the quiz in three lines. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
                       domq_real height, domq_real first, bool feasible)
 {
@@ -127,7 +109,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
                quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
-               growth_text(train->r, (int)a->style.digits, growth),
+               quad_text(train->r, (int)a->style.digits, growth),
                !feasible              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",
@@ -143,33 +125,30 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     domq_real height = query->given->number[0], first = query->scene->scale.h;
     struct domq_train train = query->scene->train;
     struct domq_count count;
-    bool feasible;
     const char *why;
+    char reason[160], name[32];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
         return problem_no_answer(
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
             domq_arithmetic(compute.precision)->name);
-    enum dom_status status = count_feasible(&train, &query->scene->compute, &feasible, &why);
+    enum dom_status status = count_feasible(&train, &query->scene->compute, &why);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-
-    if (isfinite(count.dominoes))
-        count_say(a, &train, &count, height, first, feasible);
-    else
-        why = "r = 1: the dominoes do not grow, no number of them is enough";
-    char reason[160], name[32];
-    answer_holds(a, feasible && isfinite(count.dominoes));
-    if (!feasible)
+    bool feasible = !why, is_enough = isfinite(count.dominoes);
+    if (why)
         snprintf(reason, sizeof reason, "not possible at s = %.6g with %s%s: %s", (double)train.s,
                  mass_name(train.q, name), parameter_word(parameter_find("q"), train.q) ? " dominoes" : "",
                  why);
-    else if (why)
-        snprintf(reason, sizeof reason, "%s", why);
+    else if (!is_enough)
+        snprintf(reason, sizeof reason, "r = 1: the dominoes do not grow, no number of them is enough");
+    if (is_enough)
+        count_say(a, &train, &count, height, first, feasible);
+    answer_holds(a, feasible && is_enough);
     answer_row(a,
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
                    cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
-               why ? reason : NULL);
-    return !answer_for_people(a) || count_explain(query, a, problem, &train, height);
+               feasible && is_enough ? NULL : reason);
+    return !answer_for_people(a) || kinds_say(query, a, problem, &train, height);
 }
