@@ -3,7 +3,6 @@
 #include "answer/format.h"
 #include "interpreter/question.h"
 #include "io/terminal.h"
-#include "picture/ending.h"
 #include "picture/show.h"
 #include "session/engine.h"
 #include "session/parameters.h"

@@ -5,12 +5,12 @@
 #include <string.h>
 #include <strings.h>
 
-/* What ffmpeg makes of the frames; both forms can be written into a pipe. */
+/* How ffmpeg makes the file. Both formats can be written into a pipe. */
 enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
     const char *ending;
     bool ffmpeg;
-    const char *option[OPTIONS]; /* with a NULL at the end */
+    const char *option[OPTIONS]; /* ends with NULL */
 };
 
 static const struct movie_kind kinds[] = {
@@ -36,7 +36,7 @@ bool movie_named(const char *path, struct problem *problem)
         return problem_error(problem,
                              "'%s' is not the name of an animation: use the ending .gif, .webm or .mp4",
                              names_shown(path, shown));
-    return !kind->ffmpeg || program_there("ffmpeg") ||
+    return !kind->ffmpeg || program_exists("ffmpeg") ||
            problem_error(
                problem,
                "%s needs ffmpeg, which is not installed: 'apt install ffmpeg', or a name that ends in .gif",
@@ -46,34 +46,29 @@ bool movie_named(const char *path, struct problem *problem)
 bool movie_begin(struct movie *m, const char *path, int width, int height, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    char terminal[160];
+    char terminal[96], options[160];
     if (!movie_named(path, problem))
         return false;
+    *m = (struct movie){.kind = kind_of(path), .delay = delay};
     names_shown(path, m->shown);
-    m->kind = kind_of(path);
-    m->delay = delay;
-    m->frames = NULL;
-    m->file = NULL;
     const char *wrong = file_push(&m->file, path, false, interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
-    height += m->kind->ffmpeg ? height % 2 : 0; /* its formats halve the dots of colours */
-    if (m->kind->ffmpeg)
-        snprintf(terminal, sizeof terminal, "pngcairo size %d,%d font 'sans,14' fontscale 0.72 noenhanced",
-                 width, height);
+    bool ffmpeg = m->kind->ffmpeg;
+    height += ffmpeg ? height % 2 : 0; /* its formats have colours for each 2 x 2 dots */
+    snprintf(terminal, sizeof terminal, "size %d,%d font 'sans,14' fontscale 0.72 noenhanced", width, height);
+    if (ffmpeg)
+        snprintf(options, sizeof options, "pngcairo %s", terminal);
     else
-        snprintf(terminal, sizeof terminal,
-                 "gif animate delay %d loop 0 size %d,%d font 'sans,14' fontscale 0.72 noenhanced optimize",
-                 delay, width, height);
-    bool begun = !m->kind->ffmpeg || (m->frames = io_temporary(NULL)) ||
-                 problem_error(problem, "cannot draw: %s", strerror(errno));
-    begun = begun &&
-            picture_begin(&m->picture, m->frames ? m->frames : m->file->out, terminal, interrupt, problem);
-    if (!begun && m->frames)
+        snprintf(options, sizeof options, "gif animate delay %d loop 0 %s optimize", delay, terminal);
+    if (ffmpeg && !(m->frames = io_temporary(NULL)))
+        problem_error(problem, "cannot draw: %s", strerror(errno));
+    else if (picture_begin(&m->picture, ffmpeg ? m->frames : m->file->out, options, interrupt, problem))
+        return true;
+    if (m->frames)
         fclose(m->frames);
-    if (!begun)
-        (void)output_pop(&m->file, false);
-    return begun;
+    (void)output_pop(&m->file, false);
+    return false;
 }
 
 static bool movie_convert(struct movie *m, struct problem *problem)
@@ -84,27 +79,17 @@ static bool movie_convert(struct movie *m, struct problem *problem)
                                    "-an",    "-pix_fmt",     "yuv420p",    "-y"};
     int n = BEFORE;
     snprintf(rate, sizeof rate, "100/%d", m->delay);
+    snprintf(what, sizeof what, "make '%s'", m->shown);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    /* Its standard output under a name: as a file ffmpeg goes back in it, and writes how long the film is. */
-    argv[n] = "file:/proc/self/fd/1"; /* a NULL follows */
-    FILE *complaints = io_temporary(NULL);
-    if (!complaints)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
-    const volatile sig_atomic_t *interrupt = m->picture.interrupt;
-    int wrong = program_run((char *const *)argv, m->frames, m->file->out, complaints, interrupt);
-    snprintf(what, sizeof what, "make '%s'", m->shown);
-    if (wrong)
-        program_failed("ffmpeg", wrong, complaints, what, interrupt, problem);
-    fclose(complaints);
-    return !wrong;
+    /* In a file, unlike a pipe, ffmpeg goes back to write how long the film is. A NULL follows. */
+    argv[n] = "file:/proc/self/fd/1";
+    return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
 }
 
 bool movie_end(struct movie *m, bool whole, struct problem *problem)
 {
-    bool drawn = picture_end(&m->picture, whole, problem);
-    if (drawn && m->frames)
-        drawn = movie_convert(m, problem);
+    bool drawn = picture_end(&m->picture, whole, problem) && (!m->frames || movie_convert(m, problem));
     if (m->frames)
         fclose(m->frames);
     const char *wrong = output_pop(&m->file, drawn);

@@ -8,23 +8,23 @@
 #include "picture/picture.h"
 
 struct movie {
-    struct picture picture; /* its script takes a plot command each frame */
+    struct picture picture; /* its script takes a plot command for each frame */
     struct output *file;
     const struct movie_kind *kind;
-    FILE *frames; /* pictures for ffmpeg; NULL for a gif */
+    FILE *frames; /* the frames for ffmpeg; NULL for a gif */
     int delay;
-    char shown[NAMES_SHOWN];
+    char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 
-/* Reports an error unless the file can be made here: its ending, its programs. */
+/* Describes a problem and returns false unless the file can be made here: it needs a known ending, and maybe
+ * ffmpeg. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart; letters of 14
- * dots. False: an error was reported. */
+/* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart. */
 bool movie_begin(struct movie *movie, const char *path, int width, int height, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Draws it and puts it into the file, if the script is whole. False: it is not, or an error was reported. */
+/* Ends the animation. Draws it into the file if the script is whole; else returns false. */
 bool movie_end(struct movie *movie, bool whole, struct problem *problem);
 
 #endif

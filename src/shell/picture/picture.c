@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures by gnuplot: a script, and the program that draws it. */
 #include "picture/picture.h"
 #include "domino_quad.h"
 #include "io/io.h"
@@ -14,7 +13,9 @@
 #include <time.h>
 #include <unistd.h>
 
-bool program_there(const char *name)
+/* ---- Programs ---- */
+
+bool program_exists(const char *name)
 {
     const char *folder = getenv("PATH") ? getenv("PATH") : "/bin:/usr/bin";
     char path[4096];
@@ -27,9 +28,81 @@ bool program_there(const char *name)
     return false;
 }
 
+/* Waits for a program, which does not see a ^C itself, and kills it after an interrupt. Returns true if it
+ * was successful. */
+static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
+{
+    const struct timespec moment = {.tv_nsec = 5000000};
+    int status = 0;
+    pid_t ended;
+    while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+        if (dom_raised(interrupt))
+            kill(-child, SIGKILL); /* the whole process group */
+        nanosleep(&moment, NULL);
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* Becomes the program, in the child process. */
+static void program_become(char *const argv[], pid_t parent, const int file[3])
+{
+    /*
+     * In a process group of its own a program gets no ^Z. It would stop, and this program, which stops only
+     * when the command is done, would wait for it without end.
+     */
+    setpgid(0, 0);
+    /* The program is to end with this one, which may have ended already. */
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent)
+        _exit(127);
+    for (int i = 0; i < 3; i++)
+        dup2(file[i], i);
+    execvp(argv[0], argv);
+    dprintf(STDERR_FILENO, "%s\n", strerror(errno));
+    _exit(127);
+}
+
+/* Describes the failure of a program by the first line that it wrote to standard error. */
+static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
+{
+    char line[256] = "";
+    rewind(errors);
+    while (fgets(line, sizeof line, errors) && strspn(line, " \t\n^") == strlen(line))
+        ;
+    line[strcspn(line, "\n")] = '\0';
+    return problem_error(problem, "%s did not %s: %s", name, what, *line ? line : "it was stopped");
+}
+
+bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    FILE *errors = io_temporary(NULL);
+    if (!errors)
+        return problem_error(problem, "cannot draw: %s", strerror(errno));
+    const int file[] = {fileno(in), fileno(out), fileno(errors)};
+    pid_t parent = getpid();
+    fflush(in);
+    rewind(in);
+    lseek(file[0], 0, SEEK_SET);
+    pid_t child = fork();
+    if (child == 0)
+        program_become(argv, parent, file);
+    bool done = child > 0 && program_wait(child, interrupt);
+    if (child < 0)
+        problem_error(problem, "cannot run %s: %s", argv[0], strerror(errno));
+    else if (!done && dom_raised(interrupt))
+        problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
+    else if (!done)
+        program_failed(argv[0], what, errors, problem);
+    fclose(errors);
+    return done;
+}
+
+/* ---- gnuplot ---- */
+
 bool gnuplot_ready(struct problem *problem)
 {
-    return program_there("gnuplot") ||
+    return program_exists("gnuplot") ||
            problem_error(problem, "pictures need gnuplot, which is not installed: 'apt install "
                                   "gnuplot-nox'; 'set output csv' gives the data");
 }
@@ -46,97 +119,35 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
     return true;
 }
 
-/* Waits for a program, and ends it after an interrupt: by itself it would continue at a ^C. */
-static int program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
+/*
+ * Returns the error with which the drawing cannot be whole, or 0. gnuplot does not report a full disk, on
+ * which the end of the drawing is missing: there is then no room for another block.
+ */
+static int drawing_error(FILE *drawing, long size)
 {
-    const struct timespec moment = {.tv_nsec = 5000000};
-    int status = 0;
-    pid_t ended;
-    while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (dom_raised(interrupt))
-            kill(-child, SIGKILL); /* the whole group */
-        nanosleep(&moment, NULL);
-    }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+    int error = posix_fallocate(fileno(drawing), size, BUFSIZ);
+    return ftruncate(fileno(drawing), size) != 0 ? errno : error;
 }
 
-/* Becomes the program, in the child process. */
-static void program_become(char *const argv[], pid_t parent, const int file[3])
+static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /*
-     * In a process group of its own a program gets no ^Z: it would stop, and this program, which stops when
-     * the command is done, would wait for it without end.
-     */
-    setpgid(0, 0);
-    /* It ends with this program, whatever ends that; which may have happened already. */
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent)
-        _exit(127);
-    for (int i = 0; i < 3; i++)
-        dup2(file[i], i);
-    execvp(argv[0], argv);
-    dprintf(STDERR_FILENO, "%s\n", strerror(errno));
-    _exit(127);
-}
-
-int program_run(char *const argv[], FILE *in, FILE *out, FILE *complaints,
-                const volatile sig_atomic_t *interrupt)
-{
-    const int file[] = {fileno(in), fileno(out), fileno(complaints)};
-    pid_t parent = getpid();
-    fflush(in);
-    rewind(in);
-    lseek(file[0], 0, SEEK_SET);
-    pid_t child = fork();
-    if (child == 0)
-        program_become(argv, parent, file);
-    return child < 0 ? errno : program_wait(child, interrupt);
-}
-
-bool program_failed(const char *name, int wrong, FILE *complaints, const char *what,
-                    const volatile sig_atomic_t *interrupt, struct problem *problem)
-{
-    char line[256] = "";
-    if (wrong > 0)
-        return problem_error(problem, "cannot run %s: %s", name, strerror(wrong));
-    if (dom_raised(interrupt))
-        return problem_error(problem, "%s", dom_status_text(DOM_INTERRUPTED));
-    rewind(complaints);
-    while (fgets(line, sizeof line, complaints) && strspn(line, " \t\n^") == strlen(line))
-        ;
-    line[strcspn(line, "\n")] = '\0';
-    return problem_error(problem, "%s did not %s: %s", name, what, *line ? line : "it was stopped");
-}
-
-/* Checks the size of the drawing: gnuplot does not report a full disk, and then the end of the drawing is
- * missing. Returns errno. */
-static int drawing_room(FILE *drawing, long size)
-{
-    int wrong = posix_fallocate(fileno(drawing), size, BUFSIZ);
-    return ftruncate(fileno(drawing), size) != 0 ? errno : wrong;
-}
-
-static bool draw(const struct picture *p, FILE *drawing, FILE *complaints, struct problem *problem)
-{
-    char *const argv[] = {"gnuplot", "-d", "/dev/stdin",
-                          NULL}; /* by its name: from "-" it reads byte by byte */
-    ;
+    /* gnuplot reads the script in blocks if it has a name, and byte by byte from "-". */
+    char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     char block[4096];
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
-    /* gnuplot tries the terminal of the environment before it reads the script, and ends without it. */
-    int wrong = setenv("GNUTERM", "unknown", 1) == 0
-                    ? program_run(argv, p->script, drawing, complaints, p->interrupt)
-                    : errno;
-    if (wrong)
-        return program_failed("gnuplot", wrong, complaints, "draw it", p->interrupt, problem);
+    /* gnuplot tries the terminal of the environment before it reads the script, and ends if there is none. */
+    setenv("GNUTERM", "unknown", 1);
+    if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))
+        return false;
     fseek(drawing, 0, SEEK_END);
     long size = ftell(drawing);
-    if (size >= 0 && (wrong = drawing_room(drawing, size)) != 0)
-        return problem_error(problem, "cannot draw: %s", strerror(wrong));
+    int error = size > 0 ? drawing_error(drawing, size) : 0;
     if (size <= 0)
         return problem_error(problem, "gnuplot drew nothing");
+    if (error)
+        return problem_error(problem, "cannot draw: %s", strerror(error));
     progress_end();
     rewind(drawing);
     for (size_t n; (n = fread(block, 1, sizeof block, drawing)) > 0;)
@@ -146,13 +157,11 @@ static bool draw(const struct picture *p, FILE *drawing, FILE *complaints, struc
 
 bool picture_end(struct picture *p, bool whole, struct problem *problem)
 {
-    FILE *drawing = whole ? io_temporary(NULL) : NULL, *complaints = drawing ? io_temporary(NULL) : NULL;
-    bool drawn = complaints ? draw(p, drawing, complaints, problem)
-                            : whole && problem_error(problem, "cannot draw: %s", strerror(errno));
+    FILE *drawing = whole ? io_temporary(NULL) : NULL;
+    bool drawn = drawing ? draw(p, drawing, problem)
+                         : whole && problem_error(problem, "cannot draw: %s", strerror(errno));
     if (drawing)
         fclose(drawing);
-    if (complaints)
-        fclose(complaints);
     fclose(p->script);
     return drawn;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures that gnuplot draws from a script. */
+/* Pictures that gnuplot draws from a script, and other programs that help with it. */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
 
@@ -8,32 +8,27 @@
 #include <stdio.h>
 
 struct picture {
-    FILE *script; /* of gnuplot; its terminal is set */
+    FILE *script; /* what gnuplot is to do, after its terminal was set */
     FILE *out;    /* takes the picture */
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Reports an error if there is no gnuplot. */
+/* Describes a problem and returns false if gnuplot is not installed. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture on a stream, by a terminal of gnuplot with its options. False: an error was reported. */
+/* Begins a picture on a stream, with a terminal of gnuplot and its options. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Closes; draws, if the script is whole.  False: it is not, or an error was reported. */
+/* Ends a picture. Draws it if the script is whole; else returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 
-/* Returns true if there is a program of this name in one of the folders of PATH. */
-bool program_there(const char *name);
+/* Returns true if a program of this name is in one of the folders of PATH. */
+bool program_exists(const char *name);
 
-/* Runs a program from one file to another; its complaints go into a third. Returns 0, errno, or -1 if it
- * failed. */
-int program_run(char *const argv[], FILE *in, FILE *out, FILE *complaints,
-                const volatile sig_atomic_t *interrupt);
-
-/* Describes that program_run returned something but 0: "cannot run NAME", or "NAME did not WHAT" with its
- * first complaint. Returns false. */
-bool program_failed(const char *name, int wrong, FILE *complaints, const char *what,
-                    const volatile sig_atomic_t *interrupt, struct problem *problem);
+/* Runs a program that reads one file and writes another one. `what` says in a problem what the program did
+ * not do: "draw it". */
+bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
+                 const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 #endif

@@ -1,21 +1,57 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a picture goes: in characters or as a real picture into the terminal, or into a file. */
 #include "picture/show.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
-#include "picture/ending.h"
 #include "picture/graphics.h"
 #include "picture/picture.h"
 #include <errno.h>
 #include <string.h>
+#include <strings.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
 enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* heights of a sheet, in dots */
 
-bool picture_is_text(const struct answer *a)
+/* ---- Endings ---- */
+
+/* A bare Debian has a font 'sans'. Its letters are large enough to be read where a telephone shrinks the
+ * picture. */
+#define SVG "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
+#define PNG "pngcairo size 960,720 font 'sans,17'"
+#define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
+
+#define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, NULL},
+static const struct ending endings[] = {
+    FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, NULL},
+    {".svg", ENDING_PICTURE, NULL, SVG},
+    {".png", ENDING_PICTURE, NULL, PNG},
+    {".pdf", ENDING_PICTURE, NULL, PDF},
+};
+
+const struct ending *ending_of(const char *path)
 {
-    return !a->path || ending_of(a->path)->kind != ENDING_PICTURE;
+    static const struct ending none = {.kind = ENDING_NONE}, other = {.kind = ENDING_OTHER};
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' is a name */
+        return &none;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (strcasecmp(endings[i].text, dot) == 0)
+            return &endings[i];
+    return &other;
+}
+
+/* ---- Before a picture is drawn ---- */
+
+/* Returns true if the picture goes into a file whose ending is that of a picture. */
+static bool is_filed(const struct answer *a)
+{
+    return a->path && ending_of(a->path)->kind == ENDING_PICTURE;
+}
+
+/* Returns true if gnuplot draws the picture, and false if it is drawn in characters. */
+static bool by_gnuplot(const struct answer *a)
+{
+    return is_filed(a) || (!a->path && graphics_of(a->out) != GRAPHICS_NONE && program_exists("gnuplot"));
 }
 
 bool picture_fits(const struct answer *a, const char *command, struct problem *problem)
@@ -32,15 +68,19 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
 bool picture_ready(const struct answer *a, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    if (picture_is_text(a))
-        return true;
-    if (a->appended)
+    if (is_filed(a) && a->appended)
         return problem_error(problem, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
                              names_shown(a->path, shown));
-    return gnuplot_ready(problem);
+    return !is_filed(a) || gnuplot_ready(problem);
 }
 
-/* Draws in characters. The line of the next prompt is not counted. */
+struct marks picture_marks(const struct answer *a)
+{
+    return by_gnuplot(a) ? script_marks : text_marks(look_of(a->out));
+}
+
+/* ---- Drawing a chart, or a stage if chart is NULL ---- */
+
 static bool show_text(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
     int width, height;
@@ -48,30 +88,31 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     progress_end();
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
-    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT;
+    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* a row is left for the next prompt */
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than wide */
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
 }
 
-/* Draws by gnuplot: into a file, or, without a path, into a terminal that shows pictures. */
+/* Draws by gnuplot into a file, or to a terminal that shows pictures. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     struct picture picture;
-    struct sheet sheet = {.width = 0};
+    struct sheet sheet;
     char terminal[160];
-    int width = 0, height = STAGE_MOST;
+    int width = SHEET_WIDTH, height = STAGE_MOST;
     FILE *drawing = a->path ? a->out : io_temporary(NULL);
     if (!drawing)
         return problem_error(problem, "cannot draw: %s", strerror(errno));
     if (!a->path)
         graphics_size(a->out, &width, &height);
-    if (stage)
-        sheet = sheet_of(stage, STAGE_LEAST, a->path ? height : height * SHEET_WIDTH / width);
+    if (stage) {
+        sheet = sheet_of(stage, STAGE_LEAST, height * SHEET_WIDTH / width);
+        height = (int)(sheet.height * width / SHEET_WIDTH);
+    }
     if (!a->path)
-        graphics_terminal(a->out, width, stage ? (int)(sheet.height * width / SHEET_WIDTH) : height,
-                          stage != NULL, terminal, sizeof terminal);
+        graphics_terminal(a->out, width, height, stage != NULL, terminal, sizeof terminal);
     else if (stage)
         sheet_terminal(&sheet, a->path, terminal, sizeof terminal);
     else
@@ -89,24 +130,12 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     return drawn;
 }
 
-/* Returns true if gnuplot draws the picture; else it is drawn in characters. */
-static bool by_gnuplot(const struct answer *a)
-{
-    return !picture_is_text(a) ||
-           (!a->path && graphics_of(a->out) != GRAPHICS_NONE && program_there("gnuplot"));
-}
-
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     if (by_gnuplot(a))
         return show_drawn(a, chart, stage, interrupt, problem);
     return show_text(a, chart, stage) || problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));
-}
-
-struct marks picture_marks(const struct answer *a)
-{
-    return by_gnuplot(a) ? script_marks : text_marks(look_of(a->out));
 }
 
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
