@@ -14,19 +14,19 @@ bool scene_has_engine(const struct scene *scene)
 
 const char *scene_engine_why(const struct scene *scene)
 {
-    static _Thread_local char why[EFFECT_COUNT][24];
+#define WHY(name) #name " is on",
+    static const char *const why[] = {ENGINE_EFFECTS(WHY)};
+#undef WHY
     for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
-        if (scene->effect[k].on) {
-            snprintf(why[k], sizeof why[k], "%s is on", effect_at(k)->name);
-            return why[k];
-        }
+        if (scene->effect[k].on)
+            return why[k - DOM_EFFECT_COUNT];
     return "method is engine";
 }
 
-/* ---- From the library's row to the engine's, and back ---- */
+/* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The units in which the engine computes, so that its answer does not depend on those of the row: height and
- * mass of the first domino, and g. */
+/* The engine computes in units of the height and mass of the first domino and of g, so that rounding does not
+ * depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };
@@ -37,16 +37,17 @@ static struct unit unit_of(const struct domq_row *row)
     return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
 }
 
-/* Returns the moment of inertia of a domino about its centre, over that of a solid block; 0: it is solid. */
+/* Returns the moment of inertia of a hollow domino about its centre, divided by that of a solid block.
+ * Returns 0 for a solid domino. */
 static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
 {
     struct domq_box box;
     if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    return 4 * (double)box.inertia - 3; /* three quarters of that about the edge are mass times distance */
+    return 4 * (double)box.inertia - 3; /* by the parallel axis theorem, from the inertia about the edge */
 }
 
-/* Writes the boxes of a row. Returns false if one of them has no size or no mass. */
+/* Converts the dominoes of a row. Returns false if the size or the mass of one is not positive and finite. */
 static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engine_box *box)
 {
     for (size_t k = 0; k < row->count; k++) {
@@ -64,17 +65,6 @@ static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engi
     return true;
 }
 
-/* Returns the value of an effect of motion, 0 for off, and for one that the library does not have. */
-static double dynamics_value(const struct domq_row *row, const char *name)
-{
-#define VALUE(effect, member, status)                                                                        \
-    if (strcmp(#effect, name) == 0)                                                                          \
-        return (double)row->member;
-    DOM_DYNAMICS(VALUE)
-#undef VALUE
-    return 0;
-}
-
 static struct engine_row row_of(const struct domq_row *row, struct unit unit, const struct engine_box *box)
 {
     const struct scene_engine *own = row->engine->own;
@@ -82,9 +72,9 @@ static struct engine_row row_of(const struct domq_row *row, struct unit unit, co
     engine.box = box;
     engine.count = row->count;
     engine.push = (double)row->push * unit.time;
-    engine.mu = dynamics_value(row, "friction");
-    engine.slope = dynamics_value(row, "slope");
-    engine.radius = dynamics_value(row, "edges");
+    engine.mu = (double)row->mu;
+    engine.slope = (double)row->alpha;
+    engine.radius = (double)row->rho;
     return engine;
 }
 
@@ -105,7 +95,7 @@ static enum dom_status status_of(enum engine_status status)
     return DOM_NOT_CONVERGED;
 }
 
-/* Writes what was hit in m, s, kg. */
+/* Converts hits to m, s and kg. */
 static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
 {
     for (size_t k = 0; k < hits; k++) {
@@ -157,7 +147,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
                                      .spare = DOMQ_NAN};
 }
 
-/* Runs a row of the library in the engine: the run of a struct dom_engine. */
+/* Runs a row for the library. */
 static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)
@@ -194,9 +184,8 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
     return status;
 }
 
-/* ---- Other runs ---- */
+/* ---- Runs for commands ---- */
 
-/* Runs a row once with these steps. */
 static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
                                 const struct engine_grain *grain, engine_visit *visit, void *context)
 {
@@ -217,22 +206,20 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
     return run_once(row, compute, &engine_coarsest, NULL, NULL);
 }
 
-/* ---- The row in time ---- */
-
 struct watch {
     struct unit unit;
-    double zero;             /* of the clock, in the engine's time */
-    const domq_real *times;  /* those that are left */
-    size_t left, count;      /* times that are left; dominoes */
-    domq_real *tilt, *omega; /* at the step before */
-    double *feet, time;      /* of that step */
+    double zero;             /* when the clock starts, in the engine's time */
+    const domq_real *times;  /* the times that are left */
+    size_t left;             /* the number of these times */
+    domq_real *tilt, *omega; /* the tilts and angular velocities at the last step */
+    double *feet, time;      /* how far the feet have slid by then; when it was */
     size_t head;
     domq_moment_visit *visit;
     void *context;
-    bool more;
+    bool more; /* the visitor wants more */
 };
 
-/* Visits the state of the last step for a time. */
+/* Shows the last step as the state at a time. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,
@@ -245,7 +232,7 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* Takes a step of the engine: an engine_visit. A picture needs no more than the state of the nearest step. */
+/* Is called after each step of the engine. The state is not interpolated, since steps are short. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -273,7 +260,6 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
                       .zero = settled->fall.zero,
                       .times = times,
                       .left = count,
-                      .count = row->count,
                       .feet = feet,
                       .visit = visit,
                       .context = context,
@@ -285,30 +271,28 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
-    /* Times after the motion give its end. */
+    /* After the end of the motion the state no longer changes. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);
     return status;
 }
 
-/* ---- What the engine can do ---- */
+/* ---- Preparation ---- */
 
-/* Reports an error for an effect that is on, and that the engine lacks. */
+/* Returns true if the engine has all effects that are on. Otherwise describes the problem. */
 static bool effects_check(const struct scene *scene, struct problem *problem)
 {
-    static const char *const known[] = {"friction", "slope", "edges", "walls", "row", "push", "placement"};
-    for (int k = 0; k < EFFECT_COUNT; k++) {
-        bool knows = !scene->effect[k].on || k >= DOM_EFFECT_COUNT;
-        for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-            knows = knows || strcmp(known[i], effect_at(k)->name) == 0;
-        if (!knows)
+    const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |
+                           1U << DOM_EFFECT_walls | 1U << DOM_EFFECT_row | 1U << DOM_EFFECT_push |
+                           1U << DOM_EFFECT_placement;
+    for (int k = 0; k < DOM_EFFECT_COUNT; k++)
+        if (scene->effect[k].on && !(known >> k & 1))
             return problem_error(
                 problem,
                 "the rigid-body engine, which runs this row since %s, does not include %s; first "
                 "enter 'effect %s off'",
                 scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
-    }
     return true;
 }
 

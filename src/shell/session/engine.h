@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows that a rigid-body engine runs: those with an effect that the model lacks, and any row after 'set
- * method engine'. The library's searches and studies then ask the engine, see struct dom_engine.
+ * Runs rows in the rigid-body engine: rows with an effect that the model lacks, and all rows after 'set
+ * method engine'. The searches and studies of the library then call the engine through struct dom_engine.
  */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
@@ -9,42 +9,41 @@
 #include "engine/engine.h"
 #include "session/scene.h"
 
-/* What 'method' may be. */
+/* The values of the parameter 'method'. */
 enum { METHOD_MODEL, METHOD_ENGINE };
 
-/* What the engine found besides the answer of the library, for one run. */
+/* What the engine finds in one run, besides what the library asks for. */
 struct engine_report {
-    struct engine_hit *hit; /* of each domino that was hit, in m and s; of the caller */
+    struct engine_hit *hit; /* in m and s; the caller provides an element for each domino */
     struct engine_settled settled;
     double seconds; /* until the row has fallen or stopped */
 };
 
-/* How a row is run by the engine. */
 struct scene_engine {
-    struct domq_engine engine;    /* for the row; its own is this */
+    struct domq_engine engine;    /* its member `own` points to this struct */
     struct engine_row effects;    /* the effects that the library lacks */
-    struct engine_report *report; /* unless NULL, takes what one run finds; not for studies */
+    struct engine_report *report; /* is filled by a run, unless it is NULL, as it must be for studies */
 };
 
-/* Returns true if the engine runs the rows of this session. */
+/* Returns true if the engine runs the rows of the scene. */
 bool scene_has_engine(const struct scene *scene);
 
-/* Returns why: "feet is on", "method is engine". */
+/* Returns the reason why the engine runs the rows: "feet is on", "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
 /*
- * Prepares the engine. Reports an error if it is not installed, or if a row of so many dominoes or an effect
- * that is on is not for it.
+ * Prepares the engine for a row of `count` dominoes. Returns false with a problem if the engine is not
+ * installed, or cannot run so many dominoes, or lacks an effect that is on.
  */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 
-/* Runs a row once with coarse steps, for its cost. */
+/* Runs a row once with coarse steps, to measure the time. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
 /*
- * Does what domq_row_watch does, with the steps of the report, which an earlier run has filled. feet, of the
- * row's length, takes how far each foot has slid, in m, before each visit.
+ * Does what domq_row_watch does, with the step size that an earlier run has left in the report. Before each
+ * visit, `feet` is filled: how far the foot of each domino has slid, in m.
  */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,

@@ -20,7 +20,7 @@ struct range means_part(const struct means *means, size_t points)
     struct shard s = means->shard;
     if (s.parts == 0)
         return (struct range){0, points};
-    /* points k / parts, rounded down, without the product, which may be too large. */
+    /* points * k / parts, rounded down, computed without that product, which could overflow */
     size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
     size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
     return (struct range){first, end - first};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A question in the form in which an answer gets it: the state, the arguments, the last answer, and the
- * means. */
+/* The query that a command answers: a state, arguments, the last answer, and the means of computing. */
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
@@ -10,26 +9,26 @@
 struct command;
 struct arguments;
 
-/* Which part of a sweep or study is asked for: --shard part/parts. */
+/* The part of a sweep or a study that --shard asks for, from 1. `parts` is 0 without --shard. */
 struct shard {
     size_t part, parts;
 };
 
-/* How to compute and where from: none of it changes an answer. */
+/* The means of computing, which do not change the answer. */
 struct means {
-    struct shard shard;                            /* parts is 0 where the whole is asked for */
-    bool safe;                                     /* files may not be touched */
-    bool sourced;                                  /* the command is in a file that is sourced */
-    const char *script;                            /* names files beside itself; NULL at the prompt */
-    void (*note)(void *context, const char *text); /* tells a person more, at once; NULL: nobody is told */
-    void *context;                                 /* of note */
+    struct shard shard;
+    bool safe;          /* commands may not touch files */
+    bool sourced;       /* the command is in a file that is sourced */
+    const char *script; /* the path of the script, for files beside it; NULL at the prompt */
+    /* Shows a note to the user at once. May be NULL. */
+    void (*note)(void *context, const char *text);
+    void *context; /* for `note` */
 };
 
-/* Tells what is no problem, and worth knowing. */
+/* Shows a note to the user. */
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The part of so many points, or other parts of an answer, that is asked for: its first number, and its size.
- */
+/* Returns the points of the part that is asked for, from the first one, of so many points. */
 struct range {
     size_t first, count;
 };
@@ -37,24 +36,24 @@ struct range means_part(const struct means *means, size_t points);
 
 enum { ANSWER_CELLS = 16 };
 
-/* The last answer, as expressions use it. */
+/* The last answer, for 'ans' in expressions. */
 struct ans {
-    const struct command *command; /* that gave it; NULL for none */
+    const struct command *command; /* NULL if there was no answer */
     struct cell cells[ANSWER_CELLS];
-    bool printed; /* it was the value of an expression */
+    bool printed; /* the answer was the value of an expression */
     struct quantity value;
 };
 
 struct query {
     const struct state *state;
-    const struct scene *scene; /* of the state */
+    const struct scene *scene; /* the scene of that state */
     const struct arguments *given;
     const struct ans *ans;
     const struct means *means;
-    struct state *next; /* the state that the command leaves; NULL: nothing is kept */
+    struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* Returns how to compute an answer: with bounds of its errors if the settings ask for them. */
+/* Returns how to compute the answer, with error bounds if the settings ask for them. */
 struct domq_compute query_compute(const struct query *query);
 
 #endif
