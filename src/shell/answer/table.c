@@ -5,6 +5,7 @@
 #include "io/escape.h"
 #include "io/terminal.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum {
@@ -85,8 +86,12 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
 /* Writes text as printf("%*s") does, but counts columns rather than bytes. */
 static void field(FILE *out, const char *text, int width)
 {
-    int extra = (int)strlen(text) - terminal_columns(text);
-    fprintf(out, "%*s", width < 0 ? width - extra : width + extra, text);
+    int blanks = abs(width) - terminal_columns(text);
+    for (int i = 0; i < blanks && width > 0; i++)
+        putc_unlocked(' ', out);
+    fputs_unlocked(text, out);
+    for (int i = 0; i < blanks && width < 0; i++)
+        putc_unlocked(' ', out);
 }
 
 /* Writes the key of a column, in colour if the terminal has colours. */

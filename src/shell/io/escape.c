@@ -4,75 +4,56 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- UTF-8 ---- */
+enum { PLANE = 0x10000 };
 
-enum { NO_CHARACTER = 0xfffd, PLANE = 0x10000 };
-
-/* One character of a text that has not ended; its bytes, or 0 where a byte begins none (RFC 3629). */
+/* Decodes the first character of a text that is not empty (RFC 3629).  Returns its length in bytes, or 0 if
+ * the bytes are not UTF-8. */
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    /* The least code that needs so many bytes: a longer form is not UTF-8. */
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE}; /* fewer bytes would do for smaller codes */
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
     for (size_t i = 1; i < length; i++) {
-        if (c[i] >> 6 != 2) /* the NUL at the end, too */
+        if (c[i] >> 6 != 2) /* perhaps the NUL at the end */
             return 0;
         *code = *code << 6 | (c[i] & 0x3fu);
     }
-    bool surrogate = *code >= 0xd800 && *code <= 0xdfff;
-    return length && *code >= least[length] && *code <= 0x10ffff && !surrogate ? length : 0;
+    bool is_surrogate = *code >= 0xd800 && *code <= 0xdfff;
+    return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Characters that are not shown as they are, in order; the classes Cc, Zl and Zp of Unicode, and of Cf and Cn
- * all but the joiners U+200C and U+200D, which some scripts need. */
-static const struct {
-    uint32_t first, last;
-} hidden[] = {
-    {0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},       {0x61c, 0x61c},
-    {0x180e, 0x180e}, {0x200b, 0x200b},   {0x200e, 0x200f},   {0x2028, 0x202e},
-    {0x2060, 0x206f}, {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xfff0, 0xfffb},
-    {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
-};
-
-/* Returns true for a letter, digit or sign of ASCII, of which nearly every text is made. */
-static bool is_plain(uint32_t code)
-{
-    return code >= ' ' && code < 0x7f;
-}
-
+/* Returns true for the Unicode classes Cc, Zl and Zp, and for Cf and Cn except the joiners U+200C and U+200D,
+ * which some scripts need. */
 static bool is_hidden(uint32_t code)
 {
-    if (is_plain(code))
-        return false;
-    bool within = (code & 0xfffe) == 0xfffe; /* the last two of every plane are no characters */
-    for (size_t i = 0; i < sizeof hidden / sizeof *hidden && !within; i++)
-        within = code >= hidden[i].first && code <= hidden[i].last;
-    return within;
+    static const struct {
+        uint32_t first, last;
+    } hidden[] = {
+        {0x00, 0x1f},     {0x7f, 0x9f},       {0xad, 0xad},       {0x61c, 0x61c},
+        {0x180e, 0x180e}, {0x200b, 0x200b},   {0x200e, 0x200f},   {0x2028, 0x202e},
+        {0x2060, 0x206f}, {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xfff0, 0xfffb},
+        {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
+    };
+    bool found = (code & 0xfffe) == 0xfffe; /* the last two codes of every plane are no characters */
+    for (size_t i = 0; i < sizeof hidden / sizeof *hidden && code >= hidden[i].first; i++)
+        found = found || code <= hidden[i].last;
+    return found;
 }
-
-/* ---- For people ---- */
 
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
 {
     uint32_t code;
-    if (is_plain((unsigned char)*text)) {
-        piece[0] = *text;
-        piece[1] = '\0';
-        return 1;
-    }
     size_t length = utf8_next(text, &code);
     if (length == 0)
         snprintf(piece, ESCAPE_PIECE, "\\x%02x", (unsigned)(unsigned char)*text);
-    else if (!is_hidden(code))
-        snprintf(piece, ESCAPE_PIECE, "%.*s", (int)length, text);
-    else
-        snprintf(piece, ESCAPE_PIECE,
-                 code < 0x80    ? "\\x%02x"
-                 : code < PLANE ? "\\u%04x"
-                                : "\\u{%x}",
-                 (unsigned)code);
+    else if (is_hidden(code)) {
+        const char *format = code < 0x80 ? "\\x%02x" : code < PLANE ? "\\u%04x" : "\\u{%x}";
+        snprintf(piece, ESCAPE_PIECE, format, (unsigned)code);
+    } else {
+        memcpy(piece, text, length);
+        piece[length] = '\0';
+    }
     return length ? length : 1;
 }
 
@@ -89,26 +70,21 @@ const char *escape_text(const char *text, char *shown, size_t size)
 {
     static const char more[] = "...";
     char piece[ESCAPE_PIECE];
-    size_t n = 0, fits = 0; /* fits: up to where "..." still finds room */
-    while (*text) {
-        size_t length = 0;
-        while (is_plain((unsigned char)text[length]) && n + length + sizeof more < size)
-            length++;
-        memcpy(shown + n, text, length);
-        n += length;
-        fits = length ? n : fits;
-        text += length;
+    size_t n = 0, last = 0; /* last: the longest text that leaves room for "..." */
+    for (;;) {
+        while (*text >= ' ' && *text <= '~' && n + sizeof more < size) /* nearly all text is ASCII */
+            shown[n++] = *text++;
+        last = n + sizeof more <= size ? n : last;
         if (*text == '\0')
             break;
         text += escape_next(text, piece);
-        length = strlen(piece);
+        size_t length = strlen(piece);
         if (n + length >= size) {
-            memcpy(shown + fits, more, sizeof more);
+            memcpy(shown + last, more, sizeof more);
             return shown;
         }
         memcpy(shown + n, piece, length);
         n += length;
-        fits = n + sizeof more <= size ? n : fits;
     }
     shown[n] = '\0';
     return shown;
@@ -123,8 +99,6 @@ char *escape_copy(const char *text)
     return copy;
 }
 
-/* ---- For programs ---- */
-
 void escape_json(FILE *out, const char *text)
 {
     uint32_t code;
@@ -132,7 +106,7 @@ void escape_json(FILE *out, const char *text)
     while (*text) {
         size_t length = utf8_next(text, &code);
         if (length == 0)
-            fprintf(out, "\\u%04x", (unsigned)NO_CHARACTER);
+            fputs("\\ufffd", out);
         else if (*text == '"' || *text == '\\')
             fprintf(out, "\\%c", *text);
         else if (!is_hidden(code))
