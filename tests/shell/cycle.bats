@@ -124,7 +124,7 @@ END
     rows=$(json 'set r 1.7; cycle 4')
     same 'stops' stop "$(tail -n 1 <<<"$rows" | values event)"
     same 'at rest' 0 "$(tail -n 1 <<<"$rows" | values omega)"
-    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops, it has too little energy to go on'
+    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops, because it has too little energy to go on'
     run -0 "$DOMINO" -e 'set s 0.001; cycle'
     [[ $output == *'no domino effect: falling sets no energy free, so no cycle begins (25; c7)'* ]]
 }

@@ -73,7 +73,7 @@ END
 }
 
 @test "rmax says why exact and paper differ, and only where they do" {
-    "$DOMINO" -e rmax | grep -q '^They differ since'
+    "$DOMINO" -e rmax | grep -q '^They differ because'
     same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
     "$DOMINO" -e 'rmax 0.9' | grep -q '^Both end by the reach'
     same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"

@@ -10,14 +10,13 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
     return i < call->count ? call->number[i] : fallback;
 }
 
-/* Returns why no growth is possible, or NULL where one is. */
+/* Returns why no growth is possible, or NULL if some growth is possible. */
 static const char *no_growth(struct domq_limit limit)
 {
-    if (limit.ends != DOM_END_NONE)
-        return NULL;
-    return limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
-                                      "no energy free, a fallen one is as high as an upright one"
-           : limit.why == DOM_LOCKS ? "no growth possible: friction locks already equal dominoes (r = 1)"
+    return limit.ends != DOM_END_NONE ? NULL
+           : limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
+                                        "no energy free, a fallen one is as high as an upright one"
+           : limit.why == DOM_LOCKS   ? "no growth possible: friction locks even equal dominoes (r = 1)"
            : limit.why == DOM_OUT_OF_REACH
                ? "no growth possible: edges this round let even equal dominoes (r = 1) fall past each other "
                  "at this s; use a smaller s"
@@ -25,8 +24,8 @@ static const char *no_growth(struct domq_limit limit)
                  "too little energy to go on";
 }
 
-/* Finds the limits with both fuels; the paper's does not include friction or a slope, and is NaN with them.
- */
+/* Finds the limits with both fuels. The paper's fuel does not include friction or a slope: the limit is NaN
+ * with them. */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -48,7 +47,7 @@ static const struct column rmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Says what the largest growth means, and what ends it. */
+/* Says what the largest growth means, and why it ends there. */
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
     if (used->ends == DOM_END_NONE)
@@ -71,8 +70,9 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
         answer_say(a, "Both end by the reach, r = 1/s, where the fuel does not matter.");
     else if (used->ends != DOM_END_NONE)
-        answer_say(a, "They differ since the paper's closed form of the fuel leaves out the weights r^(-q i) "
-                      "(25; c7).");
+        answer_say(a,
+                   "They differ because the paper's closed form of the fuel leaves out the weights r^(-q i) "
+                   "(25; c7).");
 }
 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
@@ -96,7 +96,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 
 static const struct column pair_columns[] = {
     {"s", "h", "separation: the gap over the height", 0},
-    {"r_max", "", "largest growth with which the first topples the next", 0},
+    {"r_max", "", "largest growth with which the first domino topples the second", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {NULL, NULL, NULL, 0},
 };
@@ -123,7 +123,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
 
 static const struct column best_columns[] = {
     {"s", "h", "the separation that allows the largest growth", 0},
-    {"r_max", "", "that growth", 0},
+    {"r_max", "", "the largest growth", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -150,18 +150,18 @@ static const struct column curve_columns[] = {
     {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "1/s, less with rounded edges: a larger domino falls past the next", 0},
+    {"reach", "", "1/s, or less with rounded edges: with more growth dominoes miss the next", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* The data of a worker; the first six members are the same for all workers. */
+/* The data of a worker: what to compute, which is the same for all workers, and what the worker has found. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
     bool gaps;
-    enum dom_status status; /* of the point that ended it */
+    enum dom_status status; /* of the last point */
 };
 
 static bool curve_point(void *own, size_t k, FILE *out)
@@ -223,7 +223,8 @@ const struct command limit_commands[] = {
      .equation = "(26; c8)",
      .help =
          "r increases from 1 until a domino has less energy than it needs to topple the next one, or until "
-         "the reach. Beyond it, 1/s with sharp edges, a domino falls past the next one without touching it.",
+         "it "
+         "reaches 1/s (less with rounded edges), where a domino falls past the next one without touching it.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .echo = "s",
@@ -233,7 +234,7 @@ const struct command limit_commands[] = {
      .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth for two dominoes; the first just tips over",
+     .summary = "the largest growth for two dominoes, of which the first just tips over",
      .equation = "(9; b5) (15; b11) (17; b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
@@ -264,13 +265,14 @@ const struct command limit_commands[] = {
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, at growth R (or r)",
-     .help = "n is the smallest integer with h r^n >= H: n dominoes, the first h tall, topple one that is "
-             "at least H tall. The n-th domino is smaller than H and topples the next one.",
+     .help = "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
+             "one that "
+             "is at least H tall. The n-th domino is smaller than H, and topples the next one.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",
      .principal = "dominoes",
-     .holds = "the growth is possible, and gets there",
+     .holds = "the growth is possible, and enough",
      ANSWER(count)},
     {.name = NULL},
 };

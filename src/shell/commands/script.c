@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands for scripts and their records: source, echo, log, tee. */
+/* Commands for scripts and records: source, echo, log and tee. */
 #include "commands/tables.h"
 #include "interpreter/line.h"
 #include "interpreter/question.h"
@@ -18,7 +18,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
     (void)a;
     bool standard = strcmp(name, "-") == 0;
     if (session->depth == SOURCE_DEPTH)
-        return problem_error(problem, "files are nested %d deep; check whether one of them sources itself",
+        return problem_error(problem, "files are nested %d deep; perhaps one of them sources itself",
                              SOURCE_DEPTH);
     FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
                         : io_read(name, session->state.scene.compute.interrupt);
@@ -37,7 +37,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
 
 /* ---- Text ---- */
 
-/* Parses the rest of the command as one text; between quotes it may have ';', '>' and '#'. */
+/* Parses the rest of the command as one text. A text between double quotes may contain ';', '>' and '#'. */
 static bool echo_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
@@ -77,11 +77,13 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Records ---- */
 
-static bool record_begin(struct session *session, enum output_kind kind, const char *path,
-                         struct problem *problem)
+/* Begins or ends the record of 'log' or 'tee'. */
+static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
+                       struct problem *problem)
 {
     char shown[NAMES_SHOWN];
-    const char *wrong = NULL;
+    const char *wrong = NULL, *path = given->word[0];
+    enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
         return problem_error(problem, "answers go to '%s' here; begin a record before",
@@ -92,20 +94,6 @@ static bool record_begin(struct session *session, enum output_kind kind, const c
     else if (before)
         output_pop(before, true);
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
-}
-
-static bool run_log(struct session *session, const struct arguments *given, struct answer *a,
-                    struct problem *problem)
-{
-    (void)a;
-    return record_begin(session, OUTPUT_LOG, given->word[0], problem);
-}
-
-static bool run_tee(struct session *session, const struct arguments *given, struct answer *a,
-                    struct problem *problem)
-{
-    (void)a;
-    return record_begin(session, OUTPUT_TEE, given->word[0], problem);
 }
 
 const struct command script_commands[] = {
@@ -122,7 +110,7 @@ const struct command script_commands[] = {
      .synonyms = "write text say message",
      .argument = {{.name = "TEXT", .kind = ARGUMENT_WORDS, .parse = echo_parse, .optional = true}},
      .summary = "write TEXT, as a heading or to mark the end of an answer",
-     .help = "Put TEXT between double quotes if it has ';', '>' or ' #'.",
+     .help = "Put TEXT between double quotes if it contains ';', '>' or ' #'.",
      .example = "echo hollow dominoes; set q hollow; print rmax",
      .see = "print",
      .unswept = "it computes nothing",
@@ -130,20 +118,21 @@ const struct command script_commands[] = {
     {.name = "log",
      .synonyms = "record transcript protocol journal file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "append all commands and answers to FILE; 'log off' ends that",
-     .help = "Answers, errors and lines that failed are comments there, so that 'source FILE' runs the "
-             "commands again. A file named off is './off'.",
+     .summary = "append all commands and answers to FILE, until 'log off'",
+     .help = "Answers, errors and lines that failed become comments in FILE, so that 'source FILE' runs the "
+             "commands again. Write './off' for a file with the name off.",
      .see = "tee save",
      .files = true,
-     .act = run_log},
+     .act = run_record},
     {.name = "tee",
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "write all answers into FILE, too; 'tee off' ends that",
-     .help = "FILE begins anew. With 'set output csv' or json the file has the data of all answers. "
-             "'COMMAND > FILE' writes one answer, and into FILE alone.",
+     .summary = "write all answers into FILE, too, until 'tee off'",
+     .help =
+         "An existing FILE is overwritten. After 'set output csv' or json it gets the data of all answers. "
+         "'COMMAND > FILE' writes one answer, and writes it into FILE alone.",
      .see = "log",
      .files = true,
-     .act = run_tee},
+     .act = run_record},
     {.name = NULL},
 };

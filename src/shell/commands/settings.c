@@ -75,8 +75,12 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static bool step(struct session *session, bool back, struct answer *a, struct problem *problem)
+/* Answers 'undo' and 'redo'. */
+static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
+                     struct problem *problem)
 {
+    (void)given;
+    bool back = strcmp(a->command, "undo") == 0;
     const char *text = undo_step(session->undo, &session->state, back);
     if (!text)
         return problem_error(problem, back
@@ -86,20 +90,6 @@ static bool step(struct session *session, bool back, struct answer *a, struct pr
         return answer_cells(a, cell_word(text));
     answer_say(a, "%s: %s", back ? "undone" : "done again", text);
     return true;
-}
-
-bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
-              struct problem *problem)
-{
-    (void)given;
-    return step(session, true, a, problem);
-}
-
-bool run_redo(struct session *session, const struct arguments *given, struct answer *a,
-              struct problem *problem)
-{
-    (void)given;
-    return step(session, false, a, problem);
 }
 
 static bool run_reset(const struct query *query, struct answer *a, struct problem *problem)
@@ -240,7 +230,7 @@ const struct command session_commands[] = {
      .see = "undo",
      .unswept = "it computes nothing",
      .columns = step_columns,
-     .act = run_redo},
+     .act = run_undo},
     {.name = "print",
      .synonyms = "calculate calculator convert units feet inch evaluate",
      .argument = {{.name = "VALUE", .kind = ARGUMENT_ANY},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that go through cycles: as a table, and event by event. */
+/* Commands that go through a cycle: cycle, step, back, goto, where and why. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -8,22 +8,21 @@ enum { CYCLES_MAX = 1000 };
 
 static const struct column walk_columns[] = {
     {"cycle", "", "number of the cycle, from 1", 0},
-    {"event", "", "the last event that was passed", 6},
+    {"event", "", "the last event", 6},
     {"theta", "rad", "tilt of the head", 0},
     {"t", "s", "time since the launch of this cycle", 0},
     {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
-    {"gained", "mgh/2", "fuel set free since then: H(0) - H(theta); negative: climbed", 0},
-    {"fallen", "mgh/2", "part of the gain that comes from dominoes that detached", 0},
+    {"gained", "mgh/2", "energy set free since the launch, H(0) - H(theta); negative after a climb", 0},
+    {"fallen", "mgh/2", "the part of it from dominoes that have detached, and no longer push", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins a walk of the train if there is none; *begun is then true. Describes a problem and returns false if
- * there is one. */
+/* Begins a walk if there is none in this train, and sets *begun to whether it did. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {
@@ -81,7 +80,9 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* Moves the walk one event on; false if there is none. */
+/* ---- Moving ---- */
+
+/* Moves to the next event. Returns false if there is none. */
 static bool walk_forward(struct walk *w)
 {
     if (w->event + 1 < w->count) {
@@ -96,121 +97,110 @@ static bool walk_forward(struct walk *w)
     return true;
 }
 
+/* Moves to the event before the place. Returns false if there is none. */
 static bool walk_backward(struct walk *w)
 {
-    if (w->theta > w->events[w->event].theta) {
-        /* from between two events to the one before */
-    } else if (w->event > 0) {
+    bool is_between = w->theta > w->events[w->event].theta;
+    if (!is_between && w->event > 0) {
         w->event--;
-    } else if (w->cycle > 1) {
+    } else if (!is_between && w->cycle > 1) {
         w->cycle--;
         w->event = w->count - 1;
-    } else {
+    } else if (!is_between) {
         return false;
     }
     w->theta = w->events[w->event].theta;
     return true;
 }
 
-static bool walk_end(const struct walk *w, struct problem *problem, bool forward)
+/* Describes why the walk does not go farther. Returns false. */
+static bool walk_ended(const struct walk *w, struct problem *problem, bool forward)
 {
     if (!forward)
         return problem_no_answer(problem, "this is the launch of the first cycle; 'step' goes on");
-    return w->verdict == DOM_STOPS
-               ? problem_no_answer(problem,
-                                   "the train has stopped; 'why' says more, 'goto launch' begins again")
-               : problem_no_answer(problem,
-                                   "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
-                                   CYCLES_MAX);
+    if (w->verdict == DOM_STOPS)
+        return problem_no_answer(problem,
+                                 "the train has stopped; 'why' says more, 'goto launch' begins again");
+    return problem_no_answer(problem, "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
+                             CYCLES_MAX);
 }
 
-/* Moves the walk by the steps that are given; if it ends before them, answers for those that it made, then
- * says why.
- */
+/* Moves by the number of steps in the call. A walk that ends before answers for the steps that it has made,
+ * and then describes why it ended. */
 static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
-                    bool forward)
+                    bool begun, bool forward)
 {
-    bool moved; /* a walk that has just begun is at its first launch */
     long steps = query->given->count > 0 ? (long)query->given->number[0] : 1;
-    if (!walk_ready(query, a, problem, w, &moved))
-        return false;
-    steps -= moved && forward;
-    bool open = w->verdict != DOM_NO_FUEL;
-    for (; open && steps > 0; steps--) {
-        open = forward ? walk_forward(w) : walk_backward(w);
-        moved = moved || open;
+    bool moved = begun, goes_on = true;
+    for (steps -= begun && forward; goes_on && steps > 0; steps--) { /* a walk begins at its first launch */
+        goes_on = forward ? walk_forward(w) : walk_backward(w);
+        moved = moved || goes_on;
     }
-    bool short_of = !open && w->verdict != DOM_NO_FUEL;
-    if (moved || !short_of)
-        if (!walk_answer(query, a, problem, w))
-            return false;
-    return !short_of || walk_end(w, problem, forward);
+    return (!(moved || goes_on) || walk_answer(query, a, problem, w)) &&
+           (goes_on || walk_ended(w, problem, forward));
 }
 
-/* Keeps the place of the walk in the next state, also where the walk ended with a problem. */
-static bool walk_keep(const struct query *query, const struct walk *walk, bool done)
+/* Moves to the tilt or the event in the call: events are -1, -2, ... */
+static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
+    domq_real place = query->given->number[0];
+    enum dom_event_kind kind = (enum dom_event_kind)(-1 - (int)place);
+    int found = -1;
+    for (int k = 0; k < w->count; k++)
+        if (place < 0 ? w->events[k].kind == kind : w->events[k].theta <= place)
+            found = k;
+    if (found < 0)
+        return problem_no_answer(problem, "there is no '%s' in this cycle; 'cycle' lists its events",
+                                 dom_event_text(kind));
+    if (place > w->events[w->count - 1].theta)
+        return problem_no_answer(problem,
+                                 "the train stops before that, at theta = %s; 'goto stop' goes there",
+                                 angle_text(query, w->events[w->count - 1].theta, 10).text);
+    w->event = found;
+    w->theta = place < 0 ? w->events[found].theta : place;
+    return walk_answer(query, a, problem, w);
+}
+
+enum move { MOVE_STEP, MOVE_BACK, MOVE_GOTO, MOVE_NOT };
+
+static bool walk_move(const struct query *query, struct answer *a, struct problem *problem, enum move move)
+{
+    struct walk walk = query->scene->walk;
+    bool begun, done = walk_ready(query, a, problem, &walk, &begun);
+    if (done && (move == MOVE_NOT || walk.verdict == DOM_NO_FUEL))
+        done = walk_answer(query, a, problem, &walk);
+    else if (done)
+        done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
+                                 : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
     if (query->next)
-        query->next->scene.walk = *walk;
+        query->next->scene.walk = walk; /* even after a problem, such as the end of the walk */
     return done;
 }
 
 static bool run_step(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct walk walk = query->scene->walk;
-    return walk_keep(query, &walk, walk_by(query, a, problem, &walk, true));
+    return walk_move(query, a, problem, MOVE_STEP);
 }
 
 static bool run_back(const struct query *query, struct answer *a, struct problem *problem)
 {
-    struct walk walk = query->scene->walk;
-    return walk_keep(query, &walk, walk_by(query, a, problem, &walk, false));
+    return walk_move(query, a, problem, MOVE_BACK);
+}
+
+static bool run_goto(const struct query *query, struct answer *a, struct problem *problem)
+{
+    return walk_move(query, a, problem, MOVE_GOTO);
 }
 
 static bool run_where(const struct query *query, struct answer *a, struct problem *problem)
 {
-    bool begun;
-    struct walk walk = query->scene->walk;
-    return walk_keep(query, &walk,
-                     walk_ready(query, a, problem, &walk, &begun) && walk_answer(query, a, problem, &walk));
+    return walk_move(query, a, problem, MOVE_NOT);
 }
 
 static const char *event_names(const void *context, int k)
 {
     (void)context;
     return k <= DOM_EVENT_HIT ? dom_event_text((enum dom_event_kind)k) : NULL;
-}
-
-static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
-{
-    bool begun;
-    domq_real place = query->given->number[0];
-    if (!walk_ready(query, a, problem, w, &begun))
-        return false;
-    if (w->verdict == DOM_NO_FUEL)
-        return walk_answer(query, a, problem, w);
-    int found = -1;
-    for (int k = 0; k < w->count; k++)
-        if (place < 0 ? w->events[k].kind == (enum dom_event_kind)(-1 - (int)place)
-                      : w->events[k].theta <= place)
-            found = k;
-    if (found < 0)
-        return problem_no_answer(problem, "there is no '%s' in this cycle; 'cycle' lists its events",
-                                 dom_event_text((enum dom_event_kind)(-1 - (int)place)));
-    if (place > w->events[w->count - 1].theta)
-        return problem_no_answer(
-            problem, "the train stops before that, at theta = %.10g %s; 'goto stop' goes there",
-            (double)style_angle(&query->state->settings.style, w->events[w->count - 1].theta),
-            style_angle_unit(&query->state->settings.style));
-    w->event = found;
-    w->theta = place < 0 ? w->events[found].theta : place;
-    return walk_answer(query, a, problem, w);
-}
-
-static bool run_goto(const struct query *query, struct answer *a, struct problem *problem)
-{
-    struct walk walk = query->scene->walk;
-    return walk_keep(query, &walk, walk_to(query, a, problem, &walk));
 }
 
 const struct command walk_commands[] = {
@@ -225,9 +215,9 @@ const struct command walk_commands[] = {
                    .optional = true}},
      .summary = "one cycle in N rows, with equal steps of time or tilt",
      .equation = "(12; b8) (21; c3)",
-     .help = "12 rows with equal steps of time, unless N and BY say otherwise; the events have rows of their "
-             "own. "
-             "Energies are in J where 'mass' or 'density' is set.",
+     .help = "N is 12 if it is left out, and BY, which is time or tilt, is time. The events have rows of "
+             "their own, "
+             "too. Energies are in J if 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .rows = true,
@@ -236,10 +226,11 @@ const struct command walk_commands[] = {
      .synonyms = "next walk forward",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "go to the next event: what happens, and its ledger of energy",
+     .summary = "go to the next event, and say what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
-     .help = "The first step is to the launch of the first cycle; after the hit the next, larger and slower "
-             "cycle begins. The ledger: before - lost + gained = kinetic.",
+     .help =
+         "The first step goes to the launch of the first cycle. After the hit comes the next cycle, which is "
+         "larger and slower. The table is a ledger of energy: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
      .columns = walk_columns,
@@ -248,7 +239,7 @@ const struct command walk_commands[] = {
      .synonyms = "undo previous walk",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "go back to the event before",
+     .summary = "go back to the previous event",
      .example = "step 2; back",
      .see = "step goto",
      .columns = walk_columns,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* cycle: one cycle as a table. */
+/* cycle: one cycle of the train as a table. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 
@@ -7,27 +7,27 @@ const struct column cycle_columns[] = {
     {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},
     {"t", "s", "time since the launch", 0},
     {"theta", "rad", "tilt of the head", 7},
-    {"theta_1", "rad", "of the first follower (12; b8)", 7},
-    {"theta_2", "rad", "of the second", 7},
+    {"theta_1", "rad", "tilt of the first follower (12; b8)", 7},
+    {"theta_2", "rad", "tilt of the second follower", 7},
     {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
-    {"kinetic", "mgh/2", "kinetic energy of the train, in J where a mass is known", 0},
-    {"potential", "mgh/2", "H(theta) - H(0), in J where a mass is known", 0},
+    {"kinetic", "mgh/2", "kinetic energy of the train", 0},
+    {"potential", "mgh/2", "potential energy of the train, H(theta) - H(0)", 0},
     {NULL, NULL, NULL, 0},
 };
 
-/* Holds the tilts of the first followers of the head. */
+/* The tilts of the head and its first two followers. */
 struct followers {
     domq_real theta[3];
 };
 
-static bool follower_seen(const struct domq_link *k, void *context)
+static bool follower_add(const struct domq_link *k, void *context)
 {
     struct followers *f = context;
     f->theta[k->i] = k->theta;
     return k->i < 2;
 }
 
-/* Returns the cell of an angle that a narrow column shows with four digits. */
+/* Returns a cell for a narrow column, with four digits. */
 static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
@@ -35,7 +35,7 @@ static struct cell cell_angle(domq_real theta)
     return cell;
 }
 
-/* Holds what cycle_row needs to write a row, and what it has seen. */
+/* The context of cycle_row. */
 struct cycle_table {
     const struct query *query;
     struct answer *answer;
@@ -49,10 +49,9 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* A domino that has detached lies at theta_f. */
+    /* The walk down the chain ends at a domino that has detached, which lies at theta_f. */
     struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
-    table->status =
-        domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_seen, &f);
+    table->status = domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, &f);
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
@@ -99,6 +98,6 @@ bool run_cycle(const struct query *query, struct answer *a, struct problem *prob
                    measured(contact.force, "", 4).text,
                    contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
-        answer_say(a, "The train stops, it has too little energy to go on; 'why' says more.");
+        answer_say(a, "The train stops, because it has too little energy to go on; 'why' says more.");
     return true;
 }
