@@ -86,10 +86,9 @@ struct walk {
     bool ordered;
 };
 
-static bool in_order(const struct domq_link *link, const struct domq_link *error, void *context)
+static bool in_order(const struct domq_link *link, void *context)
 {
     struct walk *walk = context;
-    (void)error;
     if (walk->links++ > 0)
         walk->ordered &= link->theta >= walk->before.theta && link->slope <= walk->before.slope &&
                          link->slope >= 0 && link->weight <= walk->before.weight &&
@@ -113,7 +112,7 @@ TEST(dominoes_are_in_order)
         input.tilt = (domq_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
         struct walk walk = {.ordered = true, .theta_f = a.value[REF_THETA_F]};
         /* A head beyond the tilt whose follower has theta_f has no follower that leans further. */
-        assert_status(ask_chain_walk(&train, input.tilt, false, in_order, &walk), DOM_OK);
+        assert_status(ask_chain_walk(&train, input.tilt, in_order, &walk), DOM_OK);
         assert_close("order", &input, walk.ordered, 1, 0);
         links += walk.links;
     }

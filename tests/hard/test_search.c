@@ -64,7 +64,7 @@ TEST(no_train_stops_below_r_max)
     for (int i = 0; i < part_of(1000); i++) {
         struct asked train = any_train(&seed, 0);
         struct domq_limit limit;
-        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         reached += limit.ends == DOM_END_REACH;
@@ -88,7 +88,7 @@ TEST(few_trains_with_friction_stop_below_r_max)
     for (int i = 0; i < part_of(100); i++) {
         struct asked train = any_train(&seed, 0.4);
         struct domq_limit limit;
-        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
+        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends == DOM_END_NONE)
             continue;
         limits++;
         missed += first_stop(&train, (double)limit.r_max, 30) > 0;
@@ -166,7 +166,7 @@ TEST(no_separation_allows_more)
                              : (double)best.s * (0.98 + 0.04 * random_unit(&seed));
             if (train.s > 1 || (status != DOM_OK && k >= 60))
                 continue;
-            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
             if (limit.ends != DOM_END_NONE && (double)limit.r_max > most * (1 + 1e-5) && ++missed)
                 print_error("d %.17g q %.17g fuel %d: %.12g at s %.12g, best %.12g at %.12g\n",
                             (double)train.d, (double)train.q, train.fuel, (double)limit.r_max,

@@ -56,144 +56,69 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
                                  .interrupt = a->interrupt};
 }
 
-/* Copies the bounds of a result into a struct of its type, from the first member that has one; NULL:
- * nowhere. */
+/* The first two arguments of a function of the library, for a call. */
+#define ASKED(a, errors)                                                                                     \
+    (const struct domq_train[]){asked_train(a)}, (const struct domq_compute[])                               \
+    {                                                                                                        \
+        asked_compute(a, errors)                                                                             \
+    }
+
+/* Copies the bounds of a result, whose first member with a bound is `first`, into a struct of its type. */
 #define ASK_BOUNDS(result, copy, first)                                                                      \
     (void)((copy) ? memcpy(&(copy)->first, &(result)->error, sizeof(result)->error) : NULL)
 
 /* Defines ask_NAME, which calls domq_NAME for a result and, unless error is NULL, for its bounds. */
-#define ASK(name, type, first)                                                                               \
-    static inline enum dom_status ask_##name(const struct asked *asked, struct domq_##type *result,          \
-                                             struct domq_##type *error)                                      \
+#define ASK(name, type, first, PARAMETER, ARGUMENT)                                                          \
+    static inline enum dom_status ask_##name(                                                                \
+        const struct asked *asked, PARAMETER struct domq_##type *result, struct domq_##type *error)          \
     {                                                                                                        \
-        const struct domq_train train = asked_train(asked);                                                  \
-        const struct domq_compute compute = asked_compute(asked, error);                                     \
-        enum dom_status status = domq_##name(&train, &compute, result);                                      \
+        enum dom_status status = domq_##name(ASKED(asked, error), ARGUMENT result);                          \
         ASK_BOUNDS(result, error, first);                                                                    \
         return status;                                                                                       \
     }
 
-/* Defines ask_NAME for a function of one tilt. */
-#define ASK_AT(name, type, first)                                                                            \
-    static inline enum dom_status ask_##name(const struct asked *asked, domq_real theta,                     \
-                                             struct domq_##type *result, struct domq_##type *error)          \
+/* Defines ask_NAME for a function whose result is one number: NaN without an answer. */
+#define ASK_NUMBER(name, PARAMETER, ARGUMENT)                                                                \
+    static inline enum dom_status ask_##name(const struct asked *asked, PARAMETER domq_real *number,         \
+                                             domq_real *error)                                               \
     {                                                                                                        \
-        const struct domq_train train = asked_train(asked);                                                  \
-        const struct domq_compute compute = asked_compute(asked, error);                                     \
-        enum dom_status status = domq_##name(&train, &compute, theta, result);                               \
-        ASK_BOUNDS(result, error, first);                                                                    \
+        struct domq_value value = {DOMQ_NAN, DOMQ_NAN};                                                      \
+        enum dom_status status = domq_##name(ASKED(asked, error), ARGUMENT & value);                         \
+        *number = value.value;                                                                               \
+        if (error)                                                                                           \
+            *error = value.error;                                                                            \
         return status;                                                                                       \
     }
 
-ASK(angles_find, angles, theta_c)
-ASK(fuel_find, fuels, exact)
-ASK(launch_find, launch, fuel)
-ASK(barrier_find, barrier, theta_m)
-ASK(limit_pair, limit, r_max)
-ASK(limit_best, best, s)
-ASK_AT(contact_find, contact, theta_1)
-ASK_AT(energy_find, energy, dH)
-ASK_AT(cycle_state, state, theta)
+#define ASK_AT_PARAMETER domq_real theta,
+#define ASK_AT_ARGUMENT  theta,
 
-/* Finds r_max. *why, unless why is NULL, is written if there is no growth. */
-static inline enum dom_status ask_limit_rmax(const struct asked *asked, struct domq_limit *limit,
-                                             struct domq_limit *error, enum dom_status *why)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, error);
-    enum dom_status status = domq_limit_rmax(&train, &compute, limit);
-    ASK_BOUNDS(limit, error, r_max);
-    if (why && status == DOM_OK && limit->ends == DOM_END_NONE)
-        *why = limit->why;
-    return status;
-}
+/* clang-format off: it does not know these as functions. */
+ASK(angles_find, angles, theta_c, , )
+ASK(contact_find, contact, theta_1, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(energy_find, energy, dH, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(fuel_find, fuels, exact, , )
+ASK(launch_find, launch, fuel, , )
+ASK(barrier_find, barrier, theta_m, , )
+ASK(cycle_state, state, theta, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK(limit_rmax, limit, r_max, , )
+ASK(limit_pair, limit, r_max, , )
+ASK(limit_best, best, s, , )
+ASK_NUMBER(cycle_omegasq, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
+ASK_NUMBER(cycle_stop, , )
+ASK_NUMBER(cycle_duration, , )
+/* clang-format on */
 
-static inline enum dom_status ask_train_check(const struct asked *asked)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_train_check(&train, &compute);
-}
-
-/* ---- One number and its bound ---- */
-
-static inline void ask_value(struct domq_value from, domq_real *value, domq_real *error)
-{
-    *value = from.value;
-    if (error)
-        *error = from.error;
-}
-
-static inline enum dom_status ask_cycle_omegasq(const struct asked *asked, domq_real theta,
-                                                domq_real *omegasq, domq_real *error)
-{
-    struct domq_value value = {DOMQ_NAN, DOMQ_NAN};
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, error);
-    enum dom_status status = domq_cycle_omegasq(&train, &compute, theta, &value);
-    ask_value(value, omegasq, error);
-    return status;
-}
-
-static inline enum dom_status ask_cycle_stop(const struct asked *asked, domq_real *theta, domq_real *error)
-{
-    struct domq_value value = {DOMQ_NAN, DOMQ_NAN};
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, error);
-    enum dom_status status = domq_cycle_stop(&train, &compute, &value);
-    ask_value(value, theta, error);
-    return status;
-}
-
-static inline enum dom_status ask_cycle_duration(const struct asked *asked, domq_real *duration,
-                                                 domq_real *error)
-{
-    struct domq_value value = {DOMQ_NAN, DOMQ_NAN};
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, error);
-    enum dom_status status = domq_cycle_duration(&train, &compute, &value);
-    ask_value(value, duration, error);
-    return status;
-}
-
-/* ---- Without bounds ---- */
-
-static inline enum dom_status ask_cycle_events(const struct asked *asked, struct domq_event *events,
-                                               int *count)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_cycle_events(&train, &compute, events, count);
-}
-
-static inline enum dom_status ask_cycle_tilt(const struct asked *asked, domq_real time, domq_real *theta)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_cycle_tilt(&train, &compute, time, theta);
-}
-
-static inline enum dom_status ask_cycle_forces(const struct asked *asked, domq_real theta,
-                                               domq_force_visit *visit, void *context)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_cycle_forces(&train, &compute, theta, visit, context);
-}
-
-static inline enum dom_status ask_cycle_least_force(const struct asked *asked, struct domq_least_force *least)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_cycle_least_force(&train, &compute, least);
-}
-
-static inline enum dom_status ask_cycle_floor(const struct asked *asked, struct domq_floor *floor)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return domq_cycle_floor(&train, &compute, floor);
-}
+/* Functions without bounds, and walks. */
+#define ask_train_check(a)            domq_train_check(ASKED(a, false))
+#define ask_cycle_events(a, ...)      domq_cycle_events(ASKED(a, false), __VA_ARGS__)
+#define ask_cycle_tilt(a, ...)        domq_cycle_tilt(ASKED(a, false), __VA_ARGS__)
+#define ask_cycle_forces(a, ...)      domq_cycle_forces(ASKED(a, false), __VA_ARGS__)
+#define ask_cycle_least_force(a, ...) domq_cycle_least_force(ASKED(a, false), __VA_ARGS__)
+#define ask_cycle_floor(a, ...)       domq_cycle_floor(ASKED(a, false), __VA_ARGS__)
+#define ask_chain_walk(a, ...)        domq_chain_walk(ASKED(a, false), __VA_ARGS__)
+#define ask_cycle_walk(a, ...)        domq_cycle_walk(ASKED(a, false), __VA_ARGS__)
+#define ask_row_of_train(a, ...)      domq_row_of_train((const struct domq_train[]){asked_train(a)}, __VA_ARGS__)
 
 static inline domq_real ask_scale_speed(const struct domq_scale *scale, const struct asked *asked,
                                         domq_real duration)
@@ -213,54 +138,6 @@ static inline enum dom_status ask_count_find(enum dom_precision precision, domq_
     if (error)
         error->dominoes = 0; /* a whole number */
     return status;
-}
-
-/* ---- Walks: the visitor's error is NULL unless errors are asked for ---- */
-
-typedef bool ask_visit(const struct domq_link *link, const struct domq_link *error, void *context);
-typedef bool ask_state_visit(const struct domq_state *state, const struct domq_state *error,
-                             const struct domq_event *event, void *context);
-
-struct ask_walk {
-    bool errors;
-    ask_visit *visit;
-    ask_state_visit *state_visit;
-    void *context;
-};
-
-static inline bool ask_link_seen(const struct domq_link *link, void *context)
-{
-    const struct ask_walk *walk = context;
-    struct domq_link bounds = {.i = link->i}, *error = walk->errors ? &bounds : NULL;
-    ASK_BOUNDS(link, error, theta);
-    return walk->visit(link, error, walk->context);
-}
-
-static inline bool ask_state_seen(const struct domq_state *state, const struct domq_event *event,
-                                  void *context)
-{
-    const struct ask_walk *walk = context;
-    struct domq_state bounds = {.theta = 0}, *error = walk->errors ? &bounds : NULL;
-    ASK_BOUNDS(state, error, theta);
-    return walk->state_visit(state, error, event, walk->context);
-}
-
-static inline enum dom_status ask_chain_walk(const struct asked *asked, domq_real theta, bool errors,
-                                             ask_visit *visit, void *context)
-{
-    struct ask_walk walk = {.errors = errors, .visit = visit, .context = context};
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, errors);
-    return domq_chain_walk(&train, &compute, theta, ask_link_seen, &walk);
-}
-
-static inline enum dom_status ask_cycle_walk(const struct asked *asked, size_t rows, enum dom_spacing by,
-                                             bool errors, ask_state_visit *visit, void *context)
-{
-    struct ask_walk walk = {.errors = errors, .state_visit = visit, .context = context};
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, errors);
-    return domq_cycle_walk(&train, &compute, rows, by, ask_state_seen, &walk);
 }
 
 /* ---- Rows ---- */
@@ -294,70 +171,19 @@ static inline struct domq_compute asked_row_compute(const struct asked_row *a)
         .tol = a->tol, .precision = a->precision, .work = a->work, .interrupt = a->interrupt};
 }
 
-static inline enum dom_status ask_row_run(const struct asked_row *asked, bool times, domq_fall_visit *visit,
-                                          void *context, struct domq_verdict *verdict)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_run(&row, &compute, times, visit, context, verdict);
-}
+#define ASKED_ROW(a)                                                                                         \
+    (const struct domq_row[]){asked_row(a)}, (const struct domq_compute[])                                   \
+    {                                                                                                        \
+        asked_row_compute(a)                                                                                 \
+    }
 
-static inline enum dom_status ask_row_rmax(const struct asked_row *asked, domq_real highest,
-                                           domq_row_make *make, void *context, struct domq_row_growth *growth)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_rmax(&row, &compute, highest, make, context, growth);
-}
-
-static inline enum dom_status ask_row_mend(const struct asked_row *asked, dom_progress *progress,
-                                           void *context, struct domq_mend mends[DOM_MENDS], size_t *count)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_mend(&row, &compute, progress, context, mends, count);
-}
-
-static inline enum dom_status ask_row_windows(const struct asked_row *asked, enum dom_window_of of,
-                                              dom_progress *progress, void *context,
-                                              struct domq_window *windows)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_windows(&row, &compute, of, progress, context, windows);
-}
-
-static inline enum dom_status ask_row_push(const struct asked_row *asked, domq_real strongest,
-                                           domq_real *push)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_row_push(&row, &compute, strongest, push);
-}
-
-static inline void ask_row_of_train(const struct asked *asked, const struct domq_scale *scale, domq_real mass,
-                                    struct domq_domino *domino, size_t count)
-{
-    const struct domq_train train = asked_train(asked);
-    domq_row_of_train(&train, scale, mass, domino, count);
-}
-
-static inline enum dom_status ask_placement_study(const struct asked_row *asked,
-                                                  const struct domq_placement *placement,
-                                                  struct domq_study *study, size_t *stops)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_placement_study(&row, &compute, placement, study, stops);
-}
-
-static inline enum dom_status ask_placement_budget(const struct asked_row *asked,
-                                                   const struct domq_placement *placement, double probability,
-                                                   struct domq_budget *budget)
-{
-    const struct domq_row row = asked_row(asked);
-    const struct domq_compute compute = asked_row_compute(asked);
-    return domq_placement_budget(&row, &compute, placement, probability, budget);
-}
+#define ask_row_run(a, ...)          domq_row_run(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_rmax(a, ...)         domq_row_rmax(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_mend(a, ...)         domq_row_mend(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_windows(a, ...)      domq_row_windows(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_push(a, ...)         domq_row_push(ASKED_ROW(a), __VA_ARGS__)
+#define ask_row_watch(a, ...)        domq_row_watch(ASKED_ROW(a), __VA_ARGS__)
+#define ask_placement_study(a, ...)  domq_placement_study(ASKED_ROW(a), __VA_ARGS__)
+#define ask_placement_budget(a, ...) domq_placement_budget(ASKED_ROW(a), __VA_ARGS__)
 
 #endif

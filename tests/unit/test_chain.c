@@ -210,7 +210,7 @@ TEST(limits_take_few_passes)
         size_t before = work.passes;
         train.s = (domq_real)k / 100;
         train.work = &work;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         most = work.passes - before > most ? work.passes - before : most;
     }
     print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",

@@ -46,7 +46,7 @@ TEST(dips_of_the_margin)
     for (size_t i = 0; i < sizeof dips / sizeof *dips; i++) {
         struct asked t = train_of(dips[i].s, dips[i].d, dips[i].q, dips[i].fuel);
         struct domq_limit limit;
-        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         double r_max = limit.r_max, reach = 1 / dips[i].s;
         for (int k = 0; k < SAMPLES; k++)
@@ -99,7 +99,7 @@ TEST(methods_refuse)
         t.method = methods[i];
         t.tol = 1e-3;
         assert_status(ask_barrier_find(&t, &barrier, &barrier_error), DOM_NO_METHOD);
-        assert_status(ask_limit_rmax(&t, &limit, &limit_error, NULL), DOM_NO_METHOD);
+        assert_status(ask_limit_rmax(&t, &limit, &limit_error), DOM_NO_METHOD);
         assert_status(ask_cycle_duration(&t, &duration, &error), DOM_NO_METHOD);
         assert_status(ask_limit_best(&t, &best, NULL), DOM_NO_METHOD);
         t.r = 1.7;
@@ -115,19 +115,17 @@ TEST(methods_at_the_ends)
 {
     struct asked t = asked_default();
     struct domq_limit limit;
-    enum dom_status why = DOM_OK;
     t.method = DOM_METHOD_GSL;
     t.d = 0.8;
     t.s = 0.9;
     struct asked ours = t;
     ours.method = DOM_METHOD_OURS;
-    assert_status(ask_limit_rmax(&ours, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&ours, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-    enum dom_status expected = why;
-    why = DOM_OK;
-    assert_status(ask_limit_rmax(&t, &limit, NULL, &why), DOM_OK);
+    enum dom_status expected = limit.why;
+    assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(why, expected);
+    assert_status(limit.why, expected);
     struct domq_barrier barrier;
     t.r = 1;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_FUEL);
@@ -137,7 +135,7 @@ TEST(methods_at_the_ends)
     t.tol = 1e-4;
     for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
         t.method = (enum dom_method)method;
-        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_REACH);
         assert_near("r_max", (double)limit.r_max, 1 / 0.95, 1e-15);
     }
@@ -215,12 +213,12 @@ TEST(interrupted)
     t.tol = 1e-6;
     for (int method = DOM_METHOD_OURS; method <= DOM_METHOD_PAPER; method++) {
         t.method = (enum dom_method)method;
-        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
+        assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_INTERRUPTED);
     }
     t.method = DOM_METHOD_OURS;
     assert_status(ask_limit_pair(&t, &limit, NULL), DOM_INTERRUPTED);
     for (t.mu = 0; t.mu < 0.3; t.mu += 0.2) {
-        assert_status(ask_limit_rmax(&t, &limit, NULL, NULL), DOM_INTERRUPTED);
+        assert_status(ask_limit_rmax(&t, &limit, NULL), DOM_INTERRUPTED);
         assert_status(ask_limit_best(&t, &best, NULL), DOM_INTERRUPTED);
         row.mu = t.mu;
         assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);

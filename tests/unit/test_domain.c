@@ -66,7 +66,7 @@ TEST(thick_dominoes_do_not_grow)
     struct domq_limit limit;
     train.d = 1.5;
     assert_status(ask_limit_best(&train, &best, NULL), DOM_NO_GROWTH);
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);

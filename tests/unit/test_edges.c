@@ -31,10 +31,10 @@ TEST(thin_dominoes_with_friction)
     for (double d = 1e-8; d < 1e-4; d *= 10) {
         struct asked t = friction_train(0.01, 1, d, 4, 0.2);
         struct domq_limit here, finer;
-        assert_status(ask_limit_rmax(&t, &here, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &here, NULL), DOM_OK);
         t.precision = DOM_QUAD;
         t.tol = 1e-18;
-        assert_status(ask_limit_rmax(&t, &finer, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&t, &finer, NULL), DOM_OK);
         assert_near("r_max", here.r_max, (double)finer.r_max, 1e-10);
     }
     static const struct {
@@ -332,7 +332,7 @@ TEST(nearly_no_fuel)
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
     assert_near("kinetic", barrier.kinetic, 2.08e-8, 2e-2);
     train = train_of(0.0012625496548142601, 1, 0.085573654891847373, 4, 0.1);
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
 }
 
@@ -341,11 +341,11 @@ TEST(rubbing_limits_keep_their_tolerance)
     struct asked train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
     struct domq_limit limit;
     train.mu = 0.19177475568455454;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_near("r_max, mu 0.19", limit.r_max, 31.211167857490278, 1e-6);
     train = train_of(0.85285114301754439, 1, 0.084052372155600644, 4, 1e-12);
     train.mu = 0.12244818425305021;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
 }
 

@@ -55,7 +55,7 @@ TEST(digits)
         train.d = csv_number(csv, "d");
         train.mu = csv_number(csv, "mu");
         train.tol = 1e-13;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-11);
         train.r = csv_number(csv, "r");
@@ -101,7 +101,7 @@ static void answers_of(const struct asked *train, double theta, bool limit_too, 
     assert_status(ask_cycle_duration(train, &x[2], NULL), DOM_OK);
     assert_status(ask_cycle_omegasq(train, theta, &x[3], NULL), DOM_OK);
     if (limit_too)
-        assert_status(ask_limit_rmax(train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(train, &limit, NULL), DOM_OK);
     x[0] = launch.omegasq;
     x[1] = launch.fuel;
     x[4] = barrier.margin;
@@ -190,10 +190,9 @@ struct chain {
     double theta[CHAIN_MOST], slope[CHAIN_MOST], weight[CHAIN_MOST], force[CHAIN_MOST], impulse[CHAIN_MOST];
 };
 
-static bool link_seen(const struct domq_link *link, const struct domq_link *error, void *context)
+static bool link_seen(const struct domq_link *link, void *context)
 {
     struct chain *c = context;
-    (void)error;
     c->theta[link->i] = link->theta;
     c->slope[link->i] = link->slope;
     c->weight[link->i] = link->weight;
@@ -210,7 +209,7 @@ static bool force_seen(const struct domq_force *force, void *context)
 
 static void chain_at(const struct asked *train, double theta, struct chain *c)
 {
-    assert_status(ask_chain_walk(train, theta, false, link_seen, c), DOM_OK);
+    assert_status(ask_chain_walk(train, theta, link_seen, c), DOM_OK);
     assert_status(ask_cycle_forces(train, theta, force_seen, c), DOM_OK);
 }
 
@@ -344,7 +343,7 @@ TEST(precisions_agree)
         for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
             train.precision = (enum dom_precision)p;
             train.tol = p == DOM_QUAD ? (domq_real)1e-16 : domq_arithmetic(train.precision)->tol_default;
-            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL), DOM_OK);
             assert_status(ask_launch_find(&train, &launch[p], NULL), DOM_OK);
         }
         assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
@@ -374,7 +373,7 @@ TEST(float_near_the_reach)
         train.r = (1 - pow(10, -1 - k / 20.0)) / (double)train.s;
         assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
     }
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
 }
 
 /* Checks that errors are within ten times the tolerance, which covers what launch and margin make of an error
@@ -446,16 +445,15 @@ TEST(refusals)
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
-    enum dom_status why = DOM_OK;
     train.fuel = DOM_FUEL_PAPER;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_METHOD);
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
     for (int method = DOM_METHOD_GSL; method <= DOM_METHOD_PAPER; method++) {
         train.method = (enum dom_method)method;
         assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     }
     train.method = DOM_METHOD_OURS;
     /* The train locks, even where the sums after such a hit would be infinite. */
@@ -477,9 +475,9 @@ TEST(refusals)
     /* Equal dominoes that lock have no growth. */
     train = friction_train(0.25, 1, 100);
     train.d = 0.0167772;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_true(limit.ends == DOM_END_NONE && isnan((double)limit.r_max));
-    assert_status(why, DOM_LOCKS);
+    assert_status(limit.why, DOM_LOCKS);
 }
 
 /* Checks trains of small separation in which friction takes all fuel, also by ask_limit_rmax. */
@@ -489,13 +487,12 @@ TEST(friction_takes_the_fuel)
     struct domq_launch launch;
     struct domq_barrier barrier;
     struct domq_limit limit;
-    enum dom_status why = DOM_OK;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_FUEL);
     assert_true(isnan((double)launch.omegasq) && !(launch.fuel > 0));
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
-    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(why, DOM_NO_FUEL);
+    assert_status(limit.why, DOM_NO_FUEL);
 }
 
 /*
@@ -542,7 +539,7 @@ TEST(growth_falls_with_friction)
             struct domq_limit limit;
             struct domq_barrier barrier;
             train.mu = mu * (k == 0 ? 1 : k == 1 ? 1.01 : 2);
-            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
             assert_true(limit.ends == DOM_END_NONE || limit.ends == DOM_END_BARRIER);
             double r_max = limit.ends == DOM_END_NONE ? 0 : (double)limit.r_max;
             if (!(r_max < before || (r_max == 0 && before == 0)))
@@ -569,7 +566,7 @@ TEST(verdicts_at_the_limit)
         struct asked train = friction_train(0.2 + 0.1 * i, 1, 0.1 * i);
         struct domq_limit limit;
         struct domq_barrier barrier;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         train.r = limit.r_max * (1 - (domq_real)1e-9);
         assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
         train.r = limit.r_max * (1 + (domq_real)1e-9);

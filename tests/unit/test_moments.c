@@ -30,13 +30,11 @@ static bool moment_seen(const struct domq_moment *m, void *context)
 
 static enum dom_status watch(struct run *run, const domq_real *times, size_t count, struct seen *seen)
 {
-    const struct domq_row row = asked_row(&run->row);
-    const struct domq_compute compute = asked_row_compute(&run->row);
     assert_true(run->row.count <= DOMINOES);
     seen->count = 0;
     seen->dominoes = run->row.count;
     seen->most = FRAMES + 1;
-    return domq_row_watch(&row, &compute, times, count, moment_seen, seen, &run->verdict);
+    return ask_row_watch(&run->row, times, count, moment_seen, seen, &run->verdict);
 }
 
 /* Returns the potential and kinetic energy of all dominoes, in J. */

@@ -58,7 +58,7 @@ TEST(largest_growths)
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         struct asked train = train_of(some[i][0], some[i][1], some[i][2]);
         struct domq_limit limit;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         for (int side = -1; side <= 1; side += 2)
             if (falls(&row, &train, (double)limit.r_max * (1 + side * 1e-9), 12, 32) != (side < 0))

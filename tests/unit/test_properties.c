@@ -194,7 +194,7 @@ TEST(margin_vanishes_at_the_limit)
         struct asked train = random_train(&seed);
         struct domq_limit limit;
         struct domq_barrier barrier;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         if (limit.ends != DOM_END_BARRIER)
             continue;
         train.r = fmax(limit.r_max * (1 - 1e-9), 1);
@@ -215,7 +215,7 @@ TEST(small_margins_keep_their_digits)
         struct domq_barrier rough, fine;
         train.s = 0.1 + 0.1 * (i % 4);
         train.q = 3 + 0.5 * (i % 3);
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         train.r = limit.r_max * (1 - (domq_real)1e-8);
         train.tol = 1e-14;
         assert_status(ask_barrier_find(&train, &fine, NULL), DOM_OK);
@@ -271,9 +271,9 @@ TEST(growth_is_monotone)
         struct asked train = asked_default();
         struct domq_limit hollow, massive;
         train.s = s;
-        assert_status(ask_limit_rmax(&train, &massive, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &massive, NULL), DOM_OK);
         train.q = 3;
-        assert_status(ask_limit_rmax(&train, &hollow, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &hollow, NULL), DOM_OK);
         assert_true(hollow.r_max > before && hollow.r_max > massive.r_max);
         before = hollow.r_max;
     }
@@ -284,14 +284,13 @@ TEST(no_fuel_below_a_separation)
 {
     struct asked train = asked_default();
     struct domq_limit limit;
-    enum dom_status why = DOM_OK;
     double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
     assert_near("edge", edge, 0.0063378, 1e-5);
     train.s = edge * (1 - 1e-9);
-    assert_status(ask_limit_rmax(&train, &limit, NULL, &why), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
     assert_true(isnan(limit.r_max));
-    assert_status(why, DOM_NO_FUEL);
+    assert_status(limit.why, DOM_NO_FUEL);
     train.s = edge * (1 + 1e-3);
     struct domq_fuels fuels;
     train.r = 1;
@@ -354,7 +353,7 @@ TEST(duration_diverges_logarithmically)
     struct domq_limit limit;
     domq_real duration[4];
     train.tol = 1e-13;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     for (int k = 0; k < 4; k++) {
         train.r = limit.r_max * (1 - pow(10, -5 - k));
         assert_status(ask_cycle_duration(&train, &duration[k], NULL), DOM_OK);
@@ -393,9 +392,9 @@ TEST(bounds_are_extra)
         assert_true(bounded.passes >= passes);
         train.work = &plain;
         plain.passes = bounded.passes = 0;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         train.work = &bounded;
-        assert_status(ask_limit_rmax(&train, &limit_with, &limit_error, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit_with, &limit_error), DOM_OK);
         assert_int_equal(limit.ends, limit_with.ends);
         if (limit.ends != DOM_END_BARRIER)
             continue;
@@ -422,7 +421,7 @@ TEST(precisions_agree)
         for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
             train.precision = (enum dom_precision)p;
             train.tol = domq_arithmetic(train.precision)->tol_default;
-            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL), DOM_OK);
         }
         assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
         if (limit[2].ends == DOM_END_NONE)

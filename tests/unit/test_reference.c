@@ -126,11 +126,11 @@ TEST(largest_growth)
         train.d = csv_number(csv, "d");
         train.fuel = strcmp(csv_text(csv, "fuel"), "paper") == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
         train.tol = 1e-15;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_near("r_max", limit.r_max, csv_number(csv, "r_max"), 1e-13);
         assert_string_equal(dom_end_text(limit.ends), csv_text(csv, "ends_by"));
         train.tol = 1e-12;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_near("r_max at 1e-12", limit.r_max, csv_number(csv, "r_max"), 1e-12);
     }
     assert_int_equal(rows, 42);
@@ -175,7 +175,7 @@ TEST(best_separation)
         assert_near("best r_max", best.r_max, known[i].r_max, 0.5e-6 / known[i].r_max);
         for (int side = -1; side <= 1; side += 2) {
             train.s = best.s * (1 + side * 1e-5);
-            assert_status(ask_limit_rmax(&train, &beside, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &beside, NULL), DOM_OK);
             assert_true(beside.r_max < best.r_max);
         }
     }
@@ -227,10 +227,10 @@ TEST(barrier_curve_meets_reach)
         struct domq_limit limit;
         train.q = meets[i][0];
         train.s = meets[i][1] - 1e-5;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_BARRIER);
         train.s = meets[i][1] + 1e-5;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_int_equal(limit.ends, DOM_END_REACH);
     }
 }

@@ -18,7 +18,7 @@ static struct asked train_of(double s, double rho, double mu)
 static double rmax_of(const struct asked *train)
 {
     struct domq_limit limit = {.r_max = DOM_NAN};
-    assert_status(ask_limit_rmax(train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(train, &limit, NULL), DOM_OK);
     return (double)limit.r_max;
 }
 
@@ -452,14 +452,14 @@ TEST(radii_that_do_not_fit)
     train.rho = train.d / 2 + 1e-9;
     assert_status(ask_train_check(&train), DOM_NO_ROUND);
     train.rho = train.d / 2;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_true(limit.r_max > 1);
     train.rho = 0.01;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     train.fuel = DOM_FUEL_EXACT;
     train.method = DOM_METHOD_GSL;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     train.method = DOM_METHOD_OURS;
     train.s = 1; /* a rounded domino reaches less far than it is tall */
     train.r = 1;

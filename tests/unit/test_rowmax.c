@@ -101,7 +101,7 @@ TEST(long_rows_are_the_train)
         struct family f = family_of(0.1 * i, 7.0 / 48, 3 + i % 2);
         struct domq_limit limit;
         struct asked_row row = row_of(60, 60);
-        assert_status(ask_limit_rmax(&f.train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&f.train, &limit, NULL), DOM_OK);
         struct domq_row_growth growth = growth_of(&f, &row);
         assert_near("r_max", growth.r_max, limit.r_max, 1e-6);
         assert_int_equal(growth.ends, limit.ends == DOM_END_REACH ? DOM_ROW_FALLS : DOM_ROW_STOPS);

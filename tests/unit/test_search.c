@@ -34,7 +34,7 @@ TEST(the_first_root_counts)
         for (int p = 0; p < (cases[i].mu > 0 ? 1 : 2); p++) {
             struct asked train =
                 train_of(cases[i].s, cases[i].d, cases[i].q, cases[i].mu, p == 0 ? DOM_DOUBLE : DOM_QUAD);
-            assert_status(ask_limit_rmax(&train, &limit[p], NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit[p], NULL), DOM_OK);
             assert_int_equal(limit[p].ends, DOM_END_BARRIER);
             assert_near("r_max", limit[p].r_max, cases[i].r_max, cases[i].bound);
         }
@@ -86,7 +86,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
         assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
         assert_true(best.s > 0.9 && best.r_max > 1);
         for (train.s = 0.905; train.s < 1; train.s += 0.01) {
-            assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
             assert_true(limit.ends == DOM_END_NONE || limit.r_max <= best.r_max * (1 + 1e-9));
         }
     }
@@ -121,6 +121,6 @@ TEST(thin_dominoes_are_quick)
     struct dom_work work = {0};
     struct domq_limit limit;
     train.work = &work;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_true(work.dominoes < 1000000);
 }

@@ -28,7 +28,7 @@ TEST(largest_growths)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct domq_limit limit;
         struct asked train = train_of(table[i][0], table[i][1], 0);
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         assert_near("r_max", (double)limit.r_max, table[i][2], 3e-9);
     }
 }
@@ -111,7 +111,7 @@ TEST(limits_against_newton)
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         struct asked train = train_of(some[i][0], some[i][1], some[i][2]);
         struct domq_limit limit;
-        assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_OK);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         for (int side = -1; side <= 1; side += 2) {
             double r = (double)limit.r_max * (1 + side * 1e-9);
             for (size_t k = 0; k < COUNT; k++) {
@@ -155,8 +155,8 @@ TEST(level_is_the_limit)
             struct domq_floor at_a = {0}, at_b = {0};
             domq_real of_a = 0, of_b = 0;
             level.r = slight.r = 1.1;
-            assert_status(ask_limit_rmax(&level, &a, NULL, NULL), DOM_OK);
-            assert_status(ask_limit_rmax(&slight, &b, NULL, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&level, &a, NULL), DOM_OK);
+            assert_status(ask_limit_rmax(&slight, &b, NULL), DOM_OK);
             assert_true(a.r_max == b.r_max && a.ends == b.ends);
             assert_int_equal(ask_cycle_duration(&level, &of_a, NULL),
                              ask_cycle_duration(&slight, &of_b, NULL));
@@ -221,10 +221,10 @@ TEST(slopes_that_do_not_hold)
     train.alpha = 0.01;
     train.method = DOM_METHOD_GSL;
     struct domq_limit limit;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     train.method = DOM_METHOD_OURS;
     train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_limit_rmax(&train, &limit, NULL, NULL), DOM_NO_METHOD);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     assert_status(ask_limit_pair(&train, &limit, NULL), DOM_OK);
     struct domq_launch launch;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_METHOD);

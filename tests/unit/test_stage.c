@@ -213,10 +213,9 @@ struct tilts {
     double theta[DOMINOES];
 };
 
-static bool tilt_seen(const struct domq_link *link, const struct domq_link *error, void *context)
+static bool tilt_seen(const struct domq_link *link, void *context)
 {
     struct tilts *tilts = context;
-    (void)error;
     tilts->theta[tilts->count++] = (double)link->theta;
     return tilts->count < DOMINOES;
 }
@@ -231,7 +230,7 @@ TEST(tilts_are_those_of_the_chain)
     for (int k = 0; view_next(&v, k); k++) {
         tilts.count = 0;
         v.train.tol = 1e-12;
-        assert_status(ask_chain_walk(&v.train, v.theta, false, tilt_seen, &tilts), DOM_OK);
+        assert_status(ask_chain_walk(&v.train, v.theta, tilt_seen, &tilts), DOM_OK);
         assert_true(v.stage.domino[0].theta == 0);
         for (int i = 1; i < (int)v.stage.count; i++) {
             double theta = v.stage.domino[i].theta;

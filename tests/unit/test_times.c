@@ -267,7 +267,7 @@ TEST(verdicts_near_the_limit)
         train.tol = 1e-12;
         train.s = random_log(&seed, 0.02, 0.6);
         train.mu = i % 4 ? 0 : random_log(&seed, 1e-3, 0.5);
-        if (ask_limit_rmax(&train, &limit, NULL, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
+        if (ask_limit_rmax(&train, &limit, NULL) != DOM_OK || limit.ends != DOM_END_BARRIER)
             continue;
         train.r = limit.r_max * (1 + (random_unit(&seed) < 0.5 ? -1 : 1) * random_log(&seed, 1e-9, 1e-4));
         train.r = (double)fmax((double)train.r, 1);
@@ -295,12 +295,10 @@ struct seen {
     double before;
 };
 
-static bool state_seen(const struct domq_state *s, const struct domq_state *error,
-                       const struct domq_event *event, void *context)
+static bool state_seen(const struct domq_state *s, const struct domq_event *event, void *context)
 {
     struct seen *seen = context;
     struct domq_state alone;
-    assert_null(error);
     assert_status(ask_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
     double size = fmax((double)alone.time, 1e-300);
     if (fabs((double)(s->time - alone.time)) > 1e-10 * size + 1e-16)
@@ -328,7 +326,7 @@ TEST(tables_and_answers)
         enum dom_status expected = ask_cycle_events(&train, events, &n);
         struct seen seen = {.train = &train};
         enum dom_status status =
-            ask_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, false, state_seen, &seen);
+            ask_cycle_walk(&train, 7, i % 2 ? DOM_BY_TILT : DOM_BY_TIME, state_seen, &seen);
         assert_status(status, expected);
         if (expected != DOM_OK && expected != DOM_STOPS)
             continue;

@@ -99,9 +99,9 @@ static long solve(int job, void *context)
     }
     scene_growth(scene, &a->found);
     a->row = scene_growth_of_row(scene);
-    a->exact = ask_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK ? (double)limit.r_max : (double)NAN;
+    a->exact = ask_limit_rmax(&train, &limit, NULL) == DOM_OK ? (double)limit.r_max : (double)NAN;
     train.fuel = DOM_FUEL_PAPER;
-    if (ask_limit_rmax(&train, &limit, NULL, NULL) == DOM_OK)
+    if (ask_limit_rmax(&train, &limit, NULL) == DOM_OK)
         a->paper = (double)limit.r_max;
     a->again = a->found.caught && fabs(off(a->found.value, a->row)) > scene_still;
     if (a->again) {
