@@ -55,8 +55,86 @@ void newton_run(const struct run *run, struct newton *n)
         n->mass[k] = run->domino[k].mass;
         n->lean[k] = run->domino[k].lean;
     }
-    struct direct_row row = {run->row.count, n->height,  n->thickness,  n->gap, n->mass,
-                             run->row.mu,    run->row.g, run->row.push, 0,      0,
-                             n->lean};
+    const struct direct_row row = {.n = run->row.count,
+                                   .height = n->height,
+                                   .thickness = n->thickness,
+                                   .gap = n->gap,
+                                   .mass = n->mass,
+                                   .lean = n->lean,
+                                   .mu = run->row.mu,
+                                   .g = run->row.g,
+                                   .omega = run->row.push,
+                                   .slope = run->row.alpha,
+                                   .walls = run->row.walls};
     n->wrong = direct_run(&row, n->hit, &n->result);
+}
+
+bool run_is_clear(const struct run *run)
+{
+    for (size_t k = 0; k < run->falls; k++)
+        if (fabs((double)run->fall[k].margin) < 1e-6 * (double)run->fall[k].kinetic)
+            return false;
+    return true;
+}
+
+static void near_newton(const char *what, const struct run *run, size_t k, domq_real got, double expected,
+                        double size, double bound)
+{
+    double off = fabs((double)got - expected) / size;
+    if (!(off <= bound))
+        fail_msg(
+            "%s of domino %zu of %zu: %.17g, by Newton %.17g, off by %g (mu %g, lean %g, alpha %g, walls %g)",
+            what, k + 1, run->row.count, (double)got, expected, off, (double)run->row.mu,
+            (double)run->domino[k].lean, (double)run->row.alpha, (double)run->row.walls);
+}
+
+/*
+ * The integrator keeps 1e-13 in a step, and the row 1e-12. A small margin has the error of the whole kinetic
+ * energy, so the bound grows as the margin shrinks.
+ */
+static void compare_hits(const struct run *run, const struct newton *n)
+{
+    double friction_work = 0, spare = INFINITY;
+    for (size_t k = 0; k < run->falls; k++) {
+        const struct domq_fall *f = &run->fall[k];
+        const struct direct_hit *h = &n->hit[k];
+        double bound = 1e-10 * (1 + 1 / spare);
+        if (k > 0)
+            near_newton("time", run, k, f->time, h->time, h->time, bound);
+        near_newton("omega", run, k, f->omega, h->omega, h->omega, bound);
+        near_newton("kinetic", run, k, f->kinetic, h->kinetic, h->kinetic, bound);
+        near_newton("lost", run, k, f->lost, h->kinetic_before - h->kinetic, h->kinetic_before, bound);
+        near_newton("friction_work", run, k, friction_work, h->friction_work,
+                    h->kinetic_before + friction_work, bound);
+        friction_work += (double)f->friction_work;
+        if (f->kinetic > 0)
+            spare = fmin(spare, fabs((double)(f->margin / f->kinetic)));
+    }
+    const size_t last = run->falls - 1;
+    const double bound = 1e-10 / fmin(1, spare);
+    if (run->verdict.end == DOM_ROW_FALLS)
+        near_newton("the end", run, last, run->verdict.seconds, n->result.end_time, n->result.end_time,
+                    bound);
+    if (run->verdict.end == DOM_ROW_STOPS)
+        near_newton("rest", run, last, run->fall[last].theta, n->result.stop_theta, 1, bound);
+}
+
+void newton_compare(const struct run *run, const struct newton *n)
+{
+    const enum dom_row_end end = run->verdict.end;
+    if (end == DOM_ROW_FALLS || end == DOM_ROW_STOPS || end == DOM_ROW_MISSES) {
+        if (n->wrong)
+            fail_msg("Newton: %s (end %d)", n->wrong, end);
+        assert_int_equal(n->result.hit, run->falls);
+        assert_int_equal(n->result.all_fall, end == DOM_ROW_FALLS);
+        /* The model checks forces at a few tilts only, so that contacts may open a little. */
+        if (n->result.least_at > 0)
+            assert_true(n->result.least_force >=
+                        -0.02 * n->mass[n->result.least_at - 1] * (double)run->row.g);
+    }
+    if (end == DOM_ROW_PASSES)
+        assert_non_null(n->wrong);
+    if (end == DOM_ROW_PARTS) /* Newton's contacts pull from there on */
+        assert_true(n->result.least_force < 0);
+    compare_hits(run, n);
 }

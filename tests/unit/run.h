@@ -37,6 +37,13 @@ struct newton {
     const char *wrong;
 };
 
+/* Runs the row by Newton's equations; its domino arrays stay in n. */
 void newton_run(const struct run *run, struct newton *n);
+
+/* Returns false if a margin of the row is so small that rounding decides. */
+bool run_is_clear(const struct run *run);
+
+/* Compares each hit and the end of a row with Newton's equations; fails the test where they differ. */
+void newton_compare(const struct run *run, const struct newton *n);
 
 #endif

@@ -376,26 +376,6 @@ TEST(newtons_law)
     }
 }
 
-/* Checks that the speed changes as the acceleration says, so that energy is kept, and the balance of energy.
- */
-TEST(energy_is_kept)
-{
-    for (int k = 0; k < 4; k++) {
-        struct asked train = train_of(0.4, 0.02, k < 2 ? 0 : 0.2);
-        struct domq_state low, at, high;
-        train.r = 1.3;
-        train.alpha = k % 2 ? 0.02 : 0;
-        const double step = 1e-4;
-        assert_status(ask_cycle_state(&train, 0.3 - step, &low, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, 0.3, &at, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, 0.3 + step, &high, NULL), DOM_OK);
-        assert_near("acceleration", (double)at.acceleration,
-                    (double)(high.omegasq - low.omegasq) / (4 * step), 1e-6);
-        assert_near("kinetic", (double)(at.before - at.lost - at.climbed - at.friction_work),
-                    (double)at.kinetic, 1e-11);
-    }
-}
-
 /* ---- Rows ---- */
 
 static bool last_seen(const struct domq_fall *fall, void *context)

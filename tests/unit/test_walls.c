@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Boxes of six walls: their moment of inertia against a sum over boards, a train that moves as without walls
- * but for its unit of time, rows against Newton's equations (direct.h), and the limits of the walls.
+ * but for its unit of time, and the limits of the walls.
  */
-#include "direct.h"
 #include "support.h"
 
 TEST(thin_and_solid)
@@ -140,73 +139,6 @@ TEST(struck_box)
 }
 
 enum { COUNT = 12 };
-
-struct compared {
-    struct direct_hit hit[COUNT];
-    double worst;
-};
-
-static bool fall_seen(const struct domq_fall *fall, void *context)
-{
-    struct compared *c = context;
-    const struct direct_hit *hit = &c->hit[fall->domino - 1];
-    double of_omega = fabs((double)fall->omega / hit->omega - 1);
-    double of_time = fabs((double)fall->time - hit->time);
-    double of_kinetic = fabs((double)fall->kinetic / hit->kinetic - 1);
-    c->worst = fmax(c->worst, fmax(of_omega, fmax(of_time, of_kinetic)));
-    return true;
-}
-
-/* Checks rows of unequal boxes, of the same boards, without and with friction and slope. */
-TEST(rows_against_newton)
-{
-    static const double scene[][4] = {/* r, walls, mu, slope */
-                                      {1.2, 1e-3, 0, 0},
-                                      {1.4, 0.03, 0, 0},
-                                      {1, 0.06, 0, 0.02},
-                                      {1.2, 0.04, 0.2, 0},
-                                      {1.3, 0.01, 0.1, -0.01}};
-    double height[COUNT], thickness[COUNT], gap[COUNT], mass[COUNT];
-    struct domq_domino domino[COUNT];
-    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
-        for (size_t k = 0; k < COUNT; k++) {
-            double uneven = 1 + 0.05 * sin(3.0 * (double)k);
-            height[k] = pow(scene[i][0], (double)k);
-            thickness[k] = 0.15 * uneven * height[k];
-            gap[k] = 0.4 * height[k] / uneven;
-            mass[k] = pow(height[k], 2) * uneven;
-            domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0, 0};
-        }
-        struct direct_row of = {.n = COUNT,
-                                .height = height,
-                                .thickness = thickness,
-                                .gap = gap,
-                                .mass = mass,
-                                .mu = scene[i][2],
-                                .g = 1,
-                                .omega = 2,
-                                .slope = scene[i][3],
-                                .walls = scene[i][1]};
-        struct direct_result result;
-        struct compared c = {.worst = 0};
-        assert_null(direct_run(&of, c.hit, &result));
-        struct asked_row asked = {.domino = domino,
-                                  .count = COUNT,
-                                  .g = 1,
-                                  .push = 2,
-                                  .mu = scene[i][2],
-                                  .alpha = scene[i][3],
-                                  .walls = scene[i][1],
-                                  .tol = asked_default().tol,
-                                  .precision = DOM_DOUBLE};
-        struct domq_verdict verdict;
-        assert_status(ask_row_run(&asked, true, fall_seen, &c, &verdict), DOM_OK);
-        assert_int_equal(verdict.end == DOM_ROW_FALLS, result.all_fall);
-        assert_int_equal(verdict.domino, result.hit);
-        if (!(c.worst < 1e-9))
-            fail_msg("scene %zu: off by %g", i, c.worst);
-    }
-}
 
 /* Checks that a row of equal boxes takes longer by the factor of tau, with energies as without walls. */
 TEST(equal_boxes_take_longer)
