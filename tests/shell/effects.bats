@@ -243,8 +243,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     # The rigid-body engine has boxes of the same moment of inertia.
     local train='set r 1.3; set s 0.3; effect row 6; effect friction 0.1; effect walls 1 mm'
     [ -n "${SANITIZED-}" ] || close 'in the engine' "$(json "$train; verdict" | values seconds)" "$(json "$train; set method engine; verdict" | values seconds)" 2e-3
-    wrong "$row; effect walls 31 mm; verdict" 'walls of 3.1 cm leave no room in domino 1, which is 6 cm thick: they are 3 cm at most'
-    wrong 'effect walls 4 mm; duration' 'walls of 4 mm leave no room in the domino, which is 7 mm thick: they are 3.5 mm at most'
+    wrong "$row; effect walls 31 mm; verdict" 'walls of 3.1 cm do not fit into domino 1, which is 6 cm thick; walls of 3 cm make it solid'
+    wrong 'effect walls 4 mm; duration' 'walls of 4 mm do not fit into the domino, which is 7 mm thick; walls of 3.5 mm make it solid'
     wrong 'effect walls 0' 'THICKNESS = 0 is out of range'
     wrong 'effect walls -1 mm' 'is out of range'
     wrong 'effect walls 3 deg' 'enter it without a unit, or as a length'

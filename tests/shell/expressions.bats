@@ -333,9 +333,9 @@ END
     for line in 'r == 2' '2 < 1 or 3 < 2' 'not 2' '(1 > 2 and 1/0)' 'if(1 < 2, 0, 1)' '0 and 1/0'; do
         same "$line" 0 "$("$DOMINO" -n -e "$line")"
     done
-    wrong 'print 1 < 2 < 3' "comparisons joined by 'and'"
-    wrong 'print 1 m < 2' 'a length and a plain number are not compared'
-    wrong 'if(1 m, 1, 0)' 'a length is no condition'
+    wrong 'print 1 < 2 < 3' "join several by 'and'"
+    wrong 'print 1 m < 2' 'a length and a plain number cannot be compared'
+    wrong 'if(1 m, 1, 0)' 'a length is not a condition'
     wrong 'if(1, 2)' 'if takes a condition and two values'
     wrong 'let and = 1' "'and' is a word of the language"
 }

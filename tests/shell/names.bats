@@ -64,12 +64,12 @@ END
 7|print sqr(2)|^print:.*'sqr' has no value; did you mean 'sqrt'\?
 7|print baricr|^print:.*'baricr' has no value; did you mean 'barrier'\?
 7|print rmax.r_max_papr|^print:.*unknown key of rmax 'r_max_papr'; did you mean 'r_max_paper'\?
-1|b|^'b' may be barrier, back, best, budget$
-1|the|^'the' may be thetac, theta1$
-6|show t|^show: 't' may be tol, threads, timing$
-5|set t 1|^set: 't' may be tol, threads, timing$
-12|set timing o|^set: 'o' may be off, on
-7|print rmax.r_|^print:.*'r_' may be r_max, r_max_exact, r_max_paper
+1|b|^'b' is ambiguous: barrier, back, best, budget$
+1|the|^'the' is ambiguous: thetac, theta1$
+6|show t|^show: 't' is ambiguous: tol, threads, timing$
+5|set t 1|^set: 't' is ambiguous: tol, threads, timing$
+12|set timing o|^set: 'o' is ambiguous: off, on
+7|print rmax.r_|^print:.*'r_' is ambiguous: r_max, r_max_exact, r_max_paper
 END
 }
 

@@ -150,7 +150,7 @@ static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct qu
     char a[48], b[48];
     bool adds = t->op >= OPERATOR_PLUS;
     if (!make_alike(e, q, &by))
-        return evaluation_fail(e, adds ? "%s and %s do not add up" : "%s and %s are not compared",
+        return evaluation_fail(e, adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
                                expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
     if (adds)
         q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
@@ -167,7 +167,7 @@ static bool condition(struct evaluation *e, const struct tree *t, bool *is_true)
         return false;
     *is_true = q.value != 0;
     e->at = t->at;
-    return quantity_bare(q) || evaluation_fail(e, "%s is no condition, as 'r > 1.5' is one",
+    return quantity_bare(q) || evaluation_fail(e, "%s is not a condition, such as 'r > 1.5'",
                                                expression_kind(q, kind, sizeof kind));
 }
 

@@ -74,7 +74,7 @@ int names_find(names_list *list, const void *context, const char *what, const ch
     const char *close = names_closest(list, context, text);
     names_shown(text, shown);
     if (matches > 1)
-        snprintf(message, NAMES_MESSAGE, "'%s' may be %s", shown, all);
+        snprintf(message, NAMES_MESSAGE, "'%s' is ambiguous: %s", shown, all);
     else if (close)
         snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, shown, close);
     else

@@ -297,7 +297,7 @@ static struct tree *chain(struct parse *p, enum level least)
             break;
         if (before && before->level == LEVEL_COMPARE && op->level == LEVEL_COMPARE) {
             p->end = at;
-            return parse_fail(p, "two values are compared, and comparisons joined by 'and'");
+            return parse_fail(p, "a comparison has two values; join several by 'and', as in '1 < r and r < 2'");
         }
         p->end = skip_blanks(at + strlen(op->text));
         struct tree *right = chain(p, op->level + 1);

@@ -7,9 +7,10 @@ const struct domq_effect engine_effect_feet = {
     .synonyms = "foot slip slide slippery floor ground hinge engine chipmunk",
     .adds = "feet that slip on a floor with friction, instead of hinges",
     .help =
-        "Feet are no hinges: a foot slides where the floor would have to give more friction than MU, also "
-        "in the collision, and it may be lifted. Such a row is no train of one degree of freedom: a "
-        "rigid-body engine runs it, Chipmunk 7, which is loaded only then. 'fall' reports how far feet "
+        "Feet are not hinges: a foot slides when more friction than MU would be needed to hold it, also in "
+        "the "
+        "collision, and it may lift off. A train with one degree of freedom cannot do that, so a rigid-body "
+        "engine, Chipmunk 7, runs such a row; it is loaded only then. 'fall' reports how far feet "
         "slide. The step of the engine is halved until the verdict and the times no longer change. "
         "The answer depends on the start: a push of more than sqrt(2 g/h) lifts the first domino and throws "
         "it at the second. "
@@ -31,11 +32,12 @@ const struct domq_effect engine_effect_bounce = {
     .name = "bounce",
     .synonyms = "restitution elastic elasticity rebound engine chipmunk",
     .adds = "dominoes that bounce off each other",
-    .help = "The collision gives back the share E of the speed with which two dominoes meet: 0 is the "
-            "collision of the paper, after which they stay together, and 1 loses no energy. A rigid-body "
-            "engine runs such a row, Chipmunk 7, which is loaded only then. Dominoes that bounce hit each "
-            "other again and again, ever more softly, until they stay together: up to E = 0.2 the largest "
-            "growth changes by less than 0.2 %.",
+    .help =
+        "Two dominoes separate after the collision with a share E of the speed with which they met: 0 is the "
+        "collision of the paper, after which they stay together, and 1 loses no energy. A rigid-body "
+        "engine, Chipmunk 7, runs such a row; it is loaded only then. Dominoes that bounce hit each "
+        "other again and again, ever more softly, until they stay together: up to E = 0.2 the largest "
+        "growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
     .plan = "rigid-body engine, steps halved until nothing changes",
     .argument = {{.name = "E",

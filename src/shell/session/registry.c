@@ -16,47 +16,46 @@
 #endif
 
 static const char s_help[] =
-    "The gap is the free distance between a domino and the one before it. A length, as in 'set s 2 cm', is "
+    "The free distance between a domino and the one before it. A length, as in 'set s 2 cm', is "
     "divided by h.";
 static const char r_help[] =
     "A train is an endless row in which each domino is r times as large as the one before it, in its height, "
     "its thickness and its gap. 'rmax' finds the largest r with which a train keeps falling, and 'effect row "
     "N' makes a row that ends.";
 static const char d_help[] =
-    "The thickness is the measure of a domino along the row. A length, as in 'set d 7 mm', is divided by h.";
+    "The size of a domino along the row. A length, as in 'set d 7 mm', is divided by h.";
 static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
-    "block, and 4 times if it is hollow, like a box of boards that stay as thin.";
-
+    "block, and 4 times if it is hollow, like a box of boards that are equally thin in all sizes.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
     "than it promises. Rounding errors can be larger where an answer depends strongly on a parameter: 'set "
     "errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 in quad "
-    "precision. A new precision sets its own default, unless another tol was set. 'cost rmax' shows what a "
+    "precision. A new precision brings its own default, unless you have set tol. 'cost rmax' shows what a "
     "digit costs.";
-static const char precision_help[] = "The same equations in float, double or quad arithmetic. Parameters are "
-                                     "kept in the widest arithmetic and "
-                                     "rounded to this one: in quad, 7/48 has 34 digits. tol follows if it "
-                                     "still has its default; 'set digits 33' shows what quad "
-                                     "gives.";
+static const char precision_help[] =
+    "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
+    "digits, "
+    "and rounded to this precision when they are used: in quad, 7/48 has 34 digits. tol changes with the "
+    "precision as long as it has its default. 'set digits 33' shows all that quad gives.";
 static const char errors_help[] =
     "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors on the "
     "way from the parameters, what tol cuts off, and the digits that are not printed; 'digits' has no effect "
     "then. In csv and json the bound is a column or key of its own, KEY_error. The values of 'print' have no "
     "bounds.";
-
 static const char hints_help[] =
-    "While a line is typed, faint text after the cursor shows how it may go on: the last line of the history "
-    "that begins so, else the arguments that the command still takes. At the end of the line the right "
-    "arrow, "
-    "^E and End take an earlier line, and M-f its next word. There are no hints without colours.";
+    "While you type, faint text after the cursor shows how the line may continue: as the last line of the "
+    "history that begins in the same way, or with the arguments that the command still takes. At the end of "
+    "the line, the right arrow, ^E and End accept an earlier line, and M-f accepts its next word. There are "
+    "no "
+    "hints without colours.";
 static const char method_help[] =
-    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion: it uses no "
-    "equation of this program, and includes contacts that the model lacks, such as that of a fallen domino "
-    "with the "
-    "foot of the next. Its step is halved until the verdict no longer changes. It takes a thousand times as "
-    "long, for rows of up to 200 dominoes. With 'model' the engine runs only rows with effects that the "
-    "model lacks, 'effect feet' and 'effect bounce'. Endless trains are always those of the model.";
+    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion. It uses no equation "
+    "of this program, and includes contacts that the model lacks, such as a fallen domino that touches the "
+    "foot of the next one. Its step is halved until the verdict no longer changes. That takes a thousand "
+    "times "
+    "as long, for rows of up to 200 dominoes. With 'model' the engine runs only rows with effects that the "
+    "model lacks, 'effect feet' and 'effect bounce'. Endless trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {

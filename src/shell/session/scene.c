@@ -95,8 +95,7 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
     if (k > 0)
         snprintf(which, sizeof which, "domino %zu", k);
     return problem_no_answer(problem,
-                             "walls of %s leave no room in %s, which is %s thick: they are %s at most, which "
-                             "makes it solid",
+                             "walls of %s do not fit into %s, which is %s thick; walls of %s make it solid",
                              measured(scene->train.walls * scene->scale.h, "m", 4).text, which,
                              measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
 }
