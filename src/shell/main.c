@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* domino: an interactive calculator for domino trains that grow. */
 #include "commands/tables.h"
-#include "interpreter/line.h"
+#include "interpreter/interpret.h"
 #include "io/io.h"
 #include "prompt/input.h"
 #include <errno.h>

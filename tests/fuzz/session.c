@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session.h"
 #include "commands/tables.h"
-#include "interpreter/line.h"
+#include "interpreter/interpret.h"
 #include "io/escape.h"
 #include <ctype.h>
 #include <signal.h>

@@ -3,6 +3,7 @@
 #include "support.h"
 
 #include "commands/tables.h"
+#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "prompt/input.h"
 #include <stdio.h>

@@ -3,6 +3,7 @@
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
+#include "interpreter/interpret.h"
 #include "language/quad.h"
 #include "prompt/input.h"
 #include "session/session.h"

@@ -6,6 +6,7 @@
  * tutorial.h.
  */
 #include "commands/tables.h"
+#include "interpreter/interpret.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"

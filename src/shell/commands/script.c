@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands for scripts and records: source, echo, log and tee. */
 #include "commands/tables.h"
-#include "interpreter/line.h"
+#include "interpreter/interpret.h"
 #include "interpreter/question.h"
 #include "io/escape.h"
 #include "io/io.h"

@@ -86,9 +86,9 @@ const char *value_names(const void *context, int k)
         if (k-- == 0)
             return expression_names(NULL, n);
     int count = state ? (int)state->variables.count : 0;
-    return k == 0              ? "ans"
+    return k == 0                ? "ans"
            : state && k <= count ? state->variables.list[k - 1].name
-                               : topic_names(NULL, k - 1 - count);
+                                 : topic_names(NULL, k - 1 - count);
 }
 
 const char *command_keys(const void *command, int k)

@@ -154,9 +154,6 @@ bool command_allowed(const struct means *means, const struct command *command, s
 bool command_keep(const struct query *query, const struct command *command, struct cell *kept,
                   struct problem *problem);
 
-/* Runs the commands of a text of one or more lines. */
-void command_run_text(struct session *session, const char *text);
-
 /* Returns the unit in which an argument is measured, 1 for a plain number. */
 struct quantity argument_unit(const struct argument *argument);
 

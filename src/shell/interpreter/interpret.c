@@ -1,253 +1,95 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs lines: the commands in them, with their answers in the files after '>'. */
+#include "interpreter/interpret.h"
 #include "answer/format.h"
-#include "interpreter/question.h"
-#include "io/terminal.h"
-#include "picture/show.h"
-#include "session/engine.h"
-#include "session/parameters.h"
-#include "session/session.h"
+#include "interpreter/run.h"
 #include "session/undo.h"
-#include <limits.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
+/* ---- Commands ---- */
 
 /*
- * Reports to a person that the answer is not about the row: below the answer, or on standard error if a
- * picture takes the answer's file, whose format has no room for sentences.
+ * Returns true if a command without an answer writes an object to json, so that a program that waits for an
+ * answer gets one. The parts of a sweep are concatenated: only the first part writes such objects, and none
+ * for a part without points.
  */
-static void say_train(const struct session *session, struct answer *answer)
-{
-    const char *note =
-        scene_has_engine(&session->state.scene)
-            ? "(This is the endless train in the model, with feet on hinges and without bounce: "
-              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
-            : "(This is " TRAIN_NOTE ")";
-    if (!answer_for_people(answer))
-        return;
-    if (answer->path && ending_of(answer->path)->kind == ENDING_PICTURE)
-        fprintf(stderr, "%s\n", note);
-    else
-        answer_say(answer, "%s", note);
-}
-
-/* Runs a command whose arguments have been read. */
-static bool run_call(struct session *session, const struct command *c, const struct query *query,
-                     struct problem *problem)
-{
-    struct cell kept[ANSWER_CELLS];
-    if (c->principal) /* without a principal column the cells are not kept */
-        memset(kept, 0, sizeof kept);
-    struct output *output = session->output, *end = output_end(output);
-    struct answer answer = {
-        .out = output->out,
-        .path = output->path,
-        .appended = output->append,
-        .style = state_style(query->state),
-        .command = c->name,
-        .note = c->train && session->state.scene.effect[DOM_EFFECT_row].on ? TRAIN_NOTE : NULL,
-        .head = end->head,
-        .columns = c->columns,
-        .rows = c->rows,
-        .blank_above = end->answered && session->source,
-        .kept = c->principal ? kept : NULL,
-    };
-    if (output->format)
-        answer.style.format = output->format;
-    problem->place = 0;
-    double begun = session->state.settings.timing ? terminal_clock() : 0;
-    progress_begin();
-    bool draws = answer.path && c->picture && ending_of(answer.path)->kind == ENDING_PICTURE;
-    bool shown = c->draws && !c->files && answer.style.format->for_people && !answer.path;
-    bool done = shown && !picture_fits(&answer, c->name, problem) ? false
-                : c->act ? c->act(session, query->given, &answer, problem)
-                : draws  ? c->picture(query, &answer, problem)
-                         : c->run(query, &answer, problem);
-    progress_end();
-    session->fresh = session->fresh && done && !c->columns;
-    if (done && answer.note)
-        say_train(session, &answer);
-    const char *unsaid = done ? answer_end(&answer) : NULL;
-    if (unsaid)
-        session_note(session, "%s", unsaid);
-    session->wrote = answer.has_rows;
-    end->answered = end->answered || (done && c->columns) || answer.told;
-    end->error = answer.error ? answer.error : end->error;
-    if (done && answer.is_value) {
-        session->ans.printed = true;
-        session->ans.value = answer.value;
-    } else if (done && c->principal) {
-        session->ans.printed = false;
-        session->ans.command = c;
-        memcpy(session->ans.cells, kept, sizeof kept);
-    }
-    if (done && session->state.settings.timing && c->columns) {
-        /* Programs that read csv or json find it where it does not disturb. */
-        bool people = answer.style.format->for_people && !answer.path;
-        fprintf(people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
-    }
-    return done;
-}
-
-/* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
-static bool run_paged(struct session *session, const struct command *c, const struct query *query,
-                      struct problem *problem)
-{
-    if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
-        return run_call(session, c, query, problem);
-    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    int error = output_end(session->output)->error;
-    bool paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
-    bool done = run_call(session, c, query, problem);
-    const char *left = paged ? output_pop(&session->output, true) : NULL;
-    if (left) { /* the answer was not lost: it was read as far as the reader wanted */
-        output_end(session->output)->error = error;
-        if (dom_raised(interrupt))
-            problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
-    }
-    return done;
-}
-
-/* Reports an error where the ending of a file does not fit what the command writes. */
-static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
-{
-    char shown[NAMES_SHOWN];
-    const struct ending *ending = ending_of(path);
-    bool draws = c->draws || c->picture;
-    switch (ending->kind) {
-    case ENDING_PICTURE:
-        return draws ||
-               problem_error(problem,
-                             "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
-                             names_shown(path, shown), c->name);
-    case ENDING_DATA:
-        return c->columns || c->runs || c->pages ||
-               problem_error(problem,
-                             "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
-                             "writes what it says",
-                             names_shown(path, shown), c->name, c->name);
-    case ENDING_OTHER:
-        return problem_error(problem, "no format has the ending of '%s'; use %s", names_shown(path, shown),
-                             c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
-                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
-                             : c->columns || c->runs ? ".csv, .json or .txt"
-                                                     : ".txt");
-    case ENDING_NONE:
-    case ENDING_TEXT:
-        break;
-    }
-    return true;
-}
-
-/* Runs a command whose answer goes to the file after '>' or '>>', in the format of the file's ending. */
-static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
-                           const struct query *query)
-{
-    struct problem *problem = r->problem;
-    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    bool append = r->at[1] == '>';
-    r->at = skip_blanks(r->at + (append ? 2 : 1));
-    reader_place(r, r->at);
-    char *path = read_file(r), shown[NAMES_SHOWN];
-    r->at = skip_blanks(r->at);
-    const char *wrong = NULL;
-    bool done = false;
-    if (!path)
-        problem_error(problem, "%s", unclosed);
-    else if (!*path)
-        problem_error(problem, "the file after '>' is missing; for example 'show > FILE'");
-    else if (!command_ends(r->at))
-        problem_error(problem,
-                      "only one word can follow '>'; put a file name with blanks between double quotes");
-    else if (session->means.safe)
-        problem_error(problem, "a safe session cannot read or write files");
-    else if (!ending_fits(c, path, problem))
-        done = false; /* which was reported */
-    else if ((wrong = file_push(&session->output, path, append, interrupt)) != NULL)
-        problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
-    else {
-        const struct ending *ending = ending_of(path);
-        session->output->format = ending->kind == ENDING_PICTURE
-                                      ? &format_table /* for people, also with 'set output csv' */
-                                      : ending->format;
-        session->output->is_head = session_answers(session)->is_head;
-        done = run_call(session, c, query, problem);
-        wrong = output_pop(&session->output, done);
-        if (done && wrong)
-            done = problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
-    }
-    return done;
-}
-
-/*
- * Returns true if a program is to get an object of a command that gave no answer.  Parts of a sweep
- * concatenate to the whole: there the first one writes such objects, and none for a part without points.
- */
-static bool is_silent(const struct session *session, const struct command *c, bool file)
+static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
-    bool due = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    bool sourced = c->runs && c->argument[0].kind == ARGUMENT_FILE; /* which writes its answers before */
-    return due && (file || sourced || !session->wrote);
+    bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
+    bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE; /* Its answers are complete. */
+    return is_first && (is_redirected || is_source || !session->wrote);
 }
 
-/* Binds the arguments of a command and runs it. */
-static bool run_question(struct session *session, struct reader *r, const struct question *q,
-                         bool is_redirected)
+/* Parses and runs the command at the reader, which moves to where parsing has ended. */
+static void run_command_at(struct session *session, struct reader *line)
 {
-    struct call call;
-    struct query query = *r->query;
-    query.next = &session->state;
-    bool done = question_bind(q, &query, &call, r->problem);
-    if (done)
-        done = is_redirected ? run_redirected(session, r, q->command, &call.query)
-                             : run_paged(session, q->command, &call.query, r->problem);
-    call_free(&call);
-    return done;
-}
-
-/* Runs the command at the reader, which moves on behind it. */
-static void run_command(struct session *session, struct reader *line)
-{
-    struct reader reader = *line, *r = &reader;
-    const char *begin = r->at;
-    fflush(output_base(session->output)->out); /* no answer waits for the next one */
+    struct reader r = *line;
     struct problem problem;
-    problem_begin(&problem, NULL);
-    const struct query query = session_query(session);
-    r->query = &query;
-    r->problem = &problem;
     struct question q;
-    if (command_parse(r, &q)) {
-        /* A program that waits for an answer gets one also where there is none to give. */
+    const struct query query = session_query(session);
+    fflush(output_base(session->output)->out); /* No answer waits until the next one is computed. */
+    problem_begin(&problem, NULL);
+    r.query = &query;
+    r.problem = &problem;
+    if (command_parse(&r, &q)) {
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
+        bool is_step = c->changes && session->depth == 0; /* A file that is sourced is one step of 'undo'. */
+        bool is_redirected = *r.at == '>';
+        struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
-        /* A file that is sourced is one change. */
-        bool changes = c->changes && session->depth == 0;
-        struct state *before = changes ? undo_begin(&session->state) : NULL;
-        bool file = *r->at == '>';
-        bool done = run_question(session, r, &q, file);
-        bool same = session_answers(session) == format; /* 'set output' itself answers nothing */
-        if (done && same && format->done && is_silent(session, c, file))
+        bool done = run_question(session, &r, &q);
+        bool is_same = session_answers(session) == format; /* 'set output' changes it, and writes nothing. */
+        if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
-        if (changes)
-            undo_keep(&session->undo, &session->state, before, begin, (size_t)(text_end(begin, ";") - begin));
+        if (is_step)
+            undo_keep(&session->undo, &session->state, before, line->at,
+                      (size_t)(text_end(line->at, ";") - line->at));
     }
     if (problem.kind != PROBLEM_NONE)
         session_problem(session, &problem);
     session->command = NULL;
-    line->at = r->at;
+    line->at = r.at;
 }
 
-/* Writes what waits for log and tee, so that a crash loses nothing of them. */
-static void records_write(struct session *session)
+/* ---- Lines ---- */
+
+/* Logs commands unless they are in a file that is sourced, which is logged itself. Returns false if there is
+ * no log. */
+static bool log_typed(struct session *session, const char *commands, size_t length, bool at_once)
 {
-    const char *wrong = records_flush(&session->output);
-    if (wrong)
-        session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
+    bool is_logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
+    if (is_logged)
+        log_commands(&session->output, commands, length, at_once);
+    return is_logged;
+}
+
+/* Runs the commands of a text. A log that begins in this line gets the commands that follow. */
+static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
+{
+    struct arena arena = {.block = NULL};
+    struct reader r = {.text = text, .at = text->line, .arena = &arena};
+    /* Of several commands one may fail after others have run, so that the line is logged at once. */
+    bool is_logged = log_typed(session, line, length, *text_end(text->line, ";") == ';');
+    for (;;) {
+        long errors = session->errors;
+        const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
+        if (begin < end) {
+            r.at = begin;
+            run_command_at(session, &r);
+            arena_free(&arena);
+            /* The parser decides where a command ends: 'complete LINE' takes the rest of the line, and a '"'
+             * within a word is a letter. */
+            end = r.at > end || command_ends(r.at) ? r.at : end;
+        }
+        if (*end != ';' || session_stops(session, errors))
+            return;
+        r.at = end + 1;
+        const char *next = text_typed(text, skip_blanks(r.at));
+        is_logged = is_logged || log_typed(session, next, length - (size_t)(next - line), true);
+    }
 }
 
 static void run_line(struct session *session, const char *line, size_t length)
@@ -262,41 +104,20 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    struct arena arena = {.block = NULL};
-    struct reader r = {.text = &text, .at = text.line, .arena = &arena};
-    /* What a file commands is in that file. */
-    bool logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
-    if (logged) /* where there are several commands, one may fail after others have run */
-        log_commands(&session->output, line, length, *text_end(text.line, ";") == ';');
     session->typed = line;
-    session->typed_length = (int)(length < INT_MAX ? length : INT_MAX);
+    session->typed_length = (int)length;
     session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
-    for (;;) {
-        long errors = session->errors;
-        const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
-        if (begin < end) {
-            r.at = begin;
-            run_command(session, &r);
-            arena_free(&arena);
-            /* Where reading came to the end of the command, that is it: 'complete LINE' takes the rest, and
-             * in the middle of a word a '"' is a letter. */
-            end = r.at > end || command_ends(r.at) ? r.at : end;
-        }
-        if (*end != ';' || session_stops(session, errors))
-            break;
-        r.at = end + 1;
-        if (!logged && output_find(&session->output, OUTPUT_LOG) && session->depth == 0) { /* begun here */
-            const char *rest = text_typed(&text, skip_blanks(r.at));
-            log_commands(&session->output, rest, length - (size_t)(rest - line), true);
-            logged = true;
-        }
-    }
-    records_write(session);
+    run_commands(session, &text, line, length);
+    /* Log and tee are written after each line, so that a crash loses nothing. */
+    const char *wrong = records_flush(&session->output);
+    if (wrong)
+        session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
     session->typed = NULL;
     text_free(&text);
 }
 
-/* Forgets a SIGINT that came before these commands, or has ended them, where it does not end the script. */
+/* If SIGINT ends only a command, and not the script, forgets a SIGINT that came before or during these
+ * commands. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->depth == 0 && *session->resumes == SIGINT)
@@ -315,4 +136,89 @@ void command_run_text(struct session *session, const char *text)
         session->line += more;
     }
     resume(session);
+}
+
+/* ---- Streams ---- */
+
+/*
+ * Appends the lines of a stream that continue this one, and counts them, until the text is too long or the
+ * stream ends. Returns false if a line has a NUL byte, or if there is no memory.
+ */
+static bool line_join(char **text, size_t *room, FILE *in, long *more)
+{
+    char *next = NULL;
+    size_t size = 0, used = strlen(*text);
+    ssize_t length = 0;
+    bool goes_on = true, good = true;
+    while (goes_on && good && used <= TEXT_MOST && (length = text_read(&next, &size, in)) != -1) {
+        ++*more;
+        good = strlen(next) == (size_t)length;
+        goes_on = good && text_continues(next);
+        size_t n = strlen(next);
+        if (good && used + n >= *room) {
+            char *larger = realloc(*text, used + n + 1);
+            good = larger != NULL;
+            *text = good ? larger : *text;
+            *room = good ? used + n + 1 : *room;
+        }
+        if (good)
+            memcpy(*text + used, next, n + 1);
+        used += n;
+    }
+    free(next);
+    return good;
+}
+
+void line_stream(struct session *session, FILE *in, const char *name)
+{
+    char *text = NULL;
+    size_t size = 0;
+    ssize_t length;
+    struct session outer = *session;
+    session->source = name;
+    session->script = in;
+    session->line = 0;
+    session->prompt_width = 0;
+    session->command = NULL;
+    errno = 0;
+    while (!session->quit && (length = text_read(&text, &size, in)) != -1) {
+        long errors = session->errors, more = 0;
+        session->line++;
+        bool is_text = strlen(text) == (size_t)length;
+        if (is_text && text_continues(text))
+            is_text = line_join(&text, &size, in, &more);
+        if (is_text)
+            command_run_text(session, text);
+        else
+            session_error(session, "the line has a NUL byte; commands are text");
+        session->line += more;
+        if (session_stops(session, errors) || (!is_text && length > TEXT_MOST))
+            break;
+        errno = 0;
+    }
+    int reason = ferror(in) || errno == ENOMEM ? errno : 0;
+    if (reason && reason != ECANCELED)
+        session_error(session, "cannot read the next line: %s", strerror(reason));
+    free(text);
+    session->source = outer.source;
+    session->script = outer.script;
+    session->line = outer.line;
+    session->prompt_width = outer.prompt_width;
+    session->command = outer.command;
+    if (reason == ECANCELED && session->command) { /* a problem of 'source', and of none of its lines */
+        struct problem problem = {.command = session->command};
+        problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
+        session_problem(session, &problem);
+    }
+}
+
+bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
+{
+    const char *base = getenv(variable), *home = getenv("HOME");
+    int length = -1;
+    if (base && *base == '/')
+        length = snprintf(path, size, "%s/domino/%s", base, name);
+    else if (home && *home)
+        length = snprintf(path, size, "%s/%s/domino/%s", home, fallback, name);
+    return length > 0 && (size_t)length < size;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/line.h"
+#include "interpreter/interpret.h"
 #include "io/io.h"
 #include "io/output.h"
 #include "language/text.h"

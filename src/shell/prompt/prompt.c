@@ -4,6 +4,7 @@
  * blocked except while it waits and while a command runs, so that none is missed.
  */
 #include "interpreter/command.h"
+#include "interpreter/interpret.h"
 #include "io/terminal.h"
 #include "language/text.h"
 #include "prompt/input.h"

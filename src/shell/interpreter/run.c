@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/run.h"
+#include "answer/format.h"
+#include "io/terminal.h"
+#include "picture/show.h"
+#include "session/engine.h"
+#include <string.h>
+
+#define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
+
+/* Tells a person that the answer is not about the row: below the answer, or on standard error if a picture
+ * takes the file. */
+static void train_note(const struct session *session, struct answer *answer)
+{
+    const char *note =
+        scene_has_engine(&session->state.scene)
+            ? "(This is the endless train in the model, with feet on hinges and without bounce: "
+              "'fall' and 'rowmax' run the row in the rigid-body engine.)"
+            : "(This is " TRAIN_NOTE ")";
+    if (!answer_for_people(answer))
+        return;
+    if (answer->path && ending_of(answer->path)->kind == ENDING_PICTURE)
+        fprintf(stderr, "%s\n", note);
+    else
+        answer_say(answer, "%s", note);
+}
+
+/* Runs the command itself, or the function that draws its answer. */
+static bool run_function(struct session *session, const struct command *c, const struct query *query,
+                         struct answer *answer, struct problem *problem)
+{
+    bool is_on_screen = c->draws && !c->files && answer->style.format->for_people && !answer->path;
+    if (is_on_screen && !picture_fits(answer, c->name, problem))
+        return false;
+    if (c->act)
+        return c->act(session, query->given, answer, problem);
+    if (answer->path && c->picture && ending_of(answer->path)->kind == ENDING_PICTURE)
+        return c->picture(query, answer, problem);
+    return c->run(query, answer, problem);
+}
+
+/* Runs a command and writes its answer to the top of the stack of outputs. */
+static bool run_command(struct session *session, const struct command *c, const struct query *query,
+                        struct problem *problem)
+{
+    struct cell kept[ANSWER_CELLS] = {{0}};
+    struct output *output = session->output, *end = output_end(output);
+    bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
+    struct answer answer = {
+        .out = output->out,
+        .path = output->path,
+        .appended = output->append,
+        .style = state_style(query->state),
+        .command = c->name,
+        .note = is_not_row ? TRAIN_NOTE : NULL,
+        .head = end->head,
+        .columns = c->columns,
+        .rows = c->rows,
+        .blank_above = end->answered && session->source,
+        .kept = c->principal ? kept : NULL,
+    };
+    if (output->format)
+        answer.style.format = output->format;
+    problem->place = 0;
+    double begun = session->state.settings.timing ? terminal_clock() : 0;
+    progress_begin();
+    bool done = run_function(session, c, query, &answer, problem);
+    progress_end();
+    session->fresh = session->fresh && done && !c->columns;
+    if (done && answer.note)
+        train_note(session, &answer);
+    const char *unsaid = done ? answer_end(&answer) : NULL;
+    if (unsaid)
+        session_note(session, "%s", unsaid);
+    session->wrote = answer.has_rows;
+    end->answered = end->answered || (done && c->columns) || answer.told;
+    end->error = answer.error ? answer.error : end->error;
+    if (done && (answer.is_value || c->principal))
+        session->ans.printed = answer.is_value;
+    if (done && answer.is_value)
+        session->ans.value = answer.value;
+    else if (done && c->principal) {
+        session->ans.command = c;
+        memcpy(session->ans.cells, kept, sizeof kept);
+    }
+    if (done && session->state.settings.timing && c->columns) {
+        /* Programs read csv and json, which the time must not disturb. */
+        bool is_for_people = answer.style.format->for_people && !answer.path;
+        fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
+    }
+    return done;
+}
+
+/* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
+static bool run_paged(struct session *session, const struct command *c, const struct query *query,
+                      struct problem *problem)
+{
+    if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
+        return run_command(session, c, query, problem);
+    const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
+    int error = output_end(session->output)->error;
+    bool is_paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
+    bool done = run_command(session, c, query, problem);
+    if (is_paged && output_pop(&session->output, true)) {
+        /* The reader has left the pager before its end, so that nothing that was wanted is lost. */
+        output_end(session->output)->error = error;
+        if (dom_raised(interrupt))
+            problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
+    }
+    return done;
+}
+
+/* ---- Files ---- */
+
+/* Returns true if a file with this ending can hold what the command writes. */
+static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
+{
+    char shown[NAMES_SHOWN];
+    names_shown(path, shown);
+    switch (ending_of(path)->kind) {
+    case ENDING_PICTURE:
+        return c->draws || c->picture ||
+               problem_error(problem,
+                             "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
+                             shown, c->name);
+    case ENDING_DATA:
+        return c->columns || c->runs || c->pages ||
+               problem_error(problem,
+                             "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
+                             "writes what it says",
+                             shown, c->name, c->name);
+    case ENDING_OTHER:
+        return problem_error(problem, "no format has the ending of '%s'; use %s", shown,
+                             c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
+                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
+                             : c->columns || c->runs ? ".csv, .json or .txt"
+                                                     : ".txt");
+    case ENDING_NONE:
+    case ENDING_TEXT:
+        break;
+    }
+    return true;
+}
+
+/* Runs a command whose answer goes to a file, in the format of the file's ending. */
+static bool run_into(struct session *session, const struct command *c, const struct query *query,
+                     const char *path, bool appends, struct problem *problem)
+{
+    char shown[NAMES_SHOWN];
+    const struct ending *ending = ending_of(path);
+    const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
+    bool done = !wrong;
+    if (done) {
+        /* A picture is drawn as for people, also after 'set output csv'. */
+        session->output->format = ending->kind == ENDING_PICTURE ? &format_table : ending->format;
+        session->output->is_head = session_answers(session)->is_head;
+        done = run_command(session, c, query, problem);
+        wrong = output_pop(&session->output, done);
+        if (!done)
+            return false;
+    }
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
+}
+
+/* Runs a command with '>' or '>>' and the path of a file after it. */
+static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
+                           const struct query *query)
+{
+    struct problem *problem = r->problem;
+    bool appends = r->at[1] == '>';
+    r->at = skip_blanks(r->at + (appends ? 2 : 1));
+    reader_place(r, r->at);
+    const char *path = read_file(r);
+    r->at = skip_blanks(r->at);
+    if (!path)
+        return problem_error(problem, "%s", unclosed);
+    if (!*path)
+        return problem_error(problem, "the file after '>' is missing; for example 'show > FILE'");
+    if (!command_ends(r->at))
+        return problem_error(
+            problem, "only one word can follow '>'; put a file name with blanks between double quotes");
+    if (session->means.safe)
+        return problem_error(problem, "a safe session cannot read or write files");
+    return ending_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
+}
+
+bool run_question(struct session *session, struct reader *r, const struct question *q)
+{
+    struct call call;
+    struct query query = *r->query;
+    query.next = &session->state;
+    bool done = question_bind(q, &query, &call, r->problem);
+    if (done)
+        done = *r->at == '>' ? run_redirected(session, r, q->command, &call.query)
+                             : run_paged(session, q->command, &call.query, r->problem);
+    call_free(&call);
+    return done;
+}
