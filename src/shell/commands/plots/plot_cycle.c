@@ -11,6 +11,9 @@ enum { STEPS = 160 };
 /* A train that stops is shown up to this many times the tilt at which it stops: its barrier is there. */
 #define BEYOND_STOP 4
 
+enum { LINES = PLOT_CURVES };
+#define LINES_APART ((domq_real)2 / 100) /* a line that begins this share of theta_f from it is left out */
+
 struct cycle {
     const struct query *query;
     struct domq_event event[DOM_EVENTS_MAX];
@@ -19,14 +22,11 @@ struct cycle {
     domq_real end; /* the largest tilt of the picture */
 };
 
-/* The cycle at one tilt. */
-struct sample {
-    domq_real theta, dH, J, omegasq; /* omegasq is NaN beyond a stop */
-    const char *event;               /* the event at this tilt, or NULL */
+/* The tilts of the first dominoes at one tilt of the head. */
+struct tilts {
+    domq_real theta[LINES];
+    int count;
 };
-
-/* Writes the rows of a sample. */
-typedef enum dom_status sample_rows(struct cycle *cycle, const struct sample *sample, struct answer *a);
 
 static double angle_shown(const struct cycle *c, domq_real theta)
 {
@@ -50,125 +50,6 @@ static bool cycle_find(struct cycle *c, struct problem *problem)
     return status == DOM_OK || status == DOM_STOPS || problem_status(problem, scene, status);
 }
 
-static enum dom_status sample_find(const struct cycle *c, const struct domq_event *event, domq_real theta,
-                                   struct sample *k)
-{
-    const struct scene *scene = c->query->scene;
-    struct domq_energy energy;
-    struct domq_value omegasq = {.value = DOMQ_NAN};
-    enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
-    if (event && event->kind == DOM_EVENT_STOP)
-        omegasq.value = 0;
-    else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
-        status = domq_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
-    *k = (struct sample){theta, energy.dH, energy.J, omegasq.value,
-                         event ? dom_event_text(event->kind) : NULL};
-    return status == DOM_STOPS ? DOM_OK : status;
-}
-
-/* Writes the rows of all samples: at tilts equally far apart, and at the events between them. */
-static enum dom_status samples_write(struct cycle *c, struct answer *a, sample_rows *write)
-{
-    enum dom_status status = DOM_OK;
-    int event = 0;
-    for (int k = 0; k <= STEPS && status == DOM_OK && !answer_lost(a);) {
-        struct sample sample;
-        domq_real theta = k == STEPS ? c->end : c->end * k / STEPS;
-        const struct domq_event *at =
-            event < c->events && c->event[event].theta <= theta ? &c->event[event++] : NULL;
-        k += !at || at->theta == theta;
-        status = sample_find(c, at, at ? at->theta : theta, &sample);
-        if (status == DOM_OK)
-            status = write(c, &sample, a);
-        progress_show((k + 1.0) / (STEPS + 2));
-    }
-    return status;
-}
-
-/* Answers with the rows; the chart gets the train, and a line and a name for each event. */
-static bool cycle_plot(struct cycle *c, struct answer *a, struct chart *chart, struct problem *problem,
-                       sample_rows *write)
-{
-    const struct domq_train *t = &c->query->scene->train;
-    if (!cycle_find(c, problem))
-        return false;
-    enum dom_status status = samples_write(c, a, write);
-    if (status != DOM_OK)
-        return problem_status(problem, c->query->scene, status);
-    if (!chart)
-        return true;
-    size_t at = strlen(chart->title);
-    snprintf(chart->title + at, sizeof chart->title - at, ": s = %.4g, r = %.4g, d = %.4g, q = %.4g",
-             (double)t->s, (double)t->r, (double)t->d, (double)t->q);
-    chart->x.low = 0;
-    chart->x.high = angle_shown(c, c->end);
-    for (int k = 0; k < c->events; k++)
-        chart_event(chart, angle_shown(c, c->event[k].theta), dom_event_text(c->event[k].kind));
-    return true;
-}
-
-/* ---- Energy, inertia, angular velocity ---- */
-
-static enum dom_status energy_row(struct cycle *c, const struct sample *k, struct answer *a)
-{
-    (void)c;
-    answer_cells(a, cell_real(k->theta), cell_real(k->dH), cell_real(k->J * k->omegasq), cell_real(k->J),
-                 cell_word(k->event));
-    return DOM_OK;
-}
-
-bool plot_energy(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
-{
-    struct cycle c = {.query = query};
-    bool done = cycle_plot(&c, a, chart, problem, energy_row);
-    if (done && chart)
-        chart_level(chart, 0, "");
-    return done;
-}
-
-static enum dom_status inertia_row(struct cycle *c, const struct sample *k, struct answer *a)
-{
-    (void)c;
-    answer_cells(a, cell_real(k->theta), cell_real(k->J), cell_word(k->event));
-    return DOM_OK;
-}
-
-bool plot_inertia(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
-{
-    return cycle_plot(&(struct cycle){.query = query}, a, chart, problem, inertia_row);
-}
-
-static enum dom_status omega_row(struct cycle *c, const struct sample *k, struct answer *a)
-{
-    const struct scene *scene = c->query->scene;
-    domq_real omega = quad(sqrt)(k->omegasq) / domq_scale_tau(&scene->scale, &scene->train);
-    answer_cells(a, cell_real(k->theta), cell_real(k->omegasq), cell_real(omega), cell_word(k->event));
-    return DOM_OK;
-}
-
-bool plot_omega(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
-{
-    struct cycle c = {.query = query};
-    if (chart) {
-        chart->y.low = 0;
-        snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
-                 "the head, %.4g mm tall; the next is sqrt(r) times slower",
-                 (double)(1000 * query->scene->scale.h));
-    }
-    return cycle_plot(&c, a, chart, problem, omega_row);
-}
-
-/* ---- Tilts ---- */
-
-enum { LINES = PLOT_CURVES };
-#define LINES_APART ((domq_real)2 / 100) /* a line that begins this share of theta_f from it is left out */
-
-/* The tilts of the first dominoes at one tilt of the head. */
-struct tilts {
-    domq_real theta[LINES];
-    int count;
-};
-
 static bool tilts_link(const struct domq_link *link, void *context)
 {
     struct tilts *t = context;
@@ -187,25 +68,135 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-static enum dom_status chain_rows(struct cycle *c, const struct sample *k, struct answer *a)
+/* Counts the dominoes of 'plot chain': those whose tilts can be told from theta_f at the launch. */
+static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
-    struct tilts start, now;
+    struct tilts start;
     domq_real theta_f = c->angles.theta_f;
     enum dom_status status = tilts_find(c, 0, &start);
+    *lines = 1;
+    while (*lines < LINES && theta_f - start.theta[*lines] > LINES_APART * theta_f)
+        ++*lines;
+    return status;
+}
+
+/* Writes a row with those of these cells that the plot has columns for. */
+struct keyed {
+    const char *key;
+    struct cell cell;
+};
+static void keyed_write(struct answer *a, const struct keyed *cells, int count)
+{
+    struct cell row[ANSWER_COLUMNS] = {{0}};
+    for (int n = 0; a->columns[n].key; n++)
+        for (int i = 0; i < count; i++)
+            if (strcmp(a->columns[n].key, cells[i].key) == 0)
+                row[n] = cells[i].cell;
+    answer_row(a, row, NULL);
+}
+
+/* Writes the rows at one tilt, at which there may be an event: as many as there are lines. */
+static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
+                                    int lines, struct answer *a)
+{
+    const struct scene *scene = c->query->scene;
+    struct tilts tilts;
+    struct domq_energy energy;
+    struct domq_value omegasq = {.value = DOMQ_NAN};
+    enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
     if (status == DOM_OK)
-        status = tilts_find(c, k->theta, &now);
-    for (int i = 0; i < LINES && status == DOM_OK; i++) {
-        if (i > 0 && theta_f - start.theta[i] <= LINES_APART * theta_f)
-            break;
-        answer_cells(a, cell_count(i), cell_real(k->theta), cell_real(now.theta[i]), cell_word(k->event));
+        status = tilts_find(c, theta, &tilts);
+    if (event && event->kind == DOM_EVENT_STOP)
+        omegasq.value = 0;
+    else if (status == DOM_OK && theta <= c->event[c->events - 1].theta)
+        status = domq_cycle_omegasq(&scene->train, &scene->compute, theta, &omegasq);
+    status = status == DOM_STOPS ? DOM_OK : status;
+    domq_real omega = quad(sqrt)(omegasq.value) / domq_scale_tau(&scene->scale, &scene->train);
+    for (int i = 0; i < lines && status == DOM_OK; i++) {
+        const struct keyed cells[] = {{"theta", cell_real(theta)},
+                                      {"i", cell_count(i)},
+                                      {"theta_i", cell_real(tilts.theta[i])},
+                                      {"dH", cell_real(energy.dH)},
+                                      {"J", cell_real(energy.J)},
+                                      {"kinetic", cell_real(energy.J * omegasq.value)},
+                                      {"omegasq", cell_real(omegasq.value)},
+                                      {"omega", cell_real(omega)},
+                                      {"event", cell_word(event ? dom_event_text(event->kind) : NULL)}};
+        keyed_write(a, cells, sizeof cells / sizeof *cells);
     }
     return status;
+}
+
+/* Writes the rows at tilts equally far apart, and at the events between them. */
+static enum dom_status samples_write(const struct cycle *c, int lines, struct answer *a)
+{
+    enum dom_status status = DOM_OK;
+    int event = 0;
+    for (int k = 0; k <= STEPS && status == DOM_OK && !answer_lost(a);) {
+        domq_real theta = k == STEPS ? c->end : c->end * k / STEPS;
+        const struct domq_event *at =
+            event < c->events && c->event[event].theta <= theta ? &c->event[event++] : NULL;
+        k += !at || at->theta == theta;
+        status = sample_write(c, at, at ? at->theta : theta, lines, a);
+        progress_show((k + 1.0) / (STEPS + 2));
+    }
+    return status;
+}
+
+/* Answers with the rows. The chart gets the train in its title, and a line with a name for each event. */
+static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
+                       struct problem *problem)
+{
+    const struct domq_train *t = &c->query->scene->train;
+    int lines = 1;
+    if (!cycle_find(c, problem))
+        return false;
+    enum dom_status status = chain ? lines_count(c, &lines) : DOM_OK;
+    if (status == DOM_OK)
+        status = samples_write(c, lines, a);
+    if (status != DOM_OK)
+        return problem_status(problem, c->query->scene, status);
+    if (!chart)
+        return true;
+    size_t at = strlen(chart->title);
+    snprintf(chart->title + at, sizeof chart->title - at, ": s = %.4g, r = %.4g, d = %.4g, q = %.4g",
+             (double)t->s, (double)t->r, (double)t->d, (double)t->q);
+    chart->x.low = 0;
+    chart->x.high = angle_shown(c, c->end);
+    for (int k = 0; k < c->events; k++)
+        chart_event(chart, angle_shown(c, c->event[k].theta), dom_event_text(c->event[k].kind));
+    return true;
+}
+
+bool plot_energy(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    if (chart)
+        chart_level(chart, 0, "");
+    return cycle_plot(&c, false, a, chart, problem);
+}
+
+bool plot_inertia(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+{
+    return cycle_plot(&(struct cycle){.query = query}, false, a, chart, problem);
+}
+
+bool plot_omega(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+{
+    struct cycle c = {.query = query};
+    if (chart) {
+        chart->y.low = 0;
+        snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
+                 "the head, %.4g mm tall; the next is sqrt(r) times slower",
+                 (double)(1000 * query->scene->scale.h));
+    }
+    return cycle_plot(&c, false, a, chart, problem);
 }
 
 bool plot_chain(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
     struct cycle c = {.query = query};
-    bool done = cycle_plot(&c, a, chart, problem, chain_rows);
+    bool done = cycle_plot(&c, true, a, chart, problem);
     if (done && chart) {
         double theta_f = angle_shown(&c, c.angles.theta_f);
         chart->y.low = 0;
