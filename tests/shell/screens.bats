@@ -115,3 +115,13 @@ END
     same 'not into a file' "$("$DOMINO" -e 'plot growth')" \
         "$(TERM=xterm-kitty on_terminal 80 24 '' "plot growth > $BATS_TEST_TMPDIR/a.txt" && cat "$BATS_TEST_TMPDIR/a.txt")"
 }
+
+@test "letters of a chart on a terminal are smaller where the window has less room" {
+    mkdir "$BATS_TEST_TMPDIR/bin"
+    printf '#!/bin/sh\nsed -n "s/.*fontscale //p"\n' >"$BATS_TEST_TMPDIR/bin/gnuplot"
+    chmod +x "$BATS_TEST_TMPDIR/bin/gnuplot"
+    scale() { DOMINO_GRAPHICS=sixel programs=$BATS_TEST_TMPDIR/bin:$PATH on_terminal "$1" "$2" '' 'plot growth' | head -n 1; }
+    same 'large' 1 "$(scale 100 40)"
+    same 'narrow' 0.484 "$(scale 32 40)"
+    same 'low' 0.5 "$(scale 100 14)"
+}

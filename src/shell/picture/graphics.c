@@ -3,6 +3,7 @@
 #include "io/terminal.h"
 #include "picture/stage.h"
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
@@ -108,13 +109,11 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    bool kitty = graphics_of(stream) == GRAPHICS_KITTY;
-    snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %g",
-             kitty ? "pngcairo" : "sixelgd truecolor", width, height,
-             stage         ? 14
-             : width > 700 ? 13
-                           : 10,
-             stage ? 0.72 * width / SHEET_WIDTH : 1);
+    /* Letters are as large as fits the sheet of a stage, or the lines of letters around a chart. */
+    double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
+    snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
+             graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,
+             stage ? 14 : 13, scale);
 }
 
 /* Writes a file as kitty takes it: base64, in pieces of 4096 letters. */
