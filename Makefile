@@ -43,7 +43,7 @@ PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslc
 # The other files of src/model are the source of the kernels, which precision/*.c include.
 # Proofs are in double alone.
 COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
-TYPED   := src/model/model.c src/model/dynamics/train.c \
+TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c \
            $(wildcard $(patsubst %,src/model/%/*.c,effects precision compare dispatch planning))
 MODEL   := $(COMMON) $(TYPED)
 ENGINE_C := $(wildcard src/engine/*.c)
@@ -54,14 +54,14 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run quick test unit hard sessions atlas faults sanitize race valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify fuzz bench guard deps lint format \
         install uninstall dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3
+DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
 DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
@@ -172,6 +172,16 @@ $(B)/domino.pc: include/domino.h Makefile
 	  'Libs: -L$${libdir} $${rpath} -ldomino' 'Libs.private: -lm -pthread' \
 	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))'; } > $@
 
+# The Python module, with the declarations that are made of the headers.
+PYTHON3   ?= python3
+PYTHON_PY := $(wildcard src/python/domino/*)
+python: $(B)/python/domino/_api.py $(B)/libdomino.so
+$(B)/python/domino/_api.py: src/python/header.py $(wildcard include/*.h) $(PYTHON_PY) Makefile
+	@mkdir -p $(@D)
+	$(Q)cp $(PYTHON_PY) $(@D)
+	$(call SAY,PY,$@)
+	$(Q)$(PYTHON3) src/python/header.py $(SONAME) '$(CC)' include/domino_proof.h > $@.new && mv $@.new $@
+
 run: all
 	@$(B)/domino
 
@@ -225,6 +235,7 @@ $(B)/tap/unit/%.count: $(B)/unit/% FORCE
 	@tests/run --suite $(B) $<
 $(B)/tap/hard/%.count: $(B)/hard/% FORCE
 	@tests/run --suite $(B) $<
+$(B)/tap/shell/python.bats.count: python
 $(B)/tap/shell/%.count: tests/shell/% all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
@@ -368,13 +379,19 @@ format:
 
 # ---- Installation ----
 
+# The folder of Python's modules under PREFIX: the one where Python looks, if it looks there; empty without Python.
+PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
+  print(next((d[len(sys.argv[1]) + 1:] for d in sys.path if d.startswith(sys.argv[1] + "/lib") and d.endswith("-packages")), \
+             "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null)
+
 # The installed files and their folders under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED := $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_proof.h:include \
+INSTALLED  = $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_proof.h:include \
   $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
   $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
-  $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f))))
+  $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f)))) \
+  $(if $(PYTHONDIR),$(foreach f,$(notdir $(PYTHON_PY)) _api.py,$(B)/python/domino/$(f):$(PYTHONDIR)/domino))
 # The list of files and folders that 'make install' made, so that uninstall keeps those that existed before.
 MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
 
@@ -382,7 +399,7 @@ $(B)/completion/domino: src/shell/prompt/domino.bash
 	@mkdir -p $(@D) && cp $< $@
 
 # The list comes first, so that an install that fails half way can be uninstalled.
-install: all $(B)/completion/domino
+install: all $(B)/completion/domino $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
 	@list=$$(mktemp) && trap 'rm -f "$$list"' EXIT && \
 	folders() { [ -z "$$1" ] || [ -d "$(DESTDIR)$$1" ] || { folders "$${1%/*}" $$2 && $$2 "$$1"; }; } && \
 	name() { echo "$$1/"; } && create() { mkdir -m 755 "$(DESTDIR)$$1"; } && \

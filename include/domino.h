@@ -229,6 +229,22 @@ enum dom_window_of {
     DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
 };
 
+/* The questions that dom_trains_ask answers: each has the name of a function above, and the structure that
+ * the function writes. */
+enum dom_question {
+    DOM_ASK_ANGLES,   /* dom_angles_find: struct dom_angles */
+    DOM_ASK_CONTACT,  /* dom_contact_find, at a tilt: struct dom_contact */
+    DOM_ASK_ENERGY,   /* dom_energy_find, at a tilt: struct dom_energy */
+    DOM_ASK_FUEL,     /* dom_fuel_find: struct dom_fuels */
+    DOM_ASK_LAUNCH,   /* dom_launch_find: struct dom_launch */
+    DOM_ASK_BARRIER,  /* dom_barrier_find: struct dom_barrier */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq, at a tilt: struct dom_value */
+    DOM_ASK_DURATION, /* dom_cycle_duration: struct dom_value */
+    DOM_ASK_RMAX,     /* dom_limit_rmax: struct dom_limit */
+    DOM_ASK_PAIR,     /* dom_limit_pair: struct dom_limit */
+    DOM_ASK_BEST      /* dom_limit_best: struct dom_best */
+};
+
 /* ---- Work and interrupts ---- */
 
 /* Counts the work of answers; every answer adds its own. Begin with {0}. */
@@ -691,6 +707,19 @@ struct dom_best {
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
+
+/* ---- Many trains at once ---- */
+
+/*
+ * Asks the same question of `count` trains, one after the other. `answers` is an array of `count` structures
+ * of the question, and `statuses` one of as many statuses, so that a train without an answer does not keep
+ * the others from theirs. `tilts` has `count` tilts for a question at a tilt, and may be NULL for the others.
+ * Returns DOM_OK; DOM_INTERRUPTED, which is then also the status of all trains that were left out; or
+ * DOM_NO_METHOD for a question that is none of the list.
+ */
+enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
+                               const dom_real *tilts, size_t count, const struct dom_compute *compute,
+                               void *answers, enum dom_status *statuses);
 
 /* ---- A finite row of any dominoes ---- */
 

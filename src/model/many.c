@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The same question for many trains: the loop that a caller in another language would run slowly. */
+#include "numerics/real.h"
+
+typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,
+                                   void *answer);
+typedef enum dom_status find_tilt(const struct dom_train *train, const struct dom_compute *compute,
+                                  dom_real theta, void *answer);
+
+/* Defines for a question a function whose answer is a void pointer, so that all questions have one type. */
+#define FINDS(find, kind)                                                                                    \
+    static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
+                                      void *answer)                                                          \
+    {                                                                                                        \
+        return dom_##find(train, compute, (struct kind *)answer);                                            \
+    }
+#define FINDS_AT(find, kind)                                                                                 \
+    static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
+                                      dom_real theta, void *answer)                                          \
+    {                                                                                                        \
+        return dom_##find(train, compute, theta, (struct kind *)answer);                                     \
+    }
+FINDS(angles_find, dom_angles)
+FINDS_AT(contact_find, dom_contact)
+FINDS_AT(energy_find, dom_energy)
+FINDS(fuel_find, dom_fuels)
+FINDS(launch_find, dom_launch)
+FINDS(barrier_find, dom_barrier)
+FINDS_AT(cycle_omegasq, dom_value)
+FINDS(cycle_duration, dom_value)
+FINDS(limit_rmax, dom_limit)
+FINDS(limit_pair, dom_limit)
+FINDS(limit_best, dom_best)
+
+static const struct {
+    find_train *train; /* the function of a question about a train, or else ... */
+    find_tilt *tilt;   /* ... of one about a train at a tilt */
+    size_t size;       /* of an answer */
+} questions[] = {
+    [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},
+    [DOM_ASK_CONTACT] = {NULL, ask_contact_find, sizeof(struct dom_contact)},
+    [DOM_ASK_ENERGY] = {NULL, ask_energy_find, sizeof(struct dom_energy)},
+    [DOM_ASK_FUEL] = {ask_fuel_find, NULL, sizeof(struct dom_fuels)},
+    [DOM_ASK_LAUNCH] = {ask_launch_find, NULL, sizeof(struct dom_launch)},
+    [DOM_ASK_BARRIER] = {ask_barrier_find, NULL, sizeof(struct dom_barrier)},
+    [DOM_ASK_OMEGASQ] = {NULL, ask_cycle_omegasq, sizeof(struct dom_value)},
+    [DOM_ASK_DURATION] = {ask_cycle_duration, NULL, sizeof(struct dom_value)},
+    [DOM_ASK_RMAX] = {ask_limit_rmax, NULL, sizeof(struct dom_limit)},
+    [DOM_ASK_PAIR] = {ask_limit_pair, NULL, sizeof(struct dom_limit)},
+    [DOM_ASK_BEST] = {ask_limit_best, NULL, sizeof(struct dom_best)},
+};
+
+enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
+                               const dom_real *tilts, size_t count, const struct dom_compute *compute,
+                               void *answers, enum dom_status *statuses)
+{
+    if ((unsigned)question >= sizeof questions / sizeof *questions)
+        return DOM_NO_METHOD;
+    bool interrupted = false;
+    for (size_t k = 0; k < count; k++) {
+        interrupted = interrupted || (compute && dom_raised(compute->interrupt));
+        void *answer = (char *)answers + k * questions[question].size;
+        statuses[k] = interrupted ? DOM_INTERRUPTED
+                      : questions[question].train
+                          ? questions[question].train(&trains[k], compute, answer)
+                          : questions[question].tilt(&trains[k], compute, tilts[k], answer);
+        interrupted = interrupted || statuses[k] == DOM_INTERRUPTED;
+    }
+    return interrupted ? DOM_INTERRUPTED : DOM_OK;
+}

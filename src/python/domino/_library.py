@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The shared library, its errors, interrupts and threads."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any, Iterator
+
+from . import _api as api
+
+
+def _load() -> ctypes.CDLL:
+    """Loads the library: $DOMINO_LIBRARY, or the one installed with this module, or that of the system."""
+    here = Path(__file__).resolve().parent
+    named = os.environ.get("DOMINO_LIBRARY")
+    installed = [str(parent / "lib" / api.SONAME) for parent in here.parents if (parent / "lib" / api.SONAME).exists()]
+    for path in [named] if named else [*installed[:1], api.SONAME]:
+        try:
+            library = ctypes.CDLL(path)
+            break
+        except OSError as error:
+            problem = error
+    else:
+        raise ImportError(f"cannot load {api.SONAME}: {problem}; name its path in the environment variable DOMINO_LIBRARY")
+    for name, (result, arguments) in api.FUNCTIONS.items():
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+lib = _load()
+version: str = lib.dom_version().decode() if hasattr(lib, "dom_version") else ""
+
+
+class DominoError(ArithmeticError):
+    """A question without an answer. `status` is the library's word for the reason, such as "STOPS"."""
+
+    def __init__(self, message: str, status: str = ""):
+        super().__init__(message)
+        self.status = status
+
+
+class OutOfRange(DominoError, ValueError):
+    """A parameter is outside its range; `parameter` is its name."""
+
+    def __init__(self, message: str, status: str = "", parameter: str = ""):
+        super().__init__(message, status)
+        self.parameter = parameter
+
+
+# The parameters of this module that have another name than in the library.
+PARAMETERS = {"mu": "friction", "alpha": "slope", "rho": "edges", "tilt": "theta"}
+
+
+def raise_status(status: int, where: str = "") -> None:
+    """Raises the error of a status, unless it is OK; `where` says which train or domino has no answer."""
+    if status == api.dom_status.DOM_OK:
+        return
+    name = api.dom_status(status).name.removeprefix("DOM_")
+    text = lib.dom_status_text(status).decode() + where
+    if name == "INTERRUPTED":
+        raise KeyboardInterrupt
+    if name == "NO_MEMORY":
+        raise MemoryError(text)
+    if name.startswith("BAD_"):
+        parameter = name.removeprefix("BAD_").lower()
+        parameter = PARAMETERS.get(parameter, parameter)
+        raise OutOfRange(f"{parameter}: {text}", name, parameter)
+    raise DominoError(text, name)
+
+
+PRECISIONS = {"float": api.dom_precision.DOM_FLOAT, "double": api.dom_precision.DOM_DOUBLE,
+              "quad": api.dom_precision.DOM_QUAD}  # fmt: skip
+
+
+def computing(tol: float | None, precision: str, errors: bool = False) -> api.dom_compute:
+    """Returns how to compute; without a tolerance it is that of the precision."""
+    if precision not in PRECISIONS:
+        raise OutOfRange(f"precision: {precision!r} is none of float, double and quad", "BAD_PRECISION", "precision")
+    compute = lib.dom_compute_default()
+    compute.precision = PRECISIONS[precision]
+    compute.tol = lib.dom_arithmetic(compute.precision).contents.tol_default if tol is None else tol
+    compute.errors = errors
+    return compute
+
+
+@contextmanager
+def interruptible(compute: api.dom_compute) -> Iterator[None]:
+    """While the library computes, ^C ends the computation: KeyboardInterrupt then follows.
+
+    Python runs signal handlers between its own instructions only, so the work is done on another thread, which `run`
+    starts, while this one waits.
+    """
+    flag = ctypes.c_int(0)
+    compute.interrupt = ctypes.pointer(flag)
+    before: Any = None
+    main = threading.current_thread() is threading.main_thread()
+    if main:
+        before = signal.getsignal(signal.SIGINT)
+
+        def on_interrupt(number: int, frame: Any) -> None:
+            flag.value = 1
+
+        signal.signal(signal.SIGINT, on_interrupt)
+    try:
+        yield
+    finally:
+        compute.interrupt = None
+        if main:
+            signal.signal(signal.SIGINT, before)
+    if flag.value and main and callable(before):
+        raise KeyboardInterrupt
+
+
+CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+_pool = ThreadPoolExecutor(CORES + 1, "domino")
+_busy = threading.local()
+
+
+def run(function: Any, *arguments: Any) -> Any:
+    """Calls a function of the library on another thread, so that this one can see ^C."""
+    if getattr(_busy, "here", False):  # already on a thread of the pool, which must not wait for another
+        return function(*arguments)
+    return _pool.submit(_marked, function, arguments).result()
+
+
+def _marked(function: Any, arguments: Any) -> Any:
+    _busy.here = True
+    return function(*arguments)
+
+
+def run_all(calls: list[Any]) -> list[Any]:
+    """Calls functions without arguments on all cores, and returns their results in order."""
+    return [future.result() for future in [_pool.submit(_marked, call, ()) for call in calls]]
+
+
+@api.dom_parallel
+def parallel(count: int, task: Any, context: int, pool: int) -> int:
+    """Runs the tasks of a study on all cores: a dom_parallel. Its caller waits on a thread of its own."""
+    numbers = iter(range(count))
+    lock = threading.Lock()
+
+    def work() -> None:
+        while True:
+            with lock:
+                k = next(numbers, None)
+            if k is None:
+                return
+            task(k, context)
+
+    threads = [threading.Thread(target=work) for _ in range(min(CORES, count) - 1)]
+    for thread in threads:
+        thread.start()
+    work()
+    for thread in threads:
+        thread.join()
+    return api.dom_status.DOM_OK
+
+
+def text(value: bytes) -> str:
+    """Returns a text of the library."""
+    return value.decode()

@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rows of dominoes of any sizes, in metres, kilograms and seconds."""
+
+from __future__ import annotations
+
+import csv
+import ctypes
+import math
+import re
+from typing import Any, Iterable, NamedTuple
+
+from . import _api as api
+from ._library import DominoError, OutOfRange, computing, interruptible, lib, parallel, raise_status, run, text
+from .trains import Train
+
+STATUS = api.dom_status
+
+
+class Domino(NamedTuple):
+    """A block: height, thickness and the gap before it in m; mass in kg; lean in rad; radius of its edges in m."""
+
+    height: float
+    thickness: float
+    gap: float = 0.0
+    mass: float = 0.0
+    lean: float = 0.0
+    radius: float = 0.0
+
+
+class Fall(NamedTuple):
+    """What a domino had when it was hit: times in s, omega in rad/s, energies in J."""
+
+    domino: int
+    time: float
+    duration: float
+    omega: float
+    kinetic: float
+    barrier: float
+    margin: float
+    lost: float
+
+
+class Verdict(NamedTuple):
+    """How the row ends, and where. `spare` is margin / barrier of the weakest domino that goes on."""
+
+    falls: bool
+    end: str
+    domino: int
+    short_by: float
+    seconds: float
+    weakest: int
+    spare: float
+
+
+class Window(NamedTuple):
+    """The values of one measure with which all dominoes fall; NaN if there are none."""
+
+    domino: int
+    now: float
+    low: float
+    high: float
+
+
+class Mend(NamedTuple):
+    """A change of one gap, in m, that makes all dominoes fall: from `to` to `until`."""
+
+    domino: int
+    gap: float
+    to: float
+    until: float
+
+
+class Growth(NamedTuple):
+    """All dominoes fall at growths from r_min to r_max."""
+
+    r_max: float
+    r_min: float
+    end: str
+
+
+class Placement(NamedTuple):
+    """How many of the rows with random errors fall, and a 95 % interval of the probability."""
+
+    rows: int
+    fall: int
+    unknown: int
+    low: float
+    high: float
+    stops: tuple[int, ...]
+
+
+class Budget(NamedTuple):
+    """The standard deviation of gaps in m that the probability allows, with its 95 % interval."""
+
+    sigma: float
+    low: float
+    high: float
+
+
+class Design(NamedTuple):
+    """A row that meets a wish; see `row`."""
+
+    s: float
+    r: float
+    steps: int
+    feet: float
+    length: float
+    seconds: float
+    safety: float
+    row: "Row"
+
+
+# Names of columns, and their units in metres or kilograms.
+COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m", "radius": "m"}
+UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
+WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
+           "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
+           "lean": api.dom_window_of.DOM_WINDOW_PLUMB}  # fmt: skip
+
+
+class Row:
+    """A row of dominoes, which does not change; a notebook shows its picture.
+
+    Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
+    of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean and
+    radius, whose units stand in brackets: "height (mm)". Without masses all dominoes have one density.
+
+    friction, slope (rad), edges (radius over height) and walls (m) are effects; push is a speed in rad/s for the first
+    domino, which otherwise just tips over.
+    """
+
+    def __init__(self, dominoes: Iterable[Any], *, friction: float = 0.0, slope: float = 0.0, edges: float = 0.0,
+                 walls: float = 0.0, push: float | None = None, g: float = 9.81, tol: float | None = None,
+                 precision: str = "double"):  # fmt: skip
+        self.dominoes = tuple(Domino(*map(float, domino)) for domino in dominoes)
+        if any(domino.mass == 0 for domino in self.dominoes):
+            self.dominoes = tuple(
+                domino if domino.mass else domino._replace(mass=500 * domino.height**2 / 2 * domino.thickness)
+                for domino in self.dominoes
+            )
+        self._effects = {"mu": friction, "alpha": slope, "rho": edges, "walls": walls,
+                         "push": math.nan if push is None else push, "g": g}  # fmt: skip
+        self._how = {"tol": tol, "precision": precision}
+
+    # ---- Where rows come from ----
+
+    @classmethod
+    def of_train(cls, count: int, *, h: float = 0.048, s: float = 0.4, r: float = 1.5, d: float = 7 / 48,
+                 q: float | str = 4.0, mass: float = 1.0, **effects: Any) -> Row:  # fmt: skip
+        """The first dominoes of a train, the first of them h tall, in m."""
+        train = Train(s, r, d, q)
+        values = train.values
+        one = api.dom_train(s=s, r=r, d=d, q=values["q"])
+        dominoes = (api.dom_domino * count)()
+        lib.dom_row_of_train(ctypes.byref(one), ctypes.byref(api.dom_scale(h=h, g=9.81)), mass, dominoes, count)
+        return cls([(c.height, c.thickness, c.gap, c.mass) for c in dominoes], **effects)
+
+    @classmethod
+    def from_csv(cls, path: Any, **effects: Any) -> Row:
+        """Reads a row from a file whose first line names the columns, with their units: height (mm), gap (cm)."""
+        with open(path, newline="", encoding="utf-8-sig") as file:
+            lines = [line for line in file if line.strip() and not line.startswith("#")]
+        separator = next((c for c in ";\t" if lines and c in lines[0]), ",")
+        rows = [row for row in csv.reader(lines, delimiter=separator) if any(map(str.strip, row))]
+        if len(rows) < 2:
+            raise ValueError(f"{path}: no row of dominoes; the first line names the columns, each line after it is a domino")
+        if separator != ",":
+            rows[1:] = [[cell.replace(",", ".") for cell in row] for row in rows[1:]]
+        names = [cell.strip() for cell in rows[0]]
+        table = {name: [row[k].strip() if k < len(row) else "" for row in rows[1:]] for k, name in enumerate(names)}
+        return cls._of_columns(table, str(path), effects)
+
+    @classmethod
+    def from_pandas(cls, frame: Any, **effects: Any) -> Row:
+        """Takes a row from a DataFrame with the columns of a csv file: "height (mm)"."""
+        return cls._of_columns({str(name): list(frame[name]) for name in frame.columns}, "the DataFrame", effects)
+
+    @classmethod
+    def _of_columns(cls, table: dict[str, list[Any]], where: str, effects: dict[str, Any]) -> Row:
+        columns: dict[str, list[float]] = {}
+        for head, cells in table.items():
+            name, unit = re.fullmatch(r"\s*([^([,]*?)\s*(?:[(\[,]\s*([^)\]]*?)\s*[)\]]?)?\s*", head).groups()
+            name = name.lower()
+            if name not in COLUMNS:
+                continue
+            scale = UNITS[COLUMNS[name]].get(unit or "")
+            if scale is None:
+                known = ", ".join(UNITS[COLUMNS[name]])
+                raise ValueError(f"{where}: the column {head!r} needs its unit, one of {known}: '{name} ({known.split(',')[0]})'")
+            columns[name] = [cls._cell(cell, name, k, where) * scale for k, cell in enumerate(cells)]
+        for name in ("height", "thickness", "gap"):
+            if name not in columns:
+                raise ValueError(f"{where}: there is no column '{name} (mm)'")
+        rows = [dict(zip(columns, values)) for values in zip(*columns.values())]
+        for row in rows:
+            if "lean" in row:  # in a file a lean is how far the top is off, as a plumb line shows it
+                row["lean"] = math.asin(row["lean"] / row["height"])
+        return cls([Domino(**row) for row in rows], **effects)
+
+    @staticmethod
+    def _cell(cell: Any, name: str, k: int, where: str) -> float:
+        if cell in ("", "-", None) or cell != cell:
+            if name in ("height", "thickness") or (name == "gap" and k > 0):
+                raise ValueError(f"{where}: domino {k + 1} has no {name}")
+            return 0.0
+        try:
+            return float(cell)
+        except ValueError:
+            raise ValueError(f"{where}: the {name} of domino {k + 1} is no number: {cell!r}") from None
+
+    # ---- Questions ----
+
+    def __len__(self) -> int:
+        return len(self.dominoes)
+
+    def __iter__(self) -> Any:
+        return iter(self.dominoes)
+
+    def __repr__(self) -> str:
+        return f"Row of {len(self)} dominoes, {self.dominoes[0].height:.6g} m to {self.dominoes[-1].height:.6g} m"
+
+    def _repr_svg_(self) -> str:
+        from .drawing import row_svg
+
+        return row_svg(self)
+
+    def _row(self) -> api.dom_row:
+        dominoes = (api.dom_domino * max(len(self), 1))()
+        for one, domino in zip(dominoes, self.dominoes):
+            for name, value in domino._asdict().items():
+                setattr(one, name, value)
+        row = api.dom_row(domino=dominoes, count=len(self), **self._effects)
+        row.keep = dominoes  # as long as the row
+        return row
+
+    def _call(self, function: Any, *arguments: Any, wrong: Any = None) -> None:
+        """Calls a function of rows, and raises its status; `wrong` is a verdict that names the wrong domino."""
+        row, compute = self._row(), computing(**self._how)
+        with interruptible(compute):
+            status = run(function, ctypes.byref(row), ctypes.byref(compute), *arguments)
+        if status != STATUS.DOM_OK and wrong is None:  # which domino it is, only a run tells
+            wrong = api.dom_verdict()
+            lib.dom_row_run(ctypes.byref(row), ctypes.byref(compute), False, api.dom_fall_visit(), None,
+                            ctypes.byref(wrong))  # fmt: skip
+        is_wrong = STATUS(status).name.startswith("DOM_BAD") and wrong is not None and wrong.domino
+        raise_status(status, f" (domino {wrong.domino})" if is_wrong else "")
+
+    def fall(self) -> list[Fall]:
+        """Each domino when it is hit, in order; the list ends where the row stops."""
+        falls: list[Fall] = []
+
+        @api.dom_fall_visit
+        def visit(fall: Any, context: Any) -> bool:
+            falls.append(Fall(*[getattr(fall.contents, name) for name in Fall._fields]))
+            return True
+
+        verdict = api.dom_verdict()
+        self._call(lib.dom_row_run, True, visit, None, ctypes.byref(verdict), wrong=verdict)
+        return falls
+
+    def verdict(self) -> Verdict:
+        """Whether all dominoes fall; if not, where the row stops, and why."""
+        v = api.dom_verdict()
+        self._call(lib.dom_row_run, True, api.dom_fall_visit(), None, ctypes.byref(v), wrong=v)
+        end = api.dom_row_end(v.end)
+        return Verdict(end == api.dom_row_end.DOM_ROW_FALLS, text(lib.dom_row_end_text(end)), v.domino, v.short_by,
+                       v.seconds, v.weakest, v.spare)  # fmt: skip
+
+    def tolerance(self, of: str = "gap") -> list[Window]:
+        """The windows of each "gap", "place", "height" or "lean", or of the "friction", with which all fall."""
+        if of not in WINDOWS:
+            raise OutOfRange(f"of: {of!r} is none of {', '.join(WINDOWS)}", "BAD_METHOD", "of")
+        count = {"friction": 1, "gap": len(self) - 1, "place": len(self) - 1}.get(of, len(self))
+        windows = (api.dom_window * max(count, 1))()
+        self._call(lib.dom_row_windows, WINDOWS[of], api.dom_progress(), None, windows)
+        return [Window(w.domino, w.now, w.low, w.high) for w in windows[:count]]
+
+    def mend(self) -> list[Mend]:
+        """Changes of single gaps that make the row fall, the smallest first; empty if it falls already."""
+        mends, count = (api.dom_mend * api.DOM_MENDS)(), ctypes.c_size_t()
+        self._call(lib.dom_row_mend, api.dom_progress(), None, mends, ctypes.byref(count))
+        return [Mend(m.domino, m.gap, m.to, m.until) for m in mends[: count.value]]
+
+    def weakest_push(self, strongest: float = 100.0) -> float:
+        """The weakest push in rad/s with which all dominoes fall; the row's own push if they fall with it already."""
+        push = ctypes.c_double()
+        self._call(lib.dom_row_push, strongest, ctypes.byref(push))
+        if math.isnan(push.value) and not self.verdict().falls:
+            raise DominoError(f"no push up to {strongest:.6g} rad/s is enough", "STOPS")
+        return push.value
+
+    def _placement(self, sigma: float, heights: float, seed: int, rows: int) -> api.dom_placement:
+        return api.dom_placement(sigma=sigma, heights=heights, seed=seed, first=0, rows=rows, parallel=parallel)
+
+    def placement(self, sigma: float, *, heights: float = 0.0, rows: int = 1000, seed: int = 1) -> Placement:
+        """Sets the row up `rows` times with random errors of gaps (sigma, in m) and heights (a share), and counts."""
+        study, stops = api.dom_study(), (ctypes.c_size_t * max(len(self), 1))()
+        placement = self._placement(sigma, heights, seed, rows)
+        self._call(lib.dom_placement_study, ctypes.byref(placement), ctypes.byref(study), stops)
+        return Placement(study.rows, study.fall, study.unknown, study.low, study.high, tuple(stops))
+
+    def budget(self, probability: float, *, heights: float = 0.0, rows: int = 1000, seed: int = 1) -> Budget:
+        """The standard deviation of gaps, in m, with which the row falls with this probability."""
+        budget, placement = api.dom_budget(), self._placement(0.0, heights, seed, rows)
+        try:
+            self._call(lib.dom_placement_budget, ctypes.byref(placement), probability, ctypes.byref(budget))
+        except DominoError as error:
+            if error.status != "STOPS":
+                raise
+            raise DominoError("even with exact gaps too few of these rows fall", "STOPS") from None
+        return Budget(budget.sigma, budget.low, budget.high)
+
+
+def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: float = math.inf, d: float = 7 / 48,
+           q: float | str = 4.0, push: float | None = None, g: float = 9.81, least: str = "dominoes",
+           friction: float = 0.0, slope: float = 0.0, edges: float = 0.0, walls: float = 0.0) -> Design:  # fmt: skip
+    """The row of a train from `first` to `height`, in m, in which each cycle has `safety` times the energy it needs."""
+    leasts = {"dominoes": api.dom_least.DOM_LEAST_DOMINOES, "length": api.dom_least.DOM_LEAST_LENGTH,
+              "mass": api.dom_least.DOM_LEAST_MASS}  # fmt: skip
+    if least not in leasts:
+        raise OutOfRange(f"least: {least!r} is none of {', '.join(leasts)}", "BAD_METHOD", "least")
+    values = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls).values
+    train = api.dom_train(**{name: float(value) for name, value in values.items()})
+    wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
+                        push=math.nan if push is None else push)  # fmt: skip
+    found, compute = api.dom_design(), computing(None, "double")
+    with interruptible(compute):
+        status = run(lib.dom_design_find, ctypes.byref(train), ctypes.byref(wish), ctypes.byref(compute), ctypes.byref(found))
+    raise_status(status)
+    limits = api.dom_design_limit
+    refusals = {
+        limits.DOM_DESIGN_SAFETY: f"no train has a safety of {safety:.6g}; the largest is just above {found.needs:.6g}",
+        limits.DOM_DESIGN_START: f"the start is too weak; a push of {found.needs:.6g} rad/s is enough",
+        limits.DOM_DESIGN_HALL: f"the hall is too short; the shortest row found needs {found.needs:.6g} m",
+        limits.DOM_DESIGN_FAILED: f"no row was found: at s = {found.needs:.6g} a train or row could not be computed",
+    }
+    if found.limit != limits.DOM_DESIGN_FITS:
+        raise DominoError(refusals.get(found.limit, "no such row falls"), limits(found.limit).name.removeprefix("DOM_"))
+    row = Row.of_train(found.steps + 1, h=first, s=found.s, r=found.r, d=d, q=q, friction=friction, slope=slope,
+                       edges=edges, walls=walls * first, push=push, g=g)  # fmt: skip
+    return Design(found.s, found.r, found.steps, found.feet, found.length, found.seconds, found.row, row)

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The Python module against the program: the same answers, and what Python adds. DOMINO is the program."""
+
+import json
+import math
+import os
+import random
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+from xml.dom import minidom
+
+import numpy as np
+import pandas
+
+import domino
+
+PROGRAM = os.environ["DOMINO"]
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def ask(lines):
+    """The answers of the program to the last command of each line: a list for each line, empty after an error."""
+    text = "set output json\n" + "".join(f"{line}\necho end\n" for line in lines)
+    run = subprocess.run([PROGRAM, "-n"], input=text, capture_output=True, text=True, check=False)
+    answers = [[]]
+    for line in run.stdout.splitlines():
+        if json.loads(line)["command"] == "echo":
+            answers.append([])
+        elif json.loads(line)["command"] == lines[len(answers) - 1].split(";")[-1].split()[0]:
+            answers[-1].append(json.loads(line))
+    return answers[:-1]
+
+
+class SameAsTheProgram(unittest.TestCase):
+    KEYS = {
+        "rmax": ("r_max", lambda t: domino.rmax(**t).r_max),
+        "pair": ("r_max", lambda t: domino.pair(**t).r_max),
+        "barrier": ("margin", lambda t: domino.barrier(**t).margin),
+        "theta1 0.1": ("theta_1", lambda t: domino.theta1(0.1, **t).theta_1),
+        "duration": ("duration", lambda t: domino.duration(**t).value),
+        "fuel": ("fuel_exact", lambda t: domino.fuel(**t).exact),
+        "launch": ("kinetic", lambda t: domino.launch(**t).kinetic),
+        "energy 0.1": ("dH", lambda t: domino.energy(0.1, **t).dH),
+        "thetac": ("theta_inf", lambda t: domino.angles(**t).theta_inf),
+        "omega 0.01": ("omegasq", lambda t: domino.omegasq(0.01, **t).value),
+    }
+
+    def test_a_thousand_questions_have_the_same_answers_to_the_last_bit(self):
+        random.seed(1)
+        lines, mine = [], []
+        for k in range(1000):
+            train = {"s": random.uniform(0.1, 0.9), "d": random.uniform(0.02, 0.4), "q": random.choice([3.0, 4.0])}
+            train["r"] = random.uniform(1, min(1.6, 1 / train["s"]))
+            effect = random.choice(["", "friction", "slope", "edges", "walls", "friction"])
+            if effect:
+                train[effect] = {"friction": 0.2, "slope": 0.01, "edges": 0.004, "walls": 0.002}[effect] * random.random()
+            question, (key, answer) = random.choice(list(self.KEYS.items()))
+            settings = "".join(
+                f"{'effect' if name == effect else 'set'} {name} {value!r}{' rad' if name == 'slope' else ''}; "
+                for name, value in train.items()
+            )
+            lines.append(f"reset; {settings}{question}")
+            try:
+                mine.append((lines[-1], key, answer(train)))
+            except domino.DominoError:
+                mine.append((lines[-1], key, None))
+        compared = 0
+        for (line, key, value), answer in zip(mine, ask(lines), strict=True):
+            theirs = answer[-1].get(key) if answer else None
+            if value is None or (isinstance(value, float) and math.isnan(value)):
+                self.assertIsNone(theirs, line)
+                continue
+            self.assertEqual(value, theirs, line)
+            compared += 1
+        self.assertGreater(compared, 700)
+
+    def test_rows_fall_as_in_the_program(self):
+        csv = ROOT / "examples/record.csv"
+        for effects, commands in (({"friction": 0.3, "push": 3}, "effect friction 0.3; effect push 3"),
+                                  ({"push": 3}, "effect push 3")):  # fmt: skip
+            [falls] = ask([f'effect row "{csv}"; {commands}; fall'])
+            row = domino.Row.from_csv(csv, **effects)
+            for mine, theirs in zip(row.fall(), falls, strict=False):
+                self.assertEqual(mine.domino, theirs["domino"])
+                self.assertTrue(math.isclose(mine.kinetic, theirs["kinetic"], rel_tol=1e-12))
+        self.assertFalse(domino.Row.from_csv(csv, friction=0.3, push=3).verdict().falls)
+        self.assertEqual(domino.Row.from_csv(csv, friction=0.3, push=3).mend()[0].domino, 8)
+
+    def test_counts_and_designs(self):
+        [count], [best], design = ask(["count 112 m", "set q hollow; best", "reset; design 2 m"])
+        self.assertEqual(domino.count(112).dominoes, count["dominoes"])
+        self.assertEqual(domino.best(q="hollow"), (best["s"], best["r_max"], None))
+        mine = domino.design(2.0)
+        self.assertEqual(mine.steps, design[0]["steps"])
+        self.assertTrue(math.isclose(mine.r, design[0]["r"], rel_tol=1e-12))
+        self.assertTrue(mine.row.verdict().falls)
+
+    def test_studies_are_those_of_the_program(self):
+        [answer] = ask(["effect row 6; effect placement 2 mm; placement 500"])
+        row = domino.Row.of_train(6)
+        study = row.placement(0.002, rows=500)
+        self.assertEqual((study.rows, study.fall), (answer[0]["rows"], answer[0]["fall"]))
+        self.assertEqual(row.placement(0.002, rows=500), study)
+        self.assertEqual(sum(study.stops) + study.fall + study.unknown, 500)
+        budget = row.budget(0.9, rows=200)
+        self.assertTrue(budget.low < budget.sigma < budget.high)
+
+
+class Arrays(unittest.TestCase):
+    def test_arrays_broadcast_and_equal_single_questions(self):
+        s, q = np.linspace(0.1, 0.9, 9)[:, None], np.array([3.0, 4.0])
+        limit = domino.rmax(s, q=q)
+        self.assertEqual(limit.r_max.shape, (9, 2))
+        for i, j in np.ndindex(9, 2):
+            one = domino.rmax(float(s[i, 0]), q=float(q[j]))
+            self.assertEqual((limit.r_max[i, j], limit.ends[i, j]), (one.r_max, one.ends))
+        tilts = domino.theta1(np.array([0.0, 0.1, 0.2]))
+        self.assertEqual(tilts.theta_1[1], domino.theta1(0.1).theta_1)
+
+    def test_a_train_without_an_answer_is_nan_among_others(self):
+        found = domino.duration(r=np.array([1.5, 1.9]))
+        self.assertEqual(found.value[0], domino.duration(r=1.5).value)
+        self.assertTrue(math.isnan(found.value[1]))
+
+    def test_a_wrong_parameter_is_named_with_its_index(self):
+        with self.assertRaises(domino.OutOfRange) as caught:
+            domino.rmax(np.array([0.1, -1.0]))
+        self.assertEqual(caught.exception.parameter, "s")
+        self.assertIn("(1,)", str(caught.exception))
+
+    def test_bounds_of_errors_hold(self):
+        found = domino.rmax(np.linspace(0.2, 0.6, 5), errors=True)
+        exact = domino.rmax(np.linspace(0.2, 0.6, 5), precision="quad", tol=1e-15)
+        self.assertTrue(np.all(np.abs(found.r_max - exact.r_max) <= found.error + 2.3e-16 * found.r_max))
+
+
+class Errors(unittest.TestCase):
+    def test_errors_name_the_parameter_or_the_reason(self):
+        for call, parameter in ((lambda: domino.rmax(2.0), "s"), (lambda: domino.rmax(0.4, friction=-1), "friction"),
+                                (lambda: domino.rmax(0.4, edges=1), "edges"), (lambda: domino.theta1(5), "theta"),
+                                (lambda: domino.rmax(0.4, tol=1.0), "tol"),
+                                (lambda: domino.rmax(0.4, precision="single"), "precision"),
+                                (lambda: domino.rmax(q="wood"), "q")):  # fmt: skip
+            with self.assertRaises(domino.OutOfRange) as caught:
+                call()
+            self.assertEqual(caught.exception.parameter, parameter)
+            self.assertIsInstance(caught.exception, ValueError)
+        with self.assertRaises(domino.DominoError) as caught:
+            domino.duration(r=1.9)
+        self.assertEqual(caught.exception.status, "STOPS")
+        with self.assertRaisesRegex(domino.OutOfRange, "domino 2"):
+            domino.Row([(0.05, 0.01), (0.06, -0.01, 0.02)]).verdict()
+        with self.assertRaises(domino.DominoError):
+            domino.design(8, hall=8.1)
+        with self.assertRaises(domino.DominoError):
+            domino.prove("rmax", friction=0.1)
+
+    @unittest.skipUnless(hasattr(signal, "pthread_kill"), "no signals to threads")
+    def test_an_interrupt_ends_a_long_computation(self):
+        row = domino.Row.of_train(30, r=1.1, friction=0.1, edges=0.005, slope=0.002)
+        timer = threading.Timer(0.5, lambda: signal.pthread_kill(threading.main_thread().ident, signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            row.placement(0.002, rows=50_000_000)
+        timer.join()
+        self.assertTrue(row.verdict().falls, "after an interrupt questions are answered as before")
+
+
+class Rows(unittest.TestCase):
+    def test_rows_come_from_lists_files_and_frames(self):
+        rows = [(0.05, 0.008, 0.0), (0.0602, 0.009, 0.02)]
+        text = "# a row\nheight (mm);thickness (mm);gap (cm);note\n50;8;;x\n60,2;9;2;y\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "row.csv"
+            path.write_text(text)
+            from_file = domino.Row.from_csv(path)
+            path.write_text("height;thickness (mm);gap (mm)\n1;2;3\n4;5;6\n")
+            with self.assertRaisesRegex(ValueError, "needs its unit"):
+                domino.Row.from_csv(path)
+        frame = pandas.DataFrame({"height (mm)": [50, 60.2], "thickness (mm)": [8, 9], "gap (cm)": [math.nan, 2]})
+        for row in from_file, domino.Row.from_pandas(frame):
+            for mine, theirs in zip(row.dominoes, domino.Row(rows).dominoes, strict=True):
+                np.testing.assert_allclose(mine, theirs, rtol=1e-15)
+
+    def test_windows_hold_what_they_promise(self):
+        row = domino.Row.of_train(5)
+        window = row.tolerance("gap")[1]
+        for gap, falls in ((window.low * 1.001, True), (window.high * 0.999, True), (window.high * 1.01, False)):
+            dominoes = list(row.dominoes)
+            dominoes[2] = dominoes[2]._replace(gap=gap)
+            self.assertEqual(domino.Row(dominoes).verdict().falls, falls)
+
+    def test_pictures_are_svg_with_a_block_for_each_domino(self):
+        for picture, blocks in ((domino.Row.of_train(6)._repr_svg_(), 6), (domino.Train(0.4)._repr_svg_(), 9)):
+            document = minidom.parseString(picture)
+            self.assertEqual(len(document.getElementsByTagName("polygon")), blocks)
+
+
+if __name__ == "__main__":
+    unittest.main()
