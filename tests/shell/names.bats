@@ -119,7 +119,7 @@ END
     done <<'END'
 foo|unknown command 'foo'; 'help' lists the commands
 barier|unknown command 'barier'; did you mean 'barrier'?
-ba|'ba' may be barrier, back
+ba|'ba' is ambiguous: barrier, back
 friction 0.2|'friction' is an effect; enter 'effect friction MU'
 plot foo|plot: unknown picture 'foo'; use one of: fall, speed, gaps, placement, growth, marginal, sweep, energy, omega, inertia, chain, cost
 plot enrgy|plot: unknown picture 'enrgy'; did you mean 'energy'?
