@@ -121,7 +121,7 @@ static void run_file(struct session *session, const char *name)
     bool standard = strcmp(name, "-") == 0;
     FILE *in = standard ? io_stdin(&ended) : io_read(name, &ended);
     if (!in) {
-        session->source = NULL;
+        session->source.name = NULL;
         session_error(session, "domino: cannot open %s: %s", name, strerror(errno));
         return;
     }
@@ -132,8 +132,8 @@ static void run_file(struct session *session, const char *name)
 
 static void run_text(struct session *session, const char *text)
 {
-    session->source = "-e";
-    session->line = 1;
+    session->source.name = "-e";
+    session->source.line = 1;
     command_run_text(session, text);
 }
 

@@ -113,7 +113,7 @@ static void help_example(struct session *session, const char *example)
     session_init(&fresh, session->output->out);
     fresh.standard.messages = session->output->messages;
     fresh.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
-    fresh.source = "help";
+    fresh.source.name = "help";
     fresh.means.safe = fresh.bail = true;
     putc('\n', session->output->out);
     help_say(session->output->out, "Example: %s", example);

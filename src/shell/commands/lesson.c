@@ -79,21 +79,21 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     (void)given;
     struct session
         reader; /* so that the lesson begins with the defaults, and changes nothing of the reader's */
-    bool in_file = session->script && strcmp(session->source, "stdin") != 0;
+    bool in_file = session->source.stream && strcmp(session->source.name, "stdin") != 0;
     int width, height;
     bool waits = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
     char *line = NULL;
     size_t size = 0;
     if (!answer_for_people(a))
         return problem_error(problem, "a lesson is for people; 'set output table' comes first");
-    FILE *in = in_file ? session->script : tutorial_open();
+    FILE *in = in_file ? session->source.stream : tutorial_open();
     if (!in)
         return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);
     session_init(&reader, session->output->out);
     reader.state.scene.compute.interrupt = session->state.scene.compute.interrupt;
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
-    reader.prompt_width = waits ? (int)strlen(prompt) : 0;
+    reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
     progress_end(); /* the time that the reader takes is no computation */
     if (waits)
         fputs("Type the lines that the lesson shows, or press Enter instead. Other commands\n"

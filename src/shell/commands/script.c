@@ -17,7 +17,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
     const char *name = given->word[0];
     (void)a;
     bool standard = strcmp(name, "-") == 0;
-    if (session->depth == SOURCE_DEPTH)
+    if (session->source.depth == SOURCE_DEPTH)
         return problem_error(problem, "files are nested %d deep; perhaps one of them sources itself",
                              SOURCE_DEPTH);
     FILE *in = standard ? io_stdin(session->state.scene.compute.interrupt)
@@ -27,9 +27,9 @@ static bool run_source(struct session *session, const struct arguments *given, s
     if (!in)
         return problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
     long errors = session->errors;
-    session->depth++;
+    session->source.depth++;
     line_stream(session, in, standard ? "stdin" : name);
-    session->depth--;
+    session->source.depth--;
     if (!standard)
         fclose(in);
     return session->errors == errors;

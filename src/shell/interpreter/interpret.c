@@ -36,7 +36,8 @@ static void run_command_at(struct session *session, struct reader *line)
     if (command_parse(&r, &q)) {
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
-        bool is_step = c->changes && session->depth == 0; /* A file that is sourced is one step of 'undo'. */
+        bool is_step =
+            c->changes && session->source.depth == 0; /* A file that is sourced is one step of 'undo'. */
         bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
@@ -60,7 +61,7 @@ static void run_command_at(struct session *session, struct reader *line)
  * no log. */
 static bool log_typed(struct session *session, const char *commands, size_t length, bool at_once)
 {
-    bool is_logged = output_find(&session->output, OUTPUT_LOG) && session->depth == 0;
+    bool is_logged = output_find(&session->output, OUTPUT_LOG) && session->source.depth == 0;
     if (is_logged)
         log_commands(&session->output, commands, length, at_once);
     return is_logged;
@@ -104,15 +105,15 @@ static void run_line(struct session *session, const char *line, size_t length)
         session_error(session, "out of memory");
         return;
     }
-    session->typed = line;
-    session->typed_length = (int)length;
-    session->typed_columns = text_column(&text, text.line + strlen(text.line)) - 1;
+    session->typed.text = line;
+    session->typed.length = (int)length;
+    session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
     /* Log and tee are written after each line, so that a crash loses nothing. */
     const char *wrong = records_flush(&session->output);
     if (wrong)
         session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
-    session->typed = NULL;
+    session->typed.text = NULL;
     text_free(&text);
 }
 
@@ -120,7 +121,7 @@ static void run_line(struct session *session, const char *line, size_t length)
  * commands. */
 static void resume(struct session *session)
 {
-    if (session->resumes && session->depth == 0 && *session->resumes == SIGINT)
+    if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)
         *session->resumes = 0;
 }
 
@@ -133,7 +134,7 @@ void command_run_text(struct session *session, const char *text)
         run_line(session, text, length);
         more = text[length] != '\0' && !session_stops(session, errors);
         text += length + 1;
-        session->line += more;
+        session->source.line += more;
     }
     resume(session);
 }
@@ -174,16 +175,14 @@ void line_stream(struct session *session, FILE *in, const char *name)
     char *text = NULL;
     size_t size = 0;
     ssize_t length;
-    struct session outer = *session;
-    session->source = name;
-    session->script = in;
-    session->line = 0;
-    session->prompt_width = 0;
+    const struct source outer = session->source;
+    const char *command = session->command;
+    session->source = (struct source){.name = name, .stream = in, .depth = outer.depth};
     session->command = NULL;
     errno = 0;
     while (!session->quit && (length = text_read(&text, &size, in)) != -1) {
         long errors = session->errors, more = 0;
-        session->line++;
+        session->source.line++;
         bool is_text = strlen(text) == (size_t)length;
         if (is_text && text_continues(text))
             is_text = line_join(&text, &size, in, &more);
@@ -191,7 +190,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
             command_run_text(session, text);
         else
             session_error(session, "the line has a NUL byte; commands are text");
-        session->line += more;
+        session->source.line += more;
         if (session_stops(session, errors) || (!is_text && length > TEXT_MOST))
             break;
         errno = 0;
@@ -200,11 +199,8 @@ void line_stream(struct session *session, FILE *in, const char *name)
     if (reason && reason != ECANCELED)
         session_error(session, "cannot read the next line: %s", strerror(reason));
     free(text);
-    session->source = outer.source;
-    session->script = outer.script;
-    session->line = outer.line;
-    session->prompt_width = outer.prompt_width;
-    session->command = outer.command;
+    session->source = outer;
+    session->command = command;
     if (reason == ECANCELED && session->command) { /* a problem of 'source', and of none of its lines */
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);

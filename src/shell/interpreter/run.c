@@ -56,7 +56,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         .head = end->head,
         .columns = c->columns,
         .rows = c->rows,
-        .blank_above = end->answered && session->source,
+        .blank_above = end->answered && session->source.name,
         .kept = c->principal ? kept : NULL,
     };
     if (output->format)
@@ -66,7 +66,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     progress_begin();
     bool done = run_function(session, c, query, &answer, problem);
     progress_end();
-    session->fresh = session->fresh && done && !c->columns;
+    session->typed.is_last = session->typed.is_last && done && !c->columns;
     if (done && answer.note)
         train_note(session, &answer);
     const char *unsaid = done ? answer_end(&answer) : NULL;
@@ -95,7 +95,7 @@ static bool run_command(struct session *session, const struct command *c, const 
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
-    if (!c->pages && !(session->prompt_width && c->columns && !c->draws && !c->runs))
+    if (!c->pages && !(session->source.prompt_width && c->columns && !c->draws && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;

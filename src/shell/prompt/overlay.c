@@ -50,7 +50,7 @@ static bool is_mapped(const struct session *session, int width, int height)
     for (const char *c = rl_line_buffer; *c; c++)
         if (*c < ' ' || *c > '~')
             return false;
-    int begin = session->prompt_width;
+    int begin = session->source.prompt_width;
     return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
            rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
            !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
@@ -72,7 +72,7 @@ static void part_write(int begin, int width, int from, int length, bool is_comma
 
 static void colours_show(struct session *session)
 {
-    int width, height, begin = session->prompt_width;
+    int width, height, begin = session->source.prompt_width;
     bool mark[COLOURED_MOST] = {false};
     if (!terminal_size(session->output->out, &width, &height) || !is_mapped(session, width, height))
         return;
@@ -149,8 +149,8 @@ static void hint_show(struct session *session)
         hint = usage;
     }
     /* The last column stays free, where the cursor may be in either of two rows. */
-    int room =
-        terminal_width(session->output->out) - session->prompt_width - terminal_columns(rl_line_buffer) - 1;
+    int room = terminal_width(session->output->out) - session->source.prompt_width -
+               terminal_columns(rl_line_buffer) - 1;
     size_t bytes = 0;
     if (!*hint || room < 1)
         return;

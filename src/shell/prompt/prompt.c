@@ -135,7 +135,7 @@ static void on_line(char *text)
         if (ended)
             interrupted = ended;
         history_keep(session, text);
-        session->fresh = !is_joined && !strchr(text, '\n');
+        session->typed.is_last = !is_joined && !strchr(text, '\n');
         command_run_text(session, text);
         free(text);
         interrupted = 0;
@@ -154,13 +154,13 @@ static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
     if (begun) {
-        session->prompt_width = 0; /* A column of the joined line is none of this line. */
+        session->source.prompt_width = 0; /* A column of the joined line is none of this line. */
         snprintf(text, size, "  ...%s ", mark);
         return text;
     }
     bool colour = terminal_colour(session->output->out);
     snprintf(text, size, colour ? "\001\033[1m\002domino%s\001\033[m\002 " : "domino%s ", mark);
-    session->prompt_width = (int)strlen("domino> ");
+    session->source.prompt_width = (int)strlen("domino> ");
     return text;
 }
 
@@ -198,7 +198,7 @@ void line_prompt(struct session *session)
     }
     sigaction(SIGTTOU, &ignore, &ttou);
     prompt_session = complete_session = session;
-    session->source = NULL;
+    session->source.name = NULL;
     session->state.scene.compute.interrupt = &interrupted;
     history_load(session);
     readline_begin();
@@ -237,7 +237,7 @@ void line_prompt(struct session *session)
     free(begun);
     begun = NULL;
     session->state.scene.compute.interrupt = NULL;
-    session->prompt_width = 0;
+    session->source.prompt_width = 0;
     for (int i = 0; i < WATCHED; i++)
         sigaction(watched[i], &before[i], NULL);
     sigaction(SIGTTOU, &ttou, NULL);

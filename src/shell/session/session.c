@@ -40,8 +40,8 @@ void session_close(struct session *session)
 
 struct query session_query(struct session *session)
 {
-    session->means.script = session->source;
-    session->means.sourced = session->depth > 0;
+    session->means.script = session->source.name;
+    session->means.sourced = session->source.depth > 0;
     return (struct query){.state = &session->state,
                           .scene = &session->state.scene,
                           .ans = &session->ans,
@@ -62,7 +62,7 @@ enum { CARET_INDENT = 2 };
 /* Returns true if the typed line has no control characters, which it may have if it was pasted. */
 static bool typed_is_plain(const struct session *session)
 {
-    char *typed = strndup(session->typed, (size_t)session->typed_length);
+    char *typed = strndup(session->typed.text, (size_t)session->typed.length);
     bool plain = typed && !escape_needed(typed);
     free(typed);
     return plain;
@@ -72,17 +72,17 @@ static bool typed_is_plain(const struct session *session)
  * there is output between them. */
 static void session_caret(const struct session *session, int column)
 {
-    int width = terminal_width(stderr), at = session->prompt_width + column;
-    if (!session->prompt_width || !column || !session->typed)
+    int width = terminal_width(stderr), at = session->source.prompt_width + column;
+    if (!session->source.prompt_width || !column || !session->typed.text)
         return;
-    bool above = session->fresh && width > 0;
-    if (!above && (session->typed_columns + CARET_INDENT >= width || !typed_is_plain(session)))
+    bool above = session->typed.is_last && width > 0;
+    if (!above && (session->typed.columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
     if (above) /* a long line is wrapped */
         at = (at - 1) % width + 1;
     if (!above)
-        fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed_length,
-                session->typed);
+        fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
+                session->typed.text);
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
@@ -90,10 +90,10 @@ static void session_caret(const struct session *session, int column)
 static void session_tell(const struct session *session, const struct problem *problem)
 {
     const struct format *format = format_at(session->state.settings.style.output);
-    const struct failure failure = {problem->command, problem->text, session->source, session->line,
-                                    problem->column};
+    const struct failure failure = {problem->command, problem->text, session->source.name,
+                                    session->source.line, problem->column};
     struct output *output = output_base(session->output);
-    if (!format->failed || !session->source)
+    if (!format->failed || !session->source.name)
         return;
     format->failed(output->out, &failure);
     output_flush(output);
@@ -103,7 +103,7 @@ static void session_tell(const struct session *session, const struct problem *pr
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
 {
     char line[2 * PROBLEM_TEXT], text[4 * sizeof line], shown[NAMES_SHOWN];
-    const char *source = session->source;
+    const char *source = session->source.name;
     if (source && escape_needed(source))
         source = names_shown(source, shown); /* control characters could hide the message */
     int n = 0;
@@ -111,25 +111,25 @@ static void session_write(struct session *session, const struct problem *problem
     progress_end();
     session_caret(session, problem->column);
     if (source && problem->column)
-        n = snprintf(line, sizeof line, "%s:%ld:%d: ", source, session->line, problem->column);
+        n = snprintf(line, sizeof line, "%s:%ld:%d: ", source, session->source.line, problem->column);
     else if (source)
-        n = snprintf(line, sizeof line, "%s:%ld: ", source, session->line);
+        n = snprintf(line, sizeof line, "%s:%ld: ", source, session->source.line);
     n = n < (int)sizeof line / 2 ? n : (int)sizeof line / 2;
     if (problem->command)
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     /* After an error in a sourced file, its commands before the error still belong in the log. */
-    log_decide(&session->output, is_error && session->depth == 0);
+    log_decide(&session->output, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);
     escape_text(line, text, sizeof text);
     log_message(&session->output, text);
     FILE *out = session->output->messages;
-    bool colour = terminal_colour(stderr) && !session->source;
+    bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
-    write_wrapped(out, text, 0, session->prompt_width ? terminal_width(stderr) : 0);
+    write_wrapped(out, text, 0, session->source.prompt_width ? terminal_width(stderr) : 0);
     fputs(colour ? "\033[m\n" : "\n", out);
-    session->fresh = false;
+    session->typed.is_last = false;
 }
 
 void session_problem(struct session *session, const struct problem *problem)

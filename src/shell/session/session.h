@@ -18,15 +18,19 @@ struct session {
     struct output *output; /* the top of the stack of outputs */
     struct output standard;
 
-    const char *source; /* the name of the script, for messages; NULL at the prompt */
-    FILE *script;       /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
-    long line;          /* the number of the current line in the script */
-    int depth;          /* of nested 'source' commands */
+    struct source {
+        const char *name; /* the name of the script, for messages; NULL at the prompt */
+        FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
+        long line;        /* the number of the current line in the script */
+        int depth;        /* how deeply 'source' commands are nested */
+        int prompt_width; /* the number of columns before the typed line; 0 in a script */
+    } source;
 
-    int prompt_width;  /* at the prompt: the columns before the typed line; otherwise 0 */
-    const char *typed; /* the line that runs; it does not end with a NUL byte */
-    int typed_length, typed_columns;
-    bool fresh; /* at the prompt: there is no output below the typed line yet */
+    struct typed {
+        const char *text; /* the line that runs, which does not end with a NUL byte; NULL between lines */
+        int length, columns;
+        bool is_last; /* at the prompt: there is no output below the line yet */
+    } typed;
 
     const char *command;            /* the command that runs, for notes */
     volatile sig_atomic_t *resumes; /* SIGINT sets it, and ends only a command; NULL if it ends the script */
