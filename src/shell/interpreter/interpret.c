@@ -57,14 +57,10 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Logs commands unless they are in a file that is sourced, which is logged itself. Returns false if there is
- * no log. */
-static bool log_typed(struct session *session, const char *commands, size_t length, bool at_once)
+/* Returns true if typed commands are logged. Those of a file that is sourced are not, since 'source' is. */
+static bool has_log(struct session *session)
 {
-    bool is_logged = output_find(&session->output, OUTPUT_LOG) && session->source.depth == 0;
-    if (is_logged)
-        log_commands(&session->output, commands, length, at_once);
-    return is_logged;
+    return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
 /* Runs the commands of a text. A log that begins in this line gets the commands that follow. */
@@ -72,8 +68,9 @@ static void run_commands(struct session *session, const struct text *text, const
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
-    /* Of several commands one may fail after others have run, so that the line is logged at once. */
-    bool is_logged = log_typed(session, line, length, *text_end(text->line, ";") == ';');
+    bool is_logged = has_log(session);
+    if (is_logged) /* Of several commands one may fail after others have run: these are logged at once. */
+        log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
         long errors = session->errors;
         const char *begin = skip_blanks(r.at), *end = text_end(begin, ";");
@@ -88,8 +85,11 @@ static void run_commands(struct session *session, const struct text *text, const
         if (*end != ';' || session_stops(session, errors))
             return;
         r.at = end + 1;
-        const char *next = text_typed(text, skip_blanks(r.at));
-        is_logged = is_logged || log_typed(session, next, length - (size_t)(next - line), true);
+        if (!is_logged && has_log(session)) {
+            const char *next = text_typed(text, skip_blanks(r.at));
+            log_commands(&session->output, next, length - (size_t)(next - line), true);
+            is_logged = true;
+        }
     }
 }
 

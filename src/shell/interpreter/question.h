@@ -59,6 +59,9 @@ bool question_ask(const struct question *question, const struct query *query, st
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
+/* Returns true if the question is an expression, which 'print' answers. Problems do not name that command. */
+bool question_is_expression(const struct question *question);
+
 /* Returns true if the question asks for one number. Otherwise describes a problem with the keys of the
  * answer. */
 bool question_needs_number(const struct question *question, struct problem *problem);

@@ -43,7 +43,9 @@ static bool run_function(struct session *session, const struct command *c, const
 static bool run_command(struct session *session, const struct command *c, const struct query *query,
                         struct problem *problem)
 {
-    struct cell kept[ANSWER_CELLS] = {{0}};
+    struct cell kept[ANSWER_CELLS];
+    if (c->principal) /* Most lines of a script have no cells, and this is a kilobyte. */
+        memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = output_end(output);
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     struct answer answer = {

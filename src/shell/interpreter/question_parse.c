@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/question.h"
 #include "interpreter/command_read.h"
+#include "interpreter/question.h"
 #include "session/parameters.h"
 #include <ctype.h>
 #include <limits.h>
@@ -8,7 +8,7 @@
 
 static const char no_memory[] = "out of memory";
 
-/* ---- Parsing: parameters and topics ---- */
+/* ---- Parameters and topics ---- */
 
 /* Returns true if a word is the path of a file, and not the beginning of an expression. */
 static bool is_path(const struct state *state, const char *word)
@@ -114,7 +114,7 @@ static bool effect_parse(struct reader *r, const struct argument *a, struct ques
     return good;
 }
 
-/* ---- Parsing: all arguments ---- */
+/* ---- All arguments ---- */
 
 static bool argument_parse(struct reader *r, struct question *q, int i)
 {
@@ -229,16 +229,11 @@ static bool arguments_parse(struct reader *r, struct question *q)
 
 /* ---- Questions ---- */
 
-/* 'print' is not named in problems, since an expression needs no command. */
-static const char *problem_command(const struct question *q, const struct problem *problem)
-{
-    return strcmp(q->command->name, "print") == 0 ? problem->command : q->command->name;
-}
-
 bool question_parse(struct reader *r, struct question *q)
 {
     const char *outer = r->problem->command;
-    r->problem->command = problem_command(q, r->problem);
+    if (!question_is_expression(q))
+        r->problem->command = q->command->name;
     bool good = arguments_parse(r, q);
     if (good)
         r->problem->command = outer;
@@ -254,66 +249,6 @@ bool command_parse(struct reader *r, struct question *q)
         return false;
     r->problem->command = q->command->name;
     return question_parse(r, q);
-}
-
-/* Copies the state of the query and assigns what follows 'with'. */
-static bool with_bind(const struct question *q, const struct query *query, struct call *call,
-                      struct problem *problem)
-{
-    struct assigned assigned[ASSIGNED_MAX];
-    int count = 0;
-    for (const struct assignment *a = q->with; a; a = a->next) {
-        assigned[count].parameter = a->parameter;
-        if (!item_bind(&a->item, q->text, query, NULL, &assigned[count++].value, problem))
-            return false;
-    }
-    return query_with(query, assigned, count, &call->state, &call->query, problem);
-}
-
-bool question_bind(const struct question *q, const struct query *query, struct call *call,
-                   struct problem *problem)
-{
-    call->given = (struct arguments){
-        .count = q->count, .parameter = q->parameter, .variable = q->variable, .bound = q->parsed};
-    call->query = *query;
-    if (!command_allowed(query->means, q->command, problem) ||
-        (q->with && !with_bind(q, query, call, problem)))
-        return false;
-    call->query.given = &call->given;
-    for (int i = 0; i < q->count; i++) {
-        const struct argument *a = &q->command->argument[i];
-        const struct item *item = &q->item[i];
-        call->given.word[i] = item->word;
-        call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
-        if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
-                       problem) ||
-            (a->bind && !a->bind(q, &call->query, &call->given, problem)))
-            return false;
-    }
-    return true;
-}
-
-void call_free(struct call *call)
-{
-    if (call->given.bound_free)
-        call->given.bound_free(call->given.bound);
-}
-
-bool question_ask(const struct question *q, const struct query *query, struct answer *answer,
-                  struct problem *problem)
-{
-    struct call call;
-    const char *outer = problem->command;
-    problem->command = problem_command(q, problem);
-    bool done = question_bind(q, query, &call, problem);
-    if (done) {
-        problem->place = 0;
-        done = q->command->run(&call.query, answer, problem);
-    }
-    call_free(&call);
-    if (done)
-        problem->command = outer;
-    return done;
 }
 
 /* ---- Questions inside of other commands ---- */
@@ -344,18 +279,6 @@ const char *question_names(const void *context, int k)
             return name;
     }
     return NULL;
-}
-
-bool question_needs_number(const struct question *q, struct problem *problem)
-{
-    const struct command *c = q->command;
-    if (q->key >= 0 || strcmp(c->name, "print") == 0)
-        return true;
-    char keys[256] = "";
-    for (int n = 0, k = 0; c->columns[k].key && n < (int)sizeof keys; k++)
-        n +=
-            snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, c->columns[k].key);
-    return problem_error(problem, "which number of '%s'? One of %s", c->name, keys);
 }
 
 const char *question_name(struct reader *r, const char *begin, const char *end)
@@ -393,29 +316,4 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
     bool good = question_parse(r, q);
     q->name = question_name(r, begin, r->at);
     return good;
-}
-
-bool question_value(const struct question *q, const struct query *query, struct quantity *value,
-                    struct problem *problem)
-{
-    struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
-    const struct command *c = q->command;
-    struct answer answer = {
-        .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
-    if (!question_ask(q, query, &answer, problem))
-        return false;
-    *value = answer.value;
-    if (answer.is_value)
-        return true;
-    if (!question_needs_number(q, problem))
-        return false;
-    struct cell cell = kept[q->key];
-    const char *key = c->columns[q->key].key;
-    if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
-        return problem_error(problem, "%s.%s is a word, and not a number", c->name, key);
-    if (cell.kind == CELL_NONE)
-        return problem_no_answer(problem, "%s.%s does not exist here: '%s' says why", c->name, key, c->name);
-    *value = expression_unit(c->columns[q->key].unit);
-    value->value *= cell.number;
-    return true;
 }

@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "interpreter/question.h"
+#include <string.h>
+
+bool question_is_expression(const struct question *q)
+{
+    return strcmp(q->command->name, "print") == 0;
+}
+
+/* Copies the state of the query and assigns what follows 'with'. */
+static bool with_bind(const struct question *q, const struct query *query, struct call *call,
+                      struct problem *problem)
+{
+    struct assigned assigned[ASSIGNED_MAX];
+    int count = 0;
+    for (const struct assignment *a = q->with; a; a = a->next) {
+        assigned[count].parameter = a->parameter;
+        if (!item_bind(&a->item, q->text, query, NULL, &assigned[count++].value, problem))
+            return false;
+    }
+    return query_with(query, assigned, count, &call->state, &call->query, problem);
+}
+
+bool question_bind(const struct question *q, const struct query *query, struct call *call,
+                   struct problem *problem)
+{
+    call->given = (struct arguments){
+        .count = q->count, .parameter = q->parameter, .variable = q->variable, .bound = q->parsed};
+    call->query = *query;
+    if (!command_allowed(query->means, q->command, problem) ||
+        (q->with && !with_bind(q, query, call, problem)))
+        return false;
+    call->query.given = &call->given;
+    for (int i = 0; i < q->count; i++) {
+        const struct argument *a = &q->command->argument[i];
+        const struct item *item = &q->item[i];
+        call->given.word[i] = item->word;
+        call->given.column[i] = item->at ? text_column(q->text, item->at) : 0;
+        if (!item_bind(item, q->text, &call->query, &call->given.quantity[i], &call->given.number[i],
+                       problem) ||
+            (a->bind && !a->bind(q, &call->query, &call->given, problem)))
+            return false;
+    }
+    return true;
+}
+
+void call_free(struct call *call)
+{
+    if (call->given.bound_free)
+        call->given.bound_free(call->given.bound);
+}
+
+bool question_ask(const struct question *q, const struct query *query, struct answer *answer,
+                  struct problem *problem)
+{
+    struct call call;
+    const char *outer = problem->command;
+    if (!question_is_expression(q))
+        problem->command = q->command->name;
+    bool done = question_bind(q, query, &call, problem);
+    if (done) {
+        problem->place = 0;
+        done = q->command->run(&call.query, answer, problem);
+    }
+    call_free(&call);
+    if (done)
+        problem->command = outer;
+    return done;
+}
+
+bool question_needs_number(const struct question *q, struct problem *problem)
+{
+    const struct command *c = q->command;
+    if (q->key >= 0 || question_is_expression(q))
+        return true;
+    char keys[256] = "";
+    for (int n = 0, k = 0; c->columns[k].key && n < (int)sizeof keys; k++)
+        n +=
+            snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, c->columns[k].key);
+    return problem_error(problem, "which number of '%s'? One of %s", c->name, keys);
+}
+
+bool question_value(const struct question *q, const struct query *query, struct quantity *value,
+                    struct problem *problem)
+{
+    struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
+    const struct command *c = q->command;
+    struct answer answer = {
+        .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
+    if (!question_ask(q, query, &answer, problem))
+        return false;
+    *value = answer.value;
+    if (answer.is_value)
+        return true;
+    if (!question_needs_number(q, problem))
+        return false;
+    struct cell cell = kept[q->key];
+    const char *key = c->columns[q->key].key;
+    if (cell.kind == CELL_WORD || cell.kind == CELL_FLAG)
+        return problem_error(problem, "%s.%s is a word, and not a number", c->name, key);
+    if (cell.kind == CELL_NONE)
+        return problem_no_answer(problem, "%s.%s does not exist here: '%s' says why", c->name, key, c->name);
+    *value = expression_unit(c->columns[q->key].unit);
+    value->value *= cell.number;
+    return true;
+}
