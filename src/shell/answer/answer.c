@@ -85,7 +85,7 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    if (a->is_planned || !a->out || a->point) /* the sweep plans the rows of its points */
+    if (a->is_planned || !a->out || a->sink) /* the sweep plans the rows of its points */
         return;
     a->is_planned = true;
     terminal_look(a);
@@ -209,8 +209,8 @@ bool answer_row(struct answer *a, const struct cell *cells, const char *reason)
         if (!(a->left_out >> i & 1))
             left[n++] = cells[i];
     cells = a->left_out ? left : cells;
-    if (a->point) {
-        a->point(a, cells, reason);
+    if (a->sink) {
+        a->sink(a, cells, reason);
     } else if (a->out) {
         row_write(a, cells, reason);
         if (reason)
@@ -228,7 +228,7 @@ bool answer_lost(const struct answer *a)
 
 bool answer_for_people(const struct answer *a)
 {
-    return a->out && a->style.format->for_people && !a->point;
+    return a->out && a->style.format->for_people && !a->sink;
 }
 
 void answer_say(struct answer *a, const char *format, ...)

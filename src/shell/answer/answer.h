@@ -61,8 +61,8 @@ struct answer {
     char late_reason[ANSWER_REASON];                   /* a reason for which the rows have no place, or "" */
 
     /* If not NULL, the answer is that of one point of a sweep, and this function takes its rows. */
-    void (*point)(struct answer *answer, const struct cell *cells, const char *reason);
-    struct swept *swept;
+    void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
+    void *sink_context;
 };
 
 /* What went wrong, for programs that read answers. */

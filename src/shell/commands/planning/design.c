@@ -335,5 +335,5 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
     if (answer_for_people(a))
         design_say(query, a, &wish, &d, &plan);
     free(plan.domino);
-    return !a->out || a->point || design_keep(query, problem, a, &d);
+    return !a->out || a->sink || design_keep(query, problem, a, &d);
 }

@@ -46,7 +46,7 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     size_t *stops = calloc(count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
-    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->point; /* a sweep just ends */
+    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->sink; /* a sweep just ends */
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, p->sigma, p->heights, &study, stops, count, interrupted ? partial : NULL);

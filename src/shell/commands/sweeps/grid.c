@@ -2,47 +2,41 @@
 #include "commands/sweeps/grid.h"
 #include "language/quad.h"
 #include <stdlib.h>
-#include <string.h>
-
-#define POINTS_MAX ((size_t)1000000000000)
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
 /* ---- Parsing ---- */
 
-static const struct argument count_argument = {.name = "N", .kind = ARGUMENT_COUNT};
-
-/* Parses one value; what: the value that may be missing. */
-static bool value_parse(struct reader *r, const struct parameter *p, const char *what, struct item *item)
+/* Parses one value, whose name is for the message that it is missing. */
+static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
-    r->at = skip_blanks(r->at);
+    bool ends = reader_ends(r);
     reader_place(r, r->at);
-    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
-        return problem_error(r->problem, "%s: %s is missing; %s", p->name, what, form);
-    return item_parse_listed(r, p, item);
+    return ends ? problem_error(r->problem, "%s: %s is missing; %s", p->name, name, form)
+                : item_parse_listed(r, p, item);
 }
 
-/* Parses the rest of a list, up to a value without a comma after it. */
+/* Parses the list behind its first value, up to a value without a comma after it. */
 static bool list_parse(struct reader *r, struct axis_parsed *axis)
 {
     struct value_parsed **last = &axis->first->next;
     for (axis->count = 1; *r->at == ','; axis->count++) {
-        struct value_parsed *value = arena_take(r->arena, sizeof *value);
+        struct value_parsed *value = *last = arena_take(r->arena, sizeof *value);
         if (!value)
             return problem_error(r->problem, "out of memory");
         r->at++;
         if (!value_parse(r, axis->parameter, "a value after ','", &value->item))
             return false;
-        *last = value;
         last = &value->next;
         r->at = skip_blanks(r->at);
     }
     return true;
 }
 
-/* Parses FROM, TO, N and, after it, the word log; or a list. */
+/* Parses "FROM TO N", "FROM TO N log" or a list. */
 static bool axis_parse(struct reader *r, struct axis_parsed *axis)
 {
+    static const struct argument count = {.name = "N", .kind = ARGUMENT_COUNT};
     const struct parameter *p = axis->parameter;
     if (!(axis->first = arena_take(r->arena, sizeof *axis->first)))
         return problem_error(r->problem, "out of memory");
@@ -59,25 +53,22 @@ static bool axis_parse(struct reader *r, struct axis_parsed *axis)
         return problem_error(r->problem,
                              "the values of %s are words; list them, as in 'sweep %s %s, %s : rmax'", p->name,
                              p->name, p->words[0].name, p->words[1].name);
-    r->at = skip_blanks(r->at);
+    bool ends = reader_ends(r);
     reader_place(r, r->at);
-    if (command_ends(r->at) || *r->at == '>' || *r->at == ':')
+    if (ends)
         return problem_error(r->problem, "%s: N, the number of values, is missing; %s", p->name, form);
-    if (!item_parse(r, &count_argument, &axis->steps))
+    if (!item_parse(r, &count, &axis->steps))
         return false;
-    r->at = skip_blanks(r->at);
-    axis->log_at = r->at;
-    axis->logarithmic = reader_takes(r, "log");
+    const char *behind = skip_blanks(r->at);
+    r->at = behind;
+    axis->log_at = reader_takes(r, "log") ? behind : NULL;
     return true;
 }
 
-bool grid_parse(struct reader *r, struct grid_parsed *grid)
+static bool axes_parse(struct reader *r, struct grid_parsed *grid)
 {
-    const char *no_unit = r->no_unit;
-    r->no_unit = "sg"; /* the next name, and no unit, may follow N */
     *grid = (struct grid_parsed){.axes = 0};
-    for (r->at = skip_blanks(r->at); !command_ends(r->at) && *r->at != '>' && *r->at != ':';
-         r->at = skip_blanks(r->at)) {
+    while (!reader_ends(r) || *r->at == ',') {
         const struct parameter *p = parameter_parse(r, form);
         if (!p)
             return false;
@@ -93,18 +84,31 @@ bool grid_parse(struct reader *r, struct grid_parsed *grid)
         if (!axis_parse(r, axis))
             return false;
     }
-    r->no_unit = no_unit;
     reader_place(r, r->at);
-    return grid->axes > 0 || problem_error(r->problem, "the grid is missing; %s", form);
+    if (grid->axes == 0)
+        return problem_error(r->problem, "the grid is missing; %s", form);
+    return *r->at == ':' || problem_error(r->problem, "':' and a command are missing after the grid; for "
+                                                      "example 'sweep s 0.1 0.9 9 : rmax'");
+}
+
+bool grid_parse(struct reader *r, struct grid_parsed *grid)
+{
+    const char *no_unit = r->no_unit;
+    r->no_unit = "sg"; /* after N these letters are the names of parameters */
+    r->stops = ":,";
+    bool is_good = axes_parse(r, grid);
+    r->stops = NULL;
+    r->no_unit = no_unit;
+    return is_good;
 }
 
 /* ---- Binding ---- */
 
-static bool list_bind(const struct axis_parsed *from, const struct text *text, const struct query *query,
+static bool list_bind(const struct axis_parsed *parsed, const struct text *text, const struct query *query,
                       struct axis *axis, struct problem *problem)
 {
-    const struct value_parsed *value = from->first;
-    axis->count = from->count;
+    const struct value_parsed *value = parsed->first;
+    axis->count = parsed->count;
     axis->list = malloc(axis->count * sizeof *axis->list);
     if (!axis->list)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
@@ -114,24 +118,24 @@ static bool list_bind(const struct axis_parsed *from, const struct text *text, c
     return true;
 }
 
-static bool axis_bind(const struct axis_parsed *from, const struct text *text, const struct query *query,
+static bool axis_bind(const struct axis_parsed *parsed, const struct text *text, const struct query *query,
                       struct axis *axis, struct problem *problem)
 {
     domq_real n;
-    const char *name = from->parameter->name;
-    *axis = (struct axis){.parameter = from->parameter, .logarithmic = from->logarithmic};
-    if (from->count > 0)
-        return list_bind(from, text, query, axis, problem);
-    if (!item_bind(&from->first->item, text, query, NULL, &axis->from, problem) ||
-        !item_bind(&from->to, text, query, NULL, &axis->to, problem) ||
-        !item_bind(&from->steps, text, query, NULL, &n, problem))
+    const char *name = parsed->parameter->name;
+    *axis = (struct axis){.parameter = parsed->parameter, .logarithmic = parsed->log_at != NULL};
+    if (parsed->count > 0)
+        return list_bind(parsed, text, query, axis, problem);
+    if (!item_bind(&parsed->first->item, text, query, NULL, &axis->from, problem) ||
+        !item_bind(&parsed->to, text, query, NULL, &axis->to, problem) ||
+        !item_bind(&parsed->steps, text, query, NULL, &n, problem))
         return false;
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
         return problem_error(problem, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
                              quad_shown(axis->from).text, quad_shown(axis->to).text);
     if (axis->logarithmic) {
-        problem->place = text_column(text, from->log_at);
+        problem->place = text_column(text, parsed->log_at);
         return (axis->from > 0 && axis->to > 0) ||
                problem_error(problem, "%s: equal ratios need FROM and TO above 0", name);
     }
@@ -142,16 +146,17 @@ static bool axis_bind(const struct axis_parsed *from, const struct text *text, c
                          name, quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
-bool grid_bind(const struct grid_parsed *from, const struct text *text, const struct query *query,
+bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                struct grid *grid, struct problem *problem)
 {
+    const size_t most = 1000000000000;
     *grid = (struct grid){.points = 1};
-    for (int i = 0; i < from->axes; i++) {
-        struct axis *axis = &grid->axis[grid->axes++]; /* grid_free frees its list also after a problem */
-        if (!axis_bind(&from->axis[i], text, query, axis, problem))
+    for (int i = 0; i < parsed->axes; i++) {
+        struct axis *axis = &grid->axis[grid->axes++]; /* so that grid_free frees its list after a problem */
+        if (!axis_bind(&parsed->axis[i], text, query, axis, problem))
             return false;
-        if (axis->count > POINTS_MAX / grid->points)
-            return problem_error(problem, "the grid has more than %zu points; enter smaller N", POINTS_MAX);
+        if (axis->count > most / grid->points)
+            return problem_error(problem, "the grid has more than %zu points; enter smaller N", most);
         grid->points *= axis->count;
     }
     return true;
@@ -170,8 +175,8 @@ domq_real axis_value(const struct axis *axis, size_t k)
     if (axis->list)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
-    bool end = k == 0 || k == axis->count - 1; /* exactly as typed */
-    domq_real value = axis->logarithmic && !end
+    bool is_end = k == 0 || k == axis->count - 1; /* both ends are exactly as they were typed */
+    domq_real value = axis->logarithmic && !is_end
                           ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                           : (1 - f) * axis->from + f * axis->to;
     return axis->parameter->value->whole ? quad(round)(value) : value;

@@ -10,44 +10,43 @@ struct axis {
     const struct parameter *parameter;
     size_t count;
     domq_real from, to;
-    bool logarithmic; /* steps of equal ratio */
-    domq_real *list;  /* the values of a list; else NULL */
+    bool logarithmic; /* the ratio of neighbours is the same */
+    domq_real *list;  /* the values of a list, or NULL */
 };
 
 struct grid {
-    struct axis axis[ASSIGNED_MAX];
+    struct axis axis[ASSIGNED_MAX]; /* the first one changes slowest */
     int axes;
-    size_t points; /* the product of the counts; the first axis changes slowest */
+    size_t points; /* the product of the counts */
 };
 
-/* The same as it was parsed. */
-struct value_parsed {
-    struct item item;
-    struct value_parsed *next;
-};
-struct axis_parsed {
-    const struct parameter *parameter;
-    struct value_parsed *first; /* of the list, or FROM */
-    size_t count;               /* of the list; 0: FROM TO N */
-    struct item to, steps;
-    bool logarithmic;
-    const char *log_at; /* where 'log' is */
-};
+/* A grid as it was parsed. */
 struct grid_parsed {
-    struct axis_parsed axis[ASSIGNED_MAX];
+    struct axis_parsed {
+        const struct parameter *parameter;
+        struct value_parsed {
+            struct item item;
+            struct value_parsed *next;
+        } * first;    /* of the list, or FROM */
+        size_t count; /* of the list; 0 for FROM TO N */
+        struct item to, steps;
+        const char *log_at; /* the place of the word 'log', or NULL */
+    } axis[ASSIGNED_MAX];
     int axes;
 };
 
-/* Parses a grid up to ':' or the end of the command. */
+/* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Gives the grid its values in the state of a query. Free it with grid_free, also after a problem. */
+/* Gives a grid its values in the state of a query. Call grid_free also after a problem. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                struct grid *grid, struct problem *problem);
 void grid_free(struct grid *grid);
 
-/* Return value k, counted from 0; and a value as a cell. */
+/* Returns value k of an axis, counted from 0. */
 domq_real axis_value(const struct axis *axis, size_t k);
+
+/* Returns a value of an axis as a cell. */
 struct cell axis_cell(const struct axis *axis, domq_real value);
 
 #endif

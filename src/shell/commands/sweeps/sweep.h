@@ -5,7 +5,7 @@
 
 #include "commands/sweeps/grid.h"
 
-/* Parse and bind the grid, and the answers after the ':'. */
+/* Parse the grid and the answers after the ':', and bind both. */
 bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -15,7 +15,7 @@ bool sweep_bind(const struct question *question, const struct query *query, stru
 struct sweep_shape {
     const struct grid *grid;
     const struct command *command; /* the first one, if a list of answers is swept */
-    const char *asked;             /* the command with its arguments, or the expression, as it was typed */
+    const char *asked;             /* the answers as they were typed */
 };
 struct sweep_shape sweep_shape(const struct arguments *given);
 
