@@ -131,7 +131,6 @@ enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
 struct sheet {
     double width, height, below, above; /* margins: below and above the axes */
     double left, right, low, high, dot; /* of the stage; low < 0: room for the numbers below the ground */
-    char more[CAPTION_COLUMNS + 1];     /* a line below the caption: which dominoes have no labels */
 };
 
 extern const struct marks script_marks;

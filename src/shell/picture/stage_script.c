@@ -39,13 +39,11 @@ static int caption_lines(const char *text)
     return lines;
 }
 
-/* Returns the sheet with so many dots above the tallest domino, and a line more below the caption. */
-static struct sheet sheet_with(const struct stage *stage, double least, double most, double room,
-                               const char *more)
+/* Returns the sheet with so many dots above the tallest domino. */
+static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    struct sheet v = {.width = SHEET_WIDTH,
-                      .below = MARGIN_BELOW,
-                      .above = 10 + LINE * (caption_lines(stage->caption) + (*more != 0))};
+    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* see labels_missing */
+    struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);
     v.dot = by_width > by_height ? by_width : by_height;
@@ -121,18 +119,17 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (MARGIN_LEFT + ACROSS / 2.0) / v->width, 9 / v->height, SMALL + 1);
 }
 
-/* Writes a text from a line of the caption on; returns the line after it. */
-static int caption_script(const char *text, const struct sheet *v, int lines, FILE *script)
+/* Writes a text from a line of the caption on. */
+static void caption_script(const char *text, const struct sheet *v, int line, FILE *script)
 {
-    for (size_t n; *text; lines++, text += n + (text[n] == ' ' || text[n] == '\n')) {
+    for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {
         n = line_break(text, CAPTION_COLUMNS);
         fprintf(script, "set label \"");
         for (size_t i = 0; i < n; i++)
             fprintf(script, strchr("\"\\", text[i]) ? "\\%c" : "%c", text[i]);
         fprintf(script, "\" at screen %.8g,%.8g left font ',%d' noenhanced front\n", 10 / v->width,
-                1 - (16.0 + LINE * lines) / v->height, FONT);
+                1 - (16.0 + LINE * line) / v->height, FONT);
     }
-    return lines;
 }
 
 /* ---- Labels where there is room ---- */
@@ -142,38 +139,39 @@ struct box {
     double x, y, wide, high;
 };
 
-struct label {
-    struct box box;
-    struct point at;
-    const char *how, *colour; /* how it stands there, for gnuplot */
-    char text[64];
-};
-
 enum { LABELS = 256 };
 struct labels {
-    FILE *script; /* takes the labels that have room; NULL: none does */
+    FILE *script;
+    const struct sheet *sheet;
     struct box taken[LABELS];
     int count;
 };
 
-/* Writes a text into the picture, unless another one is there; it keeps a little room around it. */
-static bool label_put(struct labels *l, const struct label *own)
+/*
+ * Writes a text at x on the ruler, around a height of so many dots, or upright from that height on. Returns
+ * false if another text is there.
+ */
+static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
+                      const char *text)
 {
+    double dot = l->sheet->dot, length = (double)strlen(text) * LETTER + 4;
+    struct box own = {x / dot, height, length, SMALL};
+    if (upright)
+        own = (struct box){x / dot, height + length / 2 - 2, 1.25 * SMALL, length};
     for (int i = 0; i < l->count; i++)
-        if (2 * fabs(own->box.x - l->taken[i].x) < own->box.wide + l->taken[i].wide &&
-            2 * fabs(own->box.y - l->taken[i].y) < own->box.high + l->taken[i].high)
+        if (2 * fabs(own.x - l->taken[i].x) < own.wide + l->taken[i].wide &&
+            2 * fabs(own.y - l->taken[i].y) < own.high + l->taken[i].high)
             return false;
     if (l->count == LABELS)
         return false;
-    l->taken[l->count++] = own->box;
-    if (l->script)
-        fprintf(l->script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", own->text,
-                own->at.x, own->at.y, own->how, SMALL, own->colour);
+    l->taken[l->count++] = own;
+    fprintf(l->script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", text, x, height * dot,
+            upright ? "left rotate by 90" : "center", SMALL, colour);
     return true;
 }
 
-/* The colours of dominoes: they differ in lightness, too, so they stay apart in grey print and for
- * colour-blind people. */
+/* The colours of dominoes differ in lightness, too, so that grey print and colour-blind people keep them
+ * apart. */
 static const char *const fill[PARTS] = {"#f4efe2", "#e8b85a", "#4f95c4", "#c8400c", "#000000"};
 
 static const char *colour_of(const struct drawn *d)
@@ -181,31 +179,20 @@ static const char *colour_of(const struct drawn *d)
     return d->part == WEAKEST ? fill[WEAKEST] : "#000000";
 }
 
-static double middle_of(const struct drawn *d)
+static struct measured height_of(const struct stage *stage, size_t k)
 {
-    return d->foot - d->thickness / 2;
+    return measured(stage->row[k].height, "m", 3);
 }
 
-/* Puts the number of a domino below the ground. */
-static bool number_put(const struct sheet *v, const struct drawn *d, struct labels *l)
-{
-    struct label own = {.box.high = 1, .how = "center", .colour = colour_of(d)};
-    char name[DRAWN_NAME];
-    own.at = (struct point){middle_of(d), v->low / 2};
-    own.box.wide = drawn_name(d, name) * LETTER + 4;
-    own.box.x = own.at.x / v->dot;
-    snprintf(own.text, sizeof own.text, "%s", name);
-    return *name && own.at.x >= v->left && own.at.x <= v->right && label_put(l, &own);
-}
-
-/* Writes the height of a domino, with the word that marks it; false: there is no room above. */
+/* Writes the height of a domino for people, with the word that marks it. Returns false if the dominoes beside
+ * it leave no room for the text, or if the height is that of the domino before. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
     double half = 0.6 * SMALL * v->dot;
     double before = k > 0 ? d->thickness / 2 + (double)stage->row[k].gap : HUGE_VAL;
     double after = k + 1 < stage->count ? d->thickness / 2 + (double)stage->row[k + 1].gap : HUGE_VAL;
-    snprintf(text, 64, "%.30s%s", measured(stage->row[k].height, "m", 3).text,
+    snprintf(text, 64, "%.30s%s", height_of(stage, k).text,
              d->part == WEAKEST ? "  weakest"
              : d->part == ENDS  ? "  ends here"
                                 : "");
@@ -216,136 +203,98 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
 static bool height_repeats(const struct stage *stage, size_t k)
 {
     return k > 0 && !drawn_marked(&stage->domino[k]) &&
-           strcmp(measured(stage->row[k - 1].height, "m", 3).text,
-                  measured(stage->row[k].height, "m", 3).text) == 0;
+           strcmp(height_of(stage, k - 1).text, height_of(stage, k).text) == 0;
 }
 
-/* Puts the height above a domino, upright. */
-static bool height_put(const struct stage *stage, const struct sheet *v, size_t k, struct labels *l)
+/* Puts the number of a domino below the ground, and its height above it. Returns false if one of them has no
+ * room. */
+static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
-    struct label own = {
-        .box = {.wide = 1.25 * SMALL}, .how = "left rotate by 90 offset 0,0.35", .colour = colour_of(d)};
-    if (height_repeats(stage, k))
-        return true;
-    if (!height_text(stage, v, k, own.text))
-        return false;
-    double length = (double)strlen(own.text) * LETTER;
-    own.at = (struct point){middle_of(d), d->height};
-    own.box.x = own.at.x / v->dot;
-    own.box.y = d->height / v->dot + 5 + length / 2;
-    own.box.high = length + 4;
-    return label_put(l, &own);
+    const struct sheet *v = l->sheet;
+    double middle = d->foot - d->thickness / 2;
+    char text[64];
+    bool number = drawn_name(d, text) && middle >= v->left && middle <= v->right &&
+                  label_put(l, middle, -STRIP / 2.0, false, colour_of(d), text);
+    if (!stage->row || height_repeats(stage, k))
+        return number;
+    bool height = height_text(stage, v, k, text) &&
+                  label_put(l, middle, d->height / v->dot + 5, true, colour_of(d), text);
+    return number && height;
 }
 
-/* Puts the gap before a domino between the feet, where it is wide enough. */
-static void gap_put(const struct stage *stage, const struct sheet *v, size_t k, struct labels *l)
+/* Puts the gap before a domino between the feet where it is wide enough, upright if need be. */
+static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
-    double gap = (double)stage->row[k].gap;
-    struct label own = {.box = {.y = 9, .high = SMALL}, .how = "center", .colour = "#505050"};
-    snprintf(own.text, sizeof own.text, "%.60s", measured(stage->row[k].gap, "m", 3).text);
-    own.box.wide = (double)strlen(own.text) * LETTER;
-    own.at = (struct point){d->foot - d->thickness - gap / 2, 9 * v->dot};
-    own.box.x = own.at.x / v->dot;
-    if (gap <= (own.box.wide + 4) * v->dot) {
-        own.how = "left rotate by 90";
-        own.at.y = 4 * v->dot;
-        own.box.y = 4 + own.box.wide / 2;
-        own.box.high = own.box.wide;
-        own.box.wide = 1.25 * SMALL;
+    double gap = (double)stage->row[k].gap, dot = l->sheet->dot;
+    struct measured text = measured(stage->row[k].gap, "m", 3);
+    bool upright = gap <= ((double)strlen(text.text) * LETTER + 4) * dot;
+    if (k > 0 && gap > 1.4 * SMALL * dot)
+        (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
+}
+
+/*
+ * Writes below the caption which dominoes have no labels, and how tall they are, if that fits a line: in a
+ * long row there may be many runs of them.
+ */
+static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
+                           FILE *script)
+{
+    char line[2 * CAPTION_COLUMNS] = "";
+    int at = 0;
+    for (size_t k = 0; k < stage->count && at < CAPTION_COLUMNS; k++) {
+        size_t from = k;
+        while (is_missing[k] && k + 1 < stage->count && is_missing[k + 1])
+            k++;
+        if (!is_missing[k])
+            continue;
+        const char *to = k == from + 1 ? "and" : "to", *start = at ? ", " : "Too small for labels: domino ";
+        if (k == from)
+            at += snprintf(line + at, sizeof line - (size_t)at, "%s%zu (%.12s)", start, k + 1,
+                           height_of(stage, k).text);
+        else
+            at += snprintf(line + at, sizeof line - (size_t)at, "%s%zu %s %zu (%.12s %s %.12s)", start,
+                           from + 1, to, k + 1, height_of(stage, from).text, to, height_of(stage, k).text);
     }
-    if (k > 0 && gap > 1.4 * SMALL * v->dot)
-        (void)label_put(l, &own);
-}
-
-/* Returns the index of a domino on its stage. */
-static size_t index_of(const struct stage *stage, const struct drawn *d)
-{
-    return (size_t)(d - stage->domino);
+    if (at > 0 && at < CAPTION_COLUMNS) {
+        snprintf(line + at, sizeof line - (size_t)at, ".");
+        caption_script(line, v, caption_lines(stage->caption), script);
+    }
 }
 
 /*
  * Writes numbers, heights and gaps where there is room: those of the marked dominoes first, then from the
- * front, where a row that grows has its largest; heights before gaps. Where `missing` is not NULL, it says
- * for each domino whether its number or its height has no room.
+ * front, where a row that grows has its largest dominoes; gaps last.
  */
-static void labels_put(const struct stage *stage, const struct sheet *v, FILE *script, bool *missing)
+static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
-    struct labels own = {.script = script}, *l = &own;
+    struct labels l = {.script = script, .sheet = v};
+    bool *is_missing = stage->row ? calloc(stage->count, sizeof *is_missing) : NULL;
     for (int pass = 0; pass < 3; pass++)
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);
-            size_t k = index_of(stage, d);
-            if (pass == 2 && stage->row) {
-                gap_put(stage, v, k, l);
-            } else if (drawn_marked(d) == (pass == 0)) {
-                bool number = number_put(v, d, l), height = !stage->row || height_put(stage, v, k, l);
-                if (missing)
-                    missing[k] = !number || !height;
-            }
+            size_t k = (size_t)(d - stage->domino);
+            if (pass == 2 && stage->row)
+                gap_put(stage, k, &l);
+            else if (drawn_marked(d) == (pass == 0) && !names_put(stage, k, &l) && is_missing)
+                is_missing[k] = true;
         }
-}
-
-/* Writes which dominoes have no labels, and how tall they are, in one line; "" where that is none, or many
- * runs of them, as in a long row of equal dominoes. */
-static void unlabelled(const struct stage *stage, const struct sheet *v, char text[CAPTION_COLUMNS + 1])
-{
-    bool *missing = stage->row ? calloc(stage->count, sizeof *missing) : NULL;
-    char line[2 * CAPTION_COLUMNS] = "";
-    int at = 0;
-    if (missing)
-        labels_put(stage, v, NULL, missing);
-    for (size_t k = 0; missing && k < stage->count && at < CAPTION_COLUMNS; k++) {
-        size_t from = k;
-        while (missing[k] && k + 1 < stage->count && missing[k + 1])
-            k++;
-        if (!missing[k])
-            continue;
-        const char *to = k == from + 1 ? "and" : "to";
-        at += snprintf(line + at, sizeof line - (size_t)at, "%s%zu",
-                       at ? ", " : "Too small for labels: domino ", from + 1);
-        if (k > from)
-            at += snprintf(line + at, sizeof line - (size_t)at, " %s %zu", to, k + 1);
-        at += snprintf(line + at, sizeof line - (size_t)at, " (%.12s",
-                       measured(stage->row[from].height, "m", 3).text);
-        if (k > from)
-            at += snprintf(line + at, sizeof line - (size_t)at, " %s %.12s", to,
-                           measured(stage->row[k].height, "m", 3).text);
-        at += snprintf(line + at, sizeof line - (size_t)at, ")");
-    }
-    bool fits = at > 0 && at < CAPTION_COLUMNS;
-    snprintf(text, CAPTION_COLUMNS + 1, "%s%s", fits ? line : "", fits ? "." : "");
-    free(missing);
-}
-
-/* Returns how many dots the heights that are written above the dominoes need above the tallest. */
-static double heights_room(const struct stage *stage, const struct sheet *v)
-{
-    double room = CLEAR;
-    for (size_t k = 0; k < stage->count && stage->row; k++) {
-        char text[64];
-        if (height_text(stage, v, k, text) && !height_repeats(stage, k))
-            room = fmax(room, (stage->domino[k].height - stage->top) / v->dot + CLEAR +
-                                  (double)strlen(text) * LETTER);
-    }
-    return room;
+    if (is_missing)
+        labels_missing(stage, v, is_missing, script);
+    free(is_missing);
 }
 
 struct sheet sheet_of(const struct stage *stage, double least, double most)
 {
-    struct sheet v = sheet_with(stage, least, most, 0, "");
-    if (!stage->row)
-        return v;
-    double room = heights_room(stage, &v);
-    v = sheet_with(stage, least, most, room, "");
-    char more[CAPTION_COLUMNS + 1];
-    unlabelled(stage, &v, more);
-    if (*more) { /* its line takes room itself */
-        v = sheet_with(stage, least, most, room, more);
-        unlabelled(stage, &v, v.more);
-    }
-    return v;
+    struct sheet v = sheet_with(stage, least, most, 0);
+    double room = CLEAR;
+    char text[64];
+    for (size_t k = 0; k < stage->count && stage->row; k++)
+        if (height_text(stage, &v, k, text) && !height_repeats(stage, k))
+            room = fmax(room, (stage->domino[k].height - stage->top) / v.dot + CLEAR +
+                                  (double)strlen(text) * LETTER);
+    return stage->row ? sheet_with(stage, least, most, room) : v;
 }
 
 /* ---- Forces ---- */
@@ -432,11 +381,11 @@ void stage_script(const struct stage *stage, const struct sheet *v, FILE *script
     const char *comma = "plot ";
     int count[PARTS];
     axes_script(stage, v, script);
-    caption_script(v->more, v, caption_script(stage->caption, v, 0, script), script);
+    caption_script(stage->caption, v, 0, script);
     for (int part = 0; part < PARTS; part++)
         count[part] = part_script(stage, v, (enum part)part, script);
     int contacts = contacts_script(stage, v, script);
-    labels_put(stage, v, script, NULL);
+    labels_script(stage, v, script);
     if (stage->forces)
         forces_script(stage, v, script);
     for (int part = 0; part < PARTS; part++) {
