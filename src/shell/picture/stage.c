@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/stage.h"
 #include "language/quad.h"
-#include <float.h>
 #include <stdlib.h>
 
-enum { DOMINOES = 200, MORE = 32 }; /* of a train, and room for others */
-#define SMALLEST 0.01               /* of the head: smaller ones are dots */
-#define WIDEST   2.4                /* of a picture, in its own height: dominoes farther back are left out */
-#define TALLEST  2.5 /* of a picture, in heights of the head: a larger next domino is cut off */
+enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and room for others */
+#define SMALLEST 0.01               /* of the head; smaller dominoes would be dots */
+#define WIDEST   2.4                /* of the height of a picture; dominoes farther back are left out */
+#define TALLEST  2.5                /* of the head; the picture of a taller next domino is cut off */
 
 /* ---- One domino ---- */
 
@@ -30,8 +29,8 @@ void drawn_stand(struct drawn *k)
 int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
 {
     struct point up = direction(k->theta);
-    /* Each edge turns the outline from one of these directions to the next: down, forwards, up, back. */
-    const struct point way[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
+    /* At each corner the outline turns from one of these directions to the next. */
+    const struct point side[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
     int n = 0;
     for (int i = 0; i < CORNERS; i++) {
         if (!(k->radius > 0) || i == CORNERS - 1) {
@@ -39,34 +38,22 @@ int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
             continue;
         }
         struct point centre =
-            along(k->corner[i], -k->radius, way[i].x + way[i + 1].x, way[i].y + way[i + 1].y);
+            along(k->corner[i], -k->radius, side[i].x + side[i + 1].x, side[i].y + side[i + 1].y);
         for (int j = 0; j < ARC; j++) {
             struct point turn = direction((double)QUAD_PI / 2 * j / (ARC - 1));
-            outline[n++] = along(centre, k->radius, turn.y * way[i].x + turn.x * way[i + 1].x,
-                                 turn.y * way[i].y + turn.x * way[i + 1].y);
+            outline[n++] = along(centre, k->radius, turn.y * side[i].x + turn.x * side[i + 1].x,
+                                 turn.y * side[i].y + turn.x * side[i + 1].y);
         }
     }
     return n;
 }
 
-struct drawn drawn_for_people(const struct drawn *domino)
+/* Returns where a follower touches the back of its leader with its upper edge, an arc around a centre. */
+static struct point touch(const struct drawn *follower, const struct drawn *leader)
 {
-    struct drawn k = *domino;
-    double least = 4 * DBL_EPSILON * (fabs(k.foot) + k.height);
-    for (int i = 0; i <= CORNERS; i++) {
-        struct point *p = i < CORNERS ? &k.corner[i] : &k.contact;
-        p->x = fabs(p->x) < least ? 0 : p->x;
-        p->y = fabs(p->y) < least ? 0 : p->y;
-    }
-    return k;
-}
-
-/* Returns where a follower touches the back of its leader: its upper edge is an arc around a centre. */
-static struct point touch(const struct drawn *own, const struct drawn *leader)
-{
-    struct point up = direction(own->theta), face = direction(leader->theta);
-    struct point centre = along(own->corner[1], -own->radius, up.y + up.x, up.y - up.x);
-    return along(centre, own->radius, face.y, -face.x);
+    struct point up = direction(follower->theta), face = direction(leader->theta);
+    struct point centre = along(follower->corner[1], -follower->radius, up.y + up.x, up.y - up.x);
+    return along(centre, follower->radius, face.y, -face.x);
 }
 
 int drawn_name(const struct drawn *k, char name[DRAWN_NAME])
@@ -95,8 +82,8 @@ void stage_free(struct stage *stage)
 
 const struct drawn *stage_front(const struct stage *stage, size_t k)
 {
-    bool first = stage->domino[0].foot > stage->domino[stage->count - 1].foot;
-    return &stage->domino[first ? k : stage->count - 1 - k];
+    bool is_first = stage->domino[0].foot > stage->domino[stage->count - 1].foot;
+    return &stage->domino[is_first ? k : stage->count - 1 - k];
 }
 
 struct axis_unit stage_unit(const struct stage *stage, double across)
@@ -112,31 +99,31 @@ double ruler_step(double least)
 
 /* ---- The train ---- */
 
-/* What a walk down the train fills. */
+/* A train that is being put on a stage, from the front to the back. */
 struct filling {
     struct stage *stage;
     double s, r, d, rho;
-    bool leans; /* the next one on the last one */
+    bool leans; /* the next follower leans on the last domino so far */
 };
 
 static void train_add(struct filling *f, double height, double foot, double theta)
 {
     struct stage *stage = f->stage;
     int number = (int)stage->count - 1;
-    struct drawn *own = &stage->domino[stage->count++];
-    *own = (struct drawn){.number = number,
-                          .part = number < 0    ? STANDS
-                                  : number == 0 ? HEAD
-                                                : FALLS,
-                          .height = height,
-                          .thickness = f->d * height,
-                          .foot = foot,
-                          .theta = theta,
-                          .radius = f->rho * height,
-                          .contact = {(double)NAN, (double)NAN},
-                          .force = (double)NAN,
-                          .of_own = (double)NAN};
-    drawn_stand(own);
+    struct drawn *domino = &stage->domino[stage->count++];
+    *domino = (struct drawn){.number = number,
+                             .part = number < 0    ? STANDS
+                                     : number == 0 ? HEAD
+                                                   : FALLS,
+                             .height = height,
+                             .thickness = f->d * height,
+                             .foot = foot,
+                             .theta = theta,
+                             .radius = f->rho * height,
+                             .contact = {(double)NAN, (double)NAN},
+                             .force = (double)NAN,
+                             .of_own = (double)NAN};
+    drawn_stand(domino);
 }
 
 static void train_follow(struct filling *f, double theta)
@@ -178,13 +165,14 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    fine.tol = domq_arithmetic(fine.precision)->tol_floor; /* what is light is not always small */
+    fine.tol =
+        domq_arithmetic(fine.precision)->tol_floor; /* a domino may be light, and large enough to be seen */
     stage->unit = "h";
     stage->ruler = "x";
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
     stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
-    stage->left = stage->left > -1 ? -1 : stage->left; /* the head is in it, however far the next one is */
+    stage->left = stage->left > -1 ? -1 : stage->left; /* the head is seen, however far the next one is */
     train_add(&f, f.r, pitch, 0);
     enum dom_status status = domq_angles_find(train, compute, &angles);
     if (status == DOM_OK)
@@ -192,7 +180,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        train_follow(&f, (double)angles.theta_f); /* these lie, as far as anybody can see */
+        train_follow(&f, (double)angles.theta_f); /* as far as anybody can see, these lie */
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A stage as a script of gnuplot, to scale, for a picture in a file and for a frame of a film. */
+/* A stage as a script of gnuplot, to scale: for a picture in a file, and for a frame of a film. */
 #include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
@@ -10,17 +10,17 @@
 /* ---- The sheet, in dots ---- */
 
 enum {
-    FONT = 14,
-    SMALL = 11, /* fonts */
-    LINE = 19,  /* of the caption */
-    STRIP = 17, /* below the ground: numbers */
+    FONT = 14, /* of the caption */
+    SMALL = 11,
+    LINE = 19,  /* height of a line of the caption */
+    STRIP = 17, /* below the ground, for numbers */
     MARGIN_LEFT = 52,
     MARGIN_RIGHT = 12,
     MARGIN_BELOW = 50,
-    CLEAR = 6, /* above the tallest */
+    CLEAR = 6, /* above the tallest domino */
     ACROSS = SHEET_WIDTH - MARGIN_LEFT - MARGIN_RIGHT
 };
-#define LETTER (0.62 * SMALL) /* a letter is at most as wide */
+#define LETTER (0.62 * SMALL) /* the most that a letter is wide */
 #define EDGE   0.02           /* of the width of what is seen, at both sides */
 
 const struct marks script_marks = {
@@ -84,7 +84,7 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes tics each `step` units. Their texts are in units, their places in those of the stage. */
+/* Writes tics `step` units apart. Their texts count units, and their places are those on the stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";
@@ -105,12 +105,12 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             "unset grid\nunset key\nset border 1 lc rgb '#404040'\nset tics out nomirror\n",
             MARGIN_LEFT / v->width, 1 - MARGIN_RIGHT / v->width, v->below / v->height,
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
-    /* The tape of a row begins at domino 1; above, the last tic keeps clear of the caption. */
+    /* The tape of a row begins at domino 1. */
     double from = stage->left < 0 || v->left > 0 ? v->left : 0, up = ruler_step(34 * v->dot / unit.size);
     while (up * unit.size > v->high - 10 * v->dot) /* a low row has a tic, too */
         up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
-    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size); /* at 0 is the unit */
+    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size); /* the unit stands at 0 */
     fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
             (MARGIN_LEFT - 12) / v->width, 0.0, SMALL + 1);
     fprintf(script, "set arrow from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,
@@ -299,7 +299,8 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
 
 /* ---- Forces ---- */
 
-/* Draws the push on the back of a domino, perpendicular to the back, with its number at the free end. */
+/* Draws the push on the back of a domino as an arrow perpendicular to the back, with its number at the tail.
+ */
 static void arrow_script(const struct sheet *v, const struct drawn *k, double length, FILE *script)
 {
     double up = (k->corner[1].y - k->corner[0].y) / k->height,
@@ -343,7 +344,7 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
             k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
 }
 
-/* Writes the outlines of the dominoes of one part, as curves that close, and returns how many there are. */
+/* Writes the outlines of the dominoes of one part as closed curves. Returns how many there are. */
 static int part_script(const struct stage *stage, const struct sheet *v, enum part part, FILE *script)
 {
     int count = 0;

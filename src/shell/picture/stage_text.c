@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A stage in characters, to scale: a row of them is as high as two are wide. */
+/* A stage in characters, to scale: a character is twice as high as wide. */
 #include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
 #include <string.h>
 
 enum {
-    LEFT = 7,  /* columns of the heights at the left */
-    BELOW = 3, /* rows: the ground, the numbers of the dominoes, the ruler */
+    LEFT = 7,  /* columns for the heights */
+    BELOW = 3, /* rows for the ground, the numbers of the dominoes, and the ruler */
     WIDTH_MOST = 200
 };
 
 struct grid {
     struct canvas canvas;
-    double left, unit; /* where the canvas begins; the width of a column */
-    int ground;        /* its row */
+    double left, unit; /* the place on the stage where the canvas begins, and the width of a column */
+    int ground;        /* the row of the ground */
 };
 
 struct marks text_marks(struct look look)
@@ -40,15 +40,15 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
-/* Fills a domino with a letter, at points on a grid finer than the characters, but not on its edges, which
- * would make it a character wider. */
+/* Fills a domino with a letter, at points closer than the characters. The edges are left out, since they
+ * would make the domino a character wider. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
     const char mark[2] = {(char)(k->part == ENDS      ? 'X'
                                  : k->part == WEAKEST ? '*'
                                  : k->number < 0      ? '#'
                                                       : '0' + k->number % 10)};
-    /* Only the next one of a train is ever taller than the picture, and it is upright. */
+    /* Only the next domino of a train may be taller than the picture, and that stands upright. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;
@@ -63,7 +63,7 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
         }
 }
 
-/* Draws the outline of a domino, or all of it where it is marked. */
+/* Draws the outline of a domino, and fills a marked one. */
 static void domino_outline(struct grid *g, const struct drawn *k)
 {
     struct canvas *c = &g->canvas;
@@ -101,7 +101,7 @@ static void dominoes_draw(struct grid *g, const struct stage *stage)
 
 /* ---- The ruler and the numbers ---- */
 
-/* Writes a text around a column, unless another one is there already. */
+/* Writes a text around a column, unless another text is in its place. */
 static void label_put(struct canvas *c, int column, int row, const char *text)
 {
     int n = (int)strlen(text), from = column - n / 2;
@@ -112,7 +112,7 @@ static void label_put(struct canvas *c, int column, int row, const char *text)
     canvas_text(c, from, row, text, INK_TEXT);
 }
 
-/* Writes the heights at the left, from this row on, the ground, and below it numbers and ruler. */
+/* Writes the heights from the row `top` on, and the ground with the ruler. */
 static void ruler_draw(struct grid *g, const struct stage *stage, int top)
 {
     struct canvas *c = &g->canvas;
@@ -135,6 +135,12 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
         snprintf(text, sizeof text, "%.6g", n * wide / unit.size);
         label_put(c, column_of(g, n * wide), g->ground + 2, text);
     }
+}
+
+/* Writes the numbers of the dominoes: those of the marked ones first, which so have room. */
+static void numbers_draw(struct grid *g, const struct stage *stage)
+{
+    struct canvas *c = &g->canvas;
     canvas_text(c, 0, g->ground + 1, "domino", INK_TEXT);
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < stage->count; k++) {
@@ -145,7 +151,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
         }
 }
 
-/* Writes the caption, and returns how many lines it takes. */
+/* Writes the caption. Returns how many lines it takes. */
 static int caption_write(const char *text, int width, FILE *out)
 {
     int lines = 0;
@@ -167,10 +173,11 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     g.unit = across > up ? across : up;
     g.left = stage->left - (LEFT + 1) * g.unit;
     dominoes_draw(&g, stage);
-    for (bool blank = true; blank && top < g.ground; top += blank) /* rows above that show nothing */
+    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows are not written */
         for (int column = 0; column < width && blank; column++)
             blank = canvas_blank(&g.canvas, column, top);
     ruler_draw(&g, stage, top);
+    numbers_draw(&g, stage);
     canvas_write(&g.canvas, top, out);
     canvas_free(&g.canvas);
     return true;

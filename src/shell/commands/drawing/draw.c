@@ -7,6 +7,7 @@
 #include "commands/walk.h"
 #include "language/quad.h"
 #include "picture/show.h"
+#include <float.h>
 #include <string.h>
 
 static const struct column draw_columns[] = {
@@ -32,22 +33,30 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Writes the dominoes for programs; forces: why some may be missing. */
+/* Returns a coordinate without what rounding errors leave of a 0. */
+static struct cell cell_place(double value, const struct drawn *k)
+{
+    double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
+    return cell_double(fabs(value) < least ? 0 : value);
+}
+
+/* Writes the dominoes for programs. `forces` is the status with which the forces were found. */
 static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
     a->style.errors = 0; /* a picture needs no bounds */
     for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
-        const struct drawn shown = drawn_for_people(&stage->domino[n]), *k = &shown;
+        const struct drawn *k = &stage->domino[n];
         const struct point *p = k->corner;
-        answer_row(
-            a,
-            ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
-                cell_double(k->theta), cell_double(p[1].x), cell_double(p[1].y), cell_double(p[2].x),
-                cell_double(p[2].y), cell_double(p[3].x), cell_double(p[3].y), cell_double(k->contact.x),
-                cell_double(k->contact.y), cell_double(k->force), cell_double(k->of_own)),
-            !drawn_locked(k)   ? NULL
-            : forces == DOM_OK ? "the contact is at the hinge: no push, however large, turns this domino"
-                               : dom_status_text(forces));
+        answer_row(a,
+                   ROW(cell_count((domq_real)k->number), cell_double(k->height), cell_double(k->foot),
+                       cell_double(k->theta), cell_place(p[1].x, k), cell_place(p[1].y, k),
+                       cell_place(p[2].x, k), cell_place(p[2].y, k), cell_place(p[3].x, k),
+                       cell_place(p[3].y, k), cell_place(k->contact.x, k), cell_place(k->contact.y, k),
+                       cell_double(k->force), cell_double(k->of_own)),
+                   !drawn_locked(k) ? NULL
+                   : forces == DOM_OK
+                       ? "the contact is at the hinge: no push, however large, turns this domino"
+                       : dom_status_text(forces));
     }
     return true;
 }
