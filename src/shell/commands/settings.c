@@ -55,7 +55,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     domq_real before = parameter_get(next, p), was = moved ? parameter_get(next, moved) : 0;
     if (!height_likely(query, problem))
         return false;
-    if (!parameter_set(next, p, &given->number[1], given->count - 1, given->word[1], query->means, problem))
+    if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
+                         : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
     /* A file that is sourced may set the other one next. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
@@ -106,7 +107,7 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     for (int k = 0; (p = parameter_in_order(next, k)) != NULL; k++) {
         domq_real value = parameter_fallback(next, p);
         if (given->parameter ? p == given->parameter : !p->setting && !p->effect)
-            done = parameter_set(next, p, &value, 1, NULL, query->means, problem) && done;
+            done = parameter_set(next, p, &value, 1, problem) && done;
     }
     if (!given->parameter)
         effects_reset(&next->scene);

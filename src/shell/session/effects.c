@@ -8,8 +8,7 @@
 
 const char *effect_file(const struct scene *scene, int name)
 {
-    bool listed = effect_at(name)->argument[0].or_file && scene->effect[name].on;
-    return listed && scene->listed.domino ? scene->listed.path : NULL;
+    return name == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
 }
 
 const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING])
@@ -80,10 +79,7 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     return csv_end(csv, problem);
 }
 
-/* Replaces the row by that of a file. After an error there is no row, so that no command answers for the
- * earlier one. */
-static bool row_from_file(struct scene *scene, const char *name, const struct means *means,
-                          struct problem *problem)
+bool scene_row_load(struct scene *scene, const char *name, const struct means *means, struct problem *problem)
 {
     struct listed_row file = {.domino = NULL};
     struct problem in_file = {.kind = PROBLEM_NONE};
@@ -96,6 +92,7 @@ static bool row_from_file(struct scene *scene, const char *name, const struct me
     else if (row_read(scene, name, means, &file, &in_file)) {
         listed_free(&scene->listed);
         scene->listed = file;
+        scene->effect[DOM_EFFECT_row] = (struct effect_state){.on = true};
         return true;
     }
     row_needed(scene, needed, sizeof needed);
@@ -117,18 +114,17 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem)
                          effect_at(name)->name);
 }
 
-/* Stores the values of an effect. The effect 'row' with a number replaces a row from a file. */
-static bool effect_store(struct scene *scene, int name, struct effect_state state, bool from_file)
+/* Stores the values of an effect. A new row forgets that from a file. */
+static bool effect_store(struct scene *scene, int name, struct effect_state state)
 {
-    if (effect_at(name)->argument[0].or_file && !from_file)
+    if (name == DOM_EFFECT_row)
         listed_free(&scene->listed);
     scene->effect[name] = state;
     effects_apply(scene);
     return true;
 }
 
-static bool turn_on(struct scene *scene, int name, const domq_real *value, int given, const char *path,
-                    const struct means *means, struct problem *problem)
+static bool turn_on(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem)
 {
     const struct domq_effect *e = effect_at(name);
     struct effect_state state = {.on = true};
@@ -142,8 +138,7 @@ static bool turn_on(struct scene *scene, int name, const domq_real *value, int g
                                  *e->argument[i].unit ? " " : "", e->argument[i].unit);
         state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
-    return effect_needs(scene, name, problem) && (!path || row_from_file(scene, path, means, problem)) &&
-           effect_store(scene, name, state, path);
+    return effect_needs(scene, name, problem) && effect_store(scene, name, state);
 }
 
 static bool turn_off(struct scene *scene, int name, struct problem *problem)
@@ -152,16 +147,15 @@ static bool turn_off(struct scene *scene, int name, struct problem *problem)
         if (scene->effect[k].on && effect_at(k)->needs >> name & 1)
             return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
                                  effect_at(k)->name, effect_at(name)->name, effect_at(k)->name);
-    return effect_store(scene, name, (struct effect_state){.on = false}, false);
+    return effect_store(scene, name, (struct effect_state){.on = false});
 }
 
-bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, const char *path,
-                 const struct means *means, struct problem *problem)
+bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem)
 {
     if (given > 0 && value[0] == EFFECT_OFF)
         return turn_off(scene, name, problem);
     bool stays = given > 0 && value[0] == EFFECT_ON && scene->effect[name].on;
-    return stays || turn_on(scene, name, value, given, path, means, problem);
+    return stays || turn_on(scene, name, value, given, problem);
 }
 
 void effect_put(struct scene *scene, int name, domq_real value)
@@ -171,7 +165,7 @@ void effect_put(struct scene *scene, int name, domq_real value)
         state->value[i] = effect_at(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
-    if (effect_at(name)->argument[0].or_file)
+    if (name == DOM_EFFECT_row)
         scene->listed = (struct listed_row){.domino = NULL};
     effects_apply(scene);
 }
@@ -212,7 +206,7 @@ void effect_save(const struct scene *scene, int name, const char *folder, FILE *
     for (int i = 0; !path && scene->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
         fprintf(out, " %s", quad_exact(scene->effect[name].value[i], number));
     putc('\n', out);
-    for (size_t i = 0; e->argument[0].or_file && i < scene->listed.changes; i++)
+    for (size_t i = 0; name == DOM_EFFECT_row && i < scene->listed.changes; i++)
         fprintf(out, "place %zu %s m\n", scene->listed.placed[i].k,
                 quad_exact(scene->listed.placed[i].gap, number));
 }

@@ -14,13 +14,9 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
 /* Returns the path of the file that replaces the first value of an effect, or NULL. */
 const char *effect_file(const struct scene *scene, int name);
 
-/*
- * Turns an effect on or off. Values that are not given are the usual ones, and a path, unless it is NULL,
- * replaces the first value. After an error nothing has changed, with one exception: if the file of a row
- * cannot be read, the effect 'row' and those that need it are off, and the message says so.
- */
-bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, const char *path,
-                 const struct means *means, struct problem *problem);
+/* Turns an effect on or off. Values that are not given are the usual ones. After an error nothing has
+ * changed. */
+bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem);
 
 /* Sets the first value of an effect, which may be EFFECT_OFF, in a copy of a scene that borrows its row. */
 void effect_put(struct scene *scene, int name, domq_real value);
@@ -65,6 +61,11 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
 /* Returns true if masses are known. Energies are then in J, and otherwise in m g h / 2 of the first domino.
  */
 bool scene_weighed(const struct scene *scene);
+
+/* Turns on the effect 'row' with the dominoes of a file. After an error there is no row, and the message says
+ * so, so that no command answers for an earlier row. */
+bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
+                    struct problem *problem);
 
 /* Changes the gap before domino k, from 1. Another row forgets the change. */
 bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct problem *problem);

@@ -150,10 +150,10 @@ _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) =
                "parameter_get reads an enum as an unsigned");
 
 bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
-                   const char *path, const struct means *means, struct problem *problem)
+                   struct problem *problem)
 {
     if (p->effect)
-        return effect_turn(&state->scene, p->which, value, given, path, means, problem);
+        return effect_turn(&state->scene, p->which, value, given, problem);
     if (p->check && !p->check(state, value[0], problem))
         return false;
     parameter_put(state, p, value[0]);

@@ -63,12 +63,9 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 
-/*
- * Gives a parameter `given` values, which are in their ranges. A path, unless it is NULL, replaces the first
- * value of an effect. Returns false after an error; effect_turn says what is changed then.
- */
+/* Gives a parameter `given` values, which are in their ranges. After an error nothing has changed. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
-                   const char *path, const struct means *means, struct problem *problem);
+                   struct problem *problem);
 
 /* A parameter and its value, which may be EFFECT_OFF. */
 struct assigned {

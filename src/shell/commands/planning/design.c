@@ -288,9 +288,9 @@ static bool design_keep(const struct query *query, struct problem *problem, stru
     struct state *next = query->next;
     if (!next)
         return true;
-    if (!parameter_set(next, parameter_find("row"), &count, 1, NULL, query->means, problem) ||
-        !parameter_set(next, parameter_find("s"), &d->s, 1, NULL, query->means, problem) ||
-        !parameter_set(next, parameter_find("r"), &d->r, 1, NULL, query->means, problem))
+    if (!parameter_set(next, parameter_find("row"), &count, 1, problem) ||
+        !parameter_set(next, parameter_find("s"), &d->s, 1, problem) ||
+        !parameter_set(next, parameter_find("r"), &d->r, 1, problem))
         return false;
     answer_say(
         a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' writes it, "
