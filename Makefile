@@ -114,14 +114,15 @@ $(B)/tutorial.h: examples/tutorial.dom
 	@mkdir -p $(@D)
 	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
-# <domino_quad.h>, made of domino.h, and the names in it for the sources.
+# <domino_quad.h>, made of the two headers, and the names in it for the sources.
 QUAD_AWK := src/model/precision/quad.awk
-$(B)/include/domino_quad.h: include/domino.h $(QUAD_AWK)
+QUAD_OF  := include/domino.h include/domino_row.h
+$(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
-	@awk -f $(QUAD_AWK) $< $< > $@
-$(B)/domq_names.h: include/domino.h $(QUAD_AWK)
+	@awk -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
+$(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
-	@awk -v names=1 -f $(QUAD_AWK) $< $< > $@
+	@awk -v names=1 -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
 
 # The sources of the library are compiled twice: with answers in double, and with answers in the widest type.
 MODEL_OBJ  := $(call OBJ,$(TYPED))
@@ -149,8 +150,8 @@ $(B)/libdomino.a: $(LIB_OBJ)
 	$(Q)rm -f $@
 	$(Q)$(AR) rcsD $@ $^
 
-# While the version is 0.x, a new number after the point may change structures: it is part of the soname.
-SONAME := libdomino.so.$(basename $(VERSION))
+# A change of a structure or of a function needs a new major version, which is the number of the soname.
+SONAME := libdomino.so.$(firstword $(subst ., ,$(VERSION)))
 $(B)/$(SONAME): $(LIB_OBJ)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL) -o $@
@@ -386,7 +387,7 @@ PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
 
 # The installed files and their folders under PREFIX: file:folder.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED  = $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_proof.h:include \
+INSTALLED  = $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_row.h:include include/domino_proof.h:include \
   $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
   $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
   $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \

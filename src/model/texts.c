@@ -2,6 +2,11 @@
 /* Texts of statuses and choices, which are the same in all precisions. */
 #include "numerics/api.h"
 
+const char *dom_version(void)
+{
+    return DOM_VERSION;
+}
+
 const char *dom_status_text(enum dom_status status)
 {
     switch (status) {

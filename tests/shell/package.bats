@@ -7,7 +7,7 @@ load common
 
 build=$(dirname "$DOMINO")
 
-soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\.[0-9]*\).*"/\1/p' "$root/include/domino.h")
+soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\).*"/\1/p' "$root/include/domino.h")
 
 # The compiler on each of the public headers.
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }

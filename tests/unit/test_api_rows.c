@@ -318,9 +318,9 @@ TEST(effects)
         effect_same(dom_effect((enum dom_effect_name)k), domq_effect((enum dom_effect_name)k));
     effect_same(&dom_energy_balance, &domq_energy_balance);
 #define NAMED(effect)                                                                                        \
-    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effect_##effect);                                 \
-    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effect_##effect);                               \
-    assert_string_equal(dom_effect_##effect.name, #effect);
+    assert_ptr_equal(dom_effect(DOM_EFFECT_##effect), &dom_effects[DOM_EFFECT_##effect]);                    \
+    assert_ptr_equal(domq_effect(DOM_EFFECT_##effect), &domq_effects[DOM_EFFECT_##effect]);                  \
+    assert_string_equal(dom_effects[DOM_EFFECT_##effect].name, #effect);
 #define NAMED_DYNAMICS(effect, member, status) NAMED(effect)
     DOM_DYNAMICS(NAMED_DYNAMICS)
     DOM_EFFECTS(NAMED)
@@ -336,13 +336,17 @@ TEST(laws)
     assert_ptr_equal(dom_law(&t), &dom_energy_balance);
     assert_ptr_equal(domq_law(&tq), &domq_energy_balance);
 #define LAW(effect, member, status)                                                                          \
-    t.member = tq.member = dom_effect_##effect.argument[0].highest;                                          \
-    assert_ptr_equal(dom_dynamics(&t), dom_effect_##effect.cancels ? NULL : &dom_effect_##effect);           \
-    assert_ptr_equal(domq_dynamics(&tq), domq_effect_##effect.cancels ? NULL : &domq_effect_##effect);       \
-    assert_ptr_equal(dom_law(&t),                                                                            \
-                     dom_effect_##effect.dissipates ? &dom_effect_##effect : &dom_energy_balance);           \
-    assert_ptr_equal(domq_law(&tq),                                                                          \
-                     domq_effect_##effect.dissipates ? &domq_effect_##effect : &domq_energy_balance);        \
+    t.member = tq.member = dom_effects[DOM_EFFECT_##effect].argument[0].highest;                             \
+    assert_ptr_equal(dom_dynamics(&t),                                                                       \
+                     dom_effects[DOM_EFFECT_##effect].cancels ? NULL : &dom_effects[DOM_EFFECT_##effect]);   \
+    assert_ptr_equal(domq_dynamics(&tq),                                                                     \
+                     domq_effects[DOM_EFFECT_##effect].cancels ? NULL : &domq_effects[DOM_EFFECT_##effect]); \
+    assert_ptr_equal(dom_law(&t), dom_effects[DOM_EFFECT_##effect].dissipates                                \
+                                      ? &dom_effects[DOM_EFFECT_##effect]                                    \
+                                      : &dom_energy_balance);                                                \
+    assert_ptr_equal(domq_law(&tq), domq_effects[DOM_EFFECT_##effect].dissipates                             \
+                                        ? &domq_effects[DOM_EFFECT_##effect]                                 \
+                                        : &domq_energy_balance);                                             \
     t.member = tq.member = 0;
     DOM_DYNAMICS(LAW)
 }
@@ -373,4 +377,20 @@ TEST(simple)
     assert_near("wide speed", (double)domq_speed(scale.h, t.s, t.d), dom_speed(scale.h, t.s, t.d), 1e-11);
     assert_true(isnan(dom_speed(0, 0.4, 0.15)) && isnan(dom_speed(NAN, 0.4, 0.15)));
     assert_true(isnan(dom_speed(0.048, 2, 0.15)) && isnan(dom_speed(0.048, 0.001, 1)));
+}
+
+/* Checks that a default row needs only its dominoes, and that the library is as new as its header. */
+TEST(row_default)
+{
+    const struct dom_domino domino[] = {{.height = 0.05, .thickness = 0.008, .mass = 0.01},
+                                        {.height = 0.05, .thickness = 0.008, .gap = 0.02, .mass = 0.01}};
+    struct dom_verdict verdict;
+    struct dom_row row = dom_row_default();
+    row.domino = domino;
+    assert_status(dom_row_run(&row, NULL, false, NULL, NULL, &verdict), DOM_BAD_COUNT);
+    row.count = 2;
+    assert_status(dom_row_run(&row, NULL, false, NULL, NULL, &verdict), DOM_OK);
+    assert_int_equal(verdict.end, DOM_ROW_FALLS);
+    assert_true(row.g == dom_scale_default().g && isnan(row.push) && row.mu == 0 && row.rho == 0);
+    assert_string_equal(dom_version(), DOM_VERSION);
 }

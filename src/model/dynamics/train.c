@@ -24,6 +24,11 @@ struct dom_scale dom_scale_default(void)
     return (struct dom_scale){DOM_SCALE_PARAMETERS(DEFAULT)};
 }
 
+struct dom_row dom_row_default(void)
+{
+    return (struct dom_row){.g = dom_scale_default().g, .push = DOM_NAN};
+}
+
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box)
 {

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes <domino_quad.h> of domino.h, so that both have one text: what follows the marker line, "==== From here on", is
-# written again with domq_ and DOMQ_ instead of dom_ and DOM_; names that are declared before it are common to both.
-#   awk -f quad.awk domino.h domino.h             prints domino_quad.h
-#   awk -v names=1 -f quad.awk domino.h domino.h  prints '#define dom_train domq_train' and so on, for the sources
+# Makes <domino_quad.h> of domino.h and domino_row.h, so that both have one text: what follows the marker line of a
+# header, "==== From here on", is written again with domq_ and DOMQ_ instead of dom_ and DOM_. Names that are declared
+# before the marker are common to both. The headers are read twice: first for the names, then for the text.
+#   awk -f quad.awk HEADER... write=1 HEADER...             prints domino_quad.h
+#   awk -v names=1 -f quad.awk HEADER... write=1 HEADER...  prints '#define dom_train domq_train' and so on
 
 # Collects the names in a line of code: those before the marker are common, macros after it are not.
 function learn(line) {
@@ -11,10 +12,6 @@ function learn(line) {
     gsub(/\/\*.*/, "", line)
     if (typed && line ~ /^#define DOM_/)
         macro[substr(line, 9, match(substr(line, 9) " ", /[^A-Za-z0-9_]/) - 1)] = 1
-    for (rest = line; names && !typed && match(rest, /X\([a-z]+/); rest = substr(rest, RSTART + RLENGTH)) {
-        effect = substr(rest, RSTART + 2, RLENGTH - 2) # of a list of effects: dom_effect_NAME is put together
-        print "#define dom_effect_" effect " domq_effect_" effect
-    }
     while (!typed && match(line, /dom_[a-z_]+/)) {
         common[substr(line, RSTART, RLENGTH)] = 1
         line = substr(line, RSTART + RLENGTH)
@@ -36,16 +33,16 @@ function renamed(line,   name, own, done) {
     return done line
 }
 
-FNR == 1 { typed = 0; file++ }
+FNR == 1 || /^#ifdef __cplusplus/ { typed = 0 }
 /^\/\* ==== / { typed = 1 }
-file == 1 { learn($0); next }
-FNR == 1 && !names {
+!write { learn($0); next }
+!typed || /^\/\* ==== / { next }
+!begun++ && !names {
     print "/* SPDX-License-Identifier: GPL-3.0-or-later */"
-    print "/* libdomino in the widest arithmetic of the machine: made of domino.h, which says the rest. */"
+    print "/* libdomino in the widest arithmetic of the machine: made of domino.h and domino_row.h, which say the rest. */"
     print "#ifndef DOMINO_QUAD_H\n#define DOMINO_QUAD_H\n\n#include \"domino.h\"\n"
     print "#ifdef __cplusplus\nextern \"C\" {\n#endif"
 }
-!typed || /^\/\* ==== / { next }
 /^typedef double dom_real;/ && !names {
     print "#if defined __SIZEOF_FLOAT128__ && defined __GLIBC__ && !defined DOM_NO_FLOAT128"
     print "__extension__ typedef __float128 domq_real;\n#define DOMQ_REAL_FLOAT128"
@@ -53,3 +50,4 @@ FNR == 1 && !names {
     next
 }
 { line = renamed($0); if (!names) print line }
+END { if (!names) print "\n#ifdef __cplusplus\n}\n#endif\n\n#endif" }

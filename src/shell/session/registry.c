@@ -113,7 +113,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name) EFFECT_ROW(name, domq_effect_##name, DOM_EFFECT_##name)
+#define EFFECT(name) EFFECT_ROW(name, domq_effects[DOM_EFFECT_##name], DOM_EFFECT_##name)
 #define ENGINE_EFFECT(name) EFFECT_ROW(name, engine_effect_##name, EFFECT_##name)
 #define EFFECT_ROW(name_, of, number) \
     {.name = #name_, .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
