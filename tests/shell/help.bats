@@ -195,9 +195,9 @@ END
     same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' list)"
 }
 
-@test "help begins with ten lines to type, all of which work in this order" {
+@test "help begins with eleven lines to type, all of which work in this order" {
     "$DOMINO" -e help | sed -nE 's/^> (.{20}) [^ ].*$/\1/p' >lines
-    same lines 10 "$(wc -l <lines)"
+    same lines 11 "$(wc -l <lines)"
     same 'the first' 'count 112 m' "$(sed -n '1s/ *$//p' lines)"
     same 'the last' quit "$(sed -n '$s/ *$//p' lines)"
     run --separate-stderr "$DOMINO" --bail - <lines

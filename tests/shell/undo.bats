@@ -43,7 +43,7 @@ END
     same 'in order' '0.3 0.2 0.4' "$("$DOMINO" -e 's = 0.2; s = 0.3; print s; undo > /dev/null; print s; undo > /dev/null; print s' |
         grep . | paste -sd ' ' -)"
     same 'no change' 0.4 "$("$DOMINO" -e 's = 0.2; s = 0.2; undo > /dev/null; print s')"
-    wrong undo 'there is no change to take back'
+    wrong undo 'there is no change to undo'
     wrong redo 'there is nothing to do again'
     wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to do again'
     for i in {1..150}; do echo "seed = $i"; done >many.dom

@@ -136,9 +136,10 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures a method in a precision until its tolerances end, or would take too long. */
+/* Measures a method in a precision, until it has no smaller tolerance or would take too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
-                                         const struct domq_value *reference, int contender, struct cost *cost)
+                                         const struct domq_value *reference, int contender, double done,
+                                         struct cost *cost)
 {
     const double longest = 2; /* seconds of a row */
     const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
@@ -157,6 +158,7 @@ static enum dom_status contender_measure(int which, const struct query *query,
         if (row->status == DOM_OK)
             cost->cheapest = fmin(cost->cheapest, row->seconds);
         cost->rows++;
+        progress_show(done + contenders[contender].share * (t + 1) / TOLERANCES);
     }
     return DOM_OK;
 }
@@ -173,10 +175,9 @@ bool cost_measure(const struct query *query, int which, struct cost *cost, struc
     *cost = (struct cost){.cheapest = HUGE_VAL};
     enum dom_status status = compute_answer(which, &query->scene->train, &finest, &reference);
     for (int c = 0; c < CONTENDERS && status == DOM_OK; c++) {
-        if (contender_measure(which, query, &reference, c, cost) == DOM_INTERRUPTED)
+        if (contender_measure(which, query, &reference, c, done, cost) == DOM_INTERRUPTED)
             status = DOM_INTERRUPTED;
         done += contenders[c].share;
-        progress_show(done);
     }
     progress_show(1);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)

@@ -68,12 +68,22 @@ static bool kind_say(const struct query *query, struct answer *a, struct problem
     return true;
 }
 
+/* Returns a growth in this many digits, or in more if it would be shown as 1. */
+static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
+{
+    while (strcmp(quad_text(r, digits, text), "1") == 0 && r != 1)
+        digits++;
+    return text;
+}
+
 /* Says it for each kind of domino that has a name, and for that of the session. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height)
 {
     bool has_name = false;
-    answer_say(a, "\nFalling with growth %.6g at s = %.6g, by kind of domino:", (double)train->r,
+    char number[WIDE_TEXT];
+    answer_say(a,
+               "\nFalling with growth %s at s = %.6g, by kind of domino:", growth_text(train->r, 6, number),
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
@@ -109,7 +119,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
                quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
-               quad_text(train->r, (int)a->style.digits, growth),
+               growth_text(train->r, (int)a->style.digits, growth),
                !feasible              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about one cycle: from one collision to the next, at the session's s, r, d and q. */
+/* Commands about one cycle of the train, from one collision to the next. */
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "session/parameters.h"
 
-/* Returns why falling sets no energy free: of a single domino, or since the smaller ones do not lift the
- * head. */
+/* Returns why falling sets no energy free: not even that of equal dominoes does, or the head is too heavy. */
 static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;
@@ -21,12 +20,12 @@ static const char *no_fuel(const struct query *query)
 }
 
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "the head hits the next: sin theta_c = r s (2; a2)", 0},
+    {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
     {"theta_u", "rad", "a single domino tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "far followers rest: cos theta_inf = d/(s+d) (40; A16)", 0},
-    {"theta_f", "rad", "last angle that a follower reaches: (42; A18), or theta_inf", 0},
-    {"theta_leave", "rad", "a follower detaches when its leader is here", 0},
-    {"detaches", "", "yes if followers are too short to lean to the end (41; A17)", 9},
+    {"theta_inf", "rad", "followers far behind come to rest: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_f", "rad", "the largest tilt of a follower: (42; A18), or theta_inf", 0},
+    {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
+    {"detaches", "", "yes if followers are too short to lean on their leaders to the end (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -38,9 +37,10 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (query->scene->train.rho != 0) {
-        answer_means(a, "theta_c", "the head hits the next: rho theta_c + (1 - 2 rho) sin theta_c = r s");
+        answer_means(a, "theta_c",
+                     "the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
         answer_means(a, "theta_u", "a single domino tips over, with its rounded foot");
-        answer_means(a, "theta_inf", "far followers rest");
+        answer_means(a, "theta_inf", "followers far behind come to rest");
     }
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
                         CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));
@@ -50,8 +50,8 @@ static const struct column theta1_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
     {"theta_1", "rad", "tilt of its follower (12; b8)", 0},
     {"slope", "", "d theta_1 / d theta = a / b (14; b10)", 0},
-    {"arm_a", "h", "arm of the contact force on the head", 0},
-    {"arm_b", "h", "arm of the contact force on the follower", 0},
+    {"arm_a", "h", "lever arm of the contact force on the head", 0},
+    {"arm_b", "h", "lever arm of the contact force on the follower", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -71,11 +71,11 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
 }
 
 static const struct column chain_columns[] = {
-    {"i", "", "number of the domino, 0 is the head", 5},
+    {"i", "", "number of the domino; 0 is the head", 5},
     {"theta_i", "rad", "its tilt (27; A2)", 0},
     {"slope_i", "", "d theta_i / d theta (33; A9)", 0},
-    {"arm_a", "h", "arm of the force from its follower", 0},
-    {"arm_b", "h", "arm of that force on the follower", 0},
+    {"arm_a", "h", "lever arm of the force from its follower", 0},
+    {"arm_b", "h", "lever arm of this force on the follower", 0},
     {"weight", "", "r^(-q i), its share in the energy (19; c1)", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -115,7 +115,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less the loss by friction", 0},
+    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less what friction takes", 0},
     {"fuel_exact", "mgh/2", "P from the balance of energy over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},
@@ -128,12 +128,12 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     enum dom_status status = domq_fuel_find(&query->scene->train, &compute, &f);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The closed form is of sharp edges. */
+    /* The closed form holds for sharp edges only. */
     struct cell exact = CELL_OF(f, exact),
                 paper = query->scene->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct domq_launch launch;
-    if (domq_law(&query->scene->train)->dissipates) { /* less what friction takes */
+    if (domq_law(&query->scene->train)->dissipates) {
         status = domq_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
             return problem_status(problem, query->scene, status);
@@ -144,7 +144,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
 
 enum { REASON_SIZE = 160 };
 
-/* Writes where the train stops into reason. */
+/* Writes where the train stops. */
 static const char *stop_reason(const struct query *query, char *reason, size_t size)
 {
     struct domq_value stop;
@@ -163,14 +163,14 @@ static const char *stop_reason(const struct query *query, char *reason, size_t s
     return reason;
 }
 
-/* Returns why a cycle is not completed, or NULL if it is. */
+/* Returns why a cycle does not come to its end, or NULL if it does. */
 static const char *no_cycle(const struct query *query, enum dom_status status, char reason[REASON_SIZE])
 {
     return status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? stop_reason(query, reason, REASON_SIZE)
            : status == DOM_LOCKS
                ? "no domino effect: friction locks the collision, the force on the struck domino "
-                 "points past its hinge and cannot turn it; a smaller r s or mu leaves it free"
+                 "points past its hinge and cannot turn it; a smaller r s or friction leaves it free"
                : NULL;
 }
 
@@ -226,10 +226,10 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
 
 static const struct column barrier_columns[] = {
     {"theta_m", "rad", "where the train is highest", 0},
-    {"barrier", "mgh/2", "the energy that it needs: the maximum of H(theta) - H(0)", 0},
-    {"kinetic", "mgh/2", "the energy that it has: its motion, J(0) tau^2 omega(0)^2", 0},
-    {"margin", "mgh/2", "kinetic - barrier, at least 0 to go on (26; c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, locks (friction), or no fuel (no energy)", 7},
+    {"barrier", "mgh/2", "the energy that the train needs: the maximum of H(theta) - H(0)", 0},
+    {"kinetic", "mgh/2", "the energy that the train has: its motion, J(0) tau^2 omega(0)^2", 0},
+    {"margin", "mgh/2", "kinetic - barrier; at least 0 if the train goes on (26; c8, corrected)", 0},
+    {"verdict", "", "goes on, stops, locks (by friction), or no fuel (no energy)", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -257,8 +257,8 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
 
 static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
-    {"tau", "s", "unit of time (1; a1); of a solid block sqrt((h^2+d^2)/(3gh))", 0},
-    {"seconds", "s", "t_f; the next cycle lasts sqrt(r) times as long", 0},
+    {"tau", "s", "unit of time (1; a1); for a solid block sqrt((h^2+d^2)/(3gh))", 0},
+    {"seconds", "s", "t_f in seconds; the next cycle lasts sqrt(r) times as long", 0},
     {"speed", "m/s", "speed of the front in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -288,7 +288,7 @@ const struct command cycle_commands[] = {
     {.name = "thetac",
      .synonyms = "angles collision",
      .train = true,
-     .summary = "the angles that bound a cycle",
+     .summary = "the tilts at which a cycle begins, changes and ends",
      .equation = "(2; a2) (4; b1) (40; A16) (41; A17) (42; A18)",
      .example = "thetac",
      .see = "theta1 chain",
@@ -298,7 +298,7 @@ const struct command cycle_commands[] = {
      .synonyms = "lean contact",
      .train = true,
      .argument = {{TILT}},
-     .summary = "the follower that leans on the head at tilt T",
+     .summary = "how the first follower leans on the head at tilt T",
      .equation = "(12; b8) (14; b10)",
      .example = "theta1 10 deg",
      .see = "thetac chain",
@@ -308,7 +308,7 @@ const struct command cycle_commands[] = {
      .synonyms = "profile shape lean",
      .train = true,
      .argument = {{TILT}},
-     .summary = "every domino that matters after the head at tilt T",
+     .summary = "every domino behind the head that matters, at tilt T",
      .equation = "(27; A2) (31; A6) (33; A9)",
      .help = "How many dominoes matter depends on 'tol': see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
@@ -333,7 +333,7 @@ const struct command cycle_commands[] = {
      .help = "The paper gives the fuel in two forms (25; c7). The sum over the train is the balance of "
              "energy. The "
              "closed form, with which the paper computes, leaves out the weights r^(-q i), and is right only "
-             "for r = 1. 'set fuel paper' gives the paper's figures.",
+             "for r = 1. After 'set fuel paper' answers are those of the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",
@@ -342,7 +342,7 @@ const struct command cycle_commands[] = {
      .shortest = "l",
      .synonyms = "impact hit start",
      .train = true,
-     .summary = "the collision: with which speed a cycle begins",
+     .summary = "the speed and energy with which a cycle begins, after the collision",
      .equation = "(22; c4) (23; c5) (24; c6)",
      .example = "launch",
      .see = "fuel barrier",
@@ -361,10 +361,11 @@ const struct command cycle_commands[] = {
     {.name = "barrier",
      .synonyms = "stop topple climb energy",
      .train = true,
-     .summary = "what the train must climb, and whether it can",
+     .summary = "the energy that the train needs, and whether it has it",
      .equation = "(26; c8)",
-     .help = "The barrier is the highest point of the whole cycle: near r s = 1 the train falls first, and "
-             "must climb when the follower that pushes it has detached.",
+     .help = "The barrier is at the highest point of the whole cycle. Near r s = 1 the train falls first, "
+             "and climbs "
+             "after the follower that pushes the head has detached.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
@@ -375,8 +376,9 @@ const struct command cycle_commands[] = {
      .train = true,
      .summary = "how long a cycle lasts, and how fast the front runs",
      .equation = "(1; a1) (21; c3)",
-     .help =
-         "The seconds are those of solid blocks; a hollow box has a larger moment of inertia, and is slower.",
+     .help = "The seconds are those of solid blocks. A hollow box has a larger moment of inertia, and is "
+             "slower: see "
+             "'help walls'.",
      .example = "duration",
      .see = "omega",
      .principal = "duration",

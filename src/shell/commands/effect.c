@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about effects: turn them on, measure what they cost, and show how the scene is computed. */
+/* effect, effects and scene: turn effects on, measure what they cost, and show how the scene is computed. */
 #include "commands/cost.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include <stdlib.h>
 
-/* ---- effects: the cost of each ---- */
+/* ---- effects ---- */
 
-/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls; the engine
- * only runs it once, with coarse steps. */
+/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls. The engine
+ * runs a row once, with coarse steps. */
 static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
@@ -35,8 +35,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
 }
 
 /*
- * Counts the work of one answer of the scene, without errors of placement, since the work of random rows is
- * not counted; with `placed`, also that of one random row.  Returns false after an error.
+ * Counts the work of one answer of the scene without errors of placement, because the work of random rows is
+ * not counted. With `placed` it adds the work of one random row. Returns false with a problem.
  */
 static bool scene_work(const struct query *query, struct problem *problem, bool placed, struct dom_work *work,
                        size_t *dominoes)
@@ -79,13 +79,13 @@ static double scene_price(const struct scene *scene)
 }
 
 /*
- * Returns the seconds of an answer with an effect, and the effects that it needs, on; or with the effect off.
- * Random rows stop early and have no floor, so that other effects are timed without errors of placement. Nor
- * have rows of the engine. NaN: there is no such answer.
+ * Returns the seconds of an answer with an effect and the effects that it needs, or without the effect.
+ * Returns NaN if there is no such answer. Random rows stop early and have no floor, so that the other effects
+ * are timed without errors of placement. The engine has no floor either.
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* shares the row, which this function does not change */
+    struct scene scene = *query->scene; /* borrows the row */
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     if (name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
@@ -102,17 +102,17 @@ static double price_with(const struct query *query, int name, bool on)
 static const struct column effects_columns[] = {
     {"effect", "", "name of the effect", 9},
     {"state", "", "off, or its values", 12},
-    {"method", "", "the quickest method that includes it: balance, motion or engine", 8},
-    {"without", "us", "time of an answer of this scene without the effect", 9},
+    {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
+    {"without", "us", "time of an answer without the effect", 9},
     {"with", "us", "time of an answer with the effect", 9},
-    {"times", "", "with / without", 8},
-    {"entered", "", "how often an answer of the scene enters the code of the effect", 8},
+    {"times", "", "the time with the effect over that without it", 8},
+    {"entered", "", "how often an answer runs the code of the effect", 8},
     {"adds", "", "what the effect adds to the paper's model", 26},
     {"source", "", "source of its mathematics", 20},
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns the quickest of the three methods that includes an effect. */
+/* Returns the quickest method that includes an effect. */
 static const char *quickest_method(int k)
 {
     return k >= DOM_EFFECT_COUNT ? "engine" : effect_at(k)->dissipates ? "motion" : "balance";
@@ -123,15 +123,15 @@ static void effects_say(const struct query *query, struct answer *a)
     bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(
         a,
-        "Times are those of one answer: %s. An effect that is off is not computed: its code is entered "
-        "0 times. placement is timed for one random row, which may stop early; feet and bounce for one "
-        "run of the rigid-body engine, of which an answer needs two or more.",
+        "A time is that of one answer: %s. The code of an effect that is off does not run. placement is "
+        "timed for one random row, which may stop early, and feet and bounce for one run of the rigid-body "
+        "engine, of which an answer needs two or more.",
         row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
     answer_say(
         a,
-        "Methods, the quickest first: balance, the energy balance; motion, the equation of motion; "
-        "engine, the rigid-body engine, for rows alone. The scene gets the first that includes all its "
-        "effects, now %s.\n",
+        "The methods are, the quickest first: balance, the energy balance; motion, the equation of motion; "
+        "and engine, the rigid-body engine, which runs rows only. The first that includes all effects of the "
+        "scene is used, which is now %s.\n",
         scene_has_engine(query->scene)               ? "engine"
         : domq_law(&query->scene->train)->dissipates ? "motion"
                                                      : "balance");
@@ -147,7 +147,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     size_t dominoes;
     if (!scene_work(query, problem, query->scene->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds"); /* people read these two below the table */
+    answer_leave_out(a, "adds"); /* these two columns are below the table, for people */
     answer_leave_out(a, "source");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
@@ -171,7 +171,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* ---- scene: the plan ---- */
+/* ---- scene ---- */
 
 static const struct column scene_columns[] = {
     {"part", "", "part of the computation", 9},
@@ -187,7 +187,7 @@ static void plan_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Prints the plan of a train. */
+/* Lists how a train is computed. */
 static void plan_train(const struct query *query, struct answer *a, size_t n)
 {
     bool rubs = domq_law(&query->scene->train)->dissipates;
@@ -202,7 +202,7 @@ static void plan_train(const struct query *query, struct answer *a, size_t n)
     plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
 }
 
-/* Prints the plan of a row that the engine runs. */
+/* Lists how the engine runs a row. */
 static void plan_of_engine(const struct query *query, struct answer *a, size_t n)
 {
     char solved[96];
@@ -215,7 +215,7 @@ static void plan_of_engine(const struct query *query, struct answer *a, size_t n
     plan_row(a, "motion", solved, n, scene_engine_why(query->scene));
 }
 
-/* Prints the plan of a row. */
+/* Lists how a row is computed. */
 static void plan_of_row(const struct query *query, struct answer *a, size_t n)
 {
     bool rubs = domq_law(&query->scene->train)->dissipates, pushed = query->scene->effect[DOM_EFFECT_push].on;
@@ -271,25 +271,27 @@ const struct command effect_commands[] = {
      .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
-     .summary = "turn an effect on with its values, or 'off'",
-     .help =
-         "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
-         "mm', 'effect row 13', "
-         "'effect row record.csv', 'effect push 3', 'effect placement 1 mm', 'effect floor 0.4'. 'effects' "
-         "lists them, 'help friction' explains one. 'effect friction off' turns it off; an effect that is "
-         "off is not computed.",
+     .summary = "turn an effect on with these values, or off with 'off'",
+     .help = "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
+             "mm', "
+             "'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', 'effect "
+             "floor 0.4'. "
+             "'effects' lists all effects, and 'help friction' explains one. 'effect friction off' turns "
+             "friction off; "
+             "an effect that is off takes no time.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
      .changes = true,
      .run = run_set},
     {.name = "effects",
      .synonyms = "list switch",
-     .summary = "all effects: on or off, what they add, and their cost",
-     .help = "Measures the time of an answer of this scene with and without each effect and the effects that "
-             "it needs. An effect that is off is timed with its usual value. Effects decide which of three "
-             "methods "
-             "finds the motion: the energy balance; with friction, the equation of motion; with feet or "
-             "bounce, a rigid-body engine. 'scene' says which one this scene gets, and why.",
+     .summary = "all effects: whether they are on, what they add, and the time they take",
+     .help =
+         "Measures the time of an answer of this scene with and without each effect and the effects that it "
+         "needs. An effect that is off is timed with its usual value. Effects decide which of three methods "
+         "finds the motion: the energy balance; the equation of motion, if there is friction; or a "
+         "rigid-body "
+         "engine, if there are feet or bounce. 'scene' says which method this scene has, and why.",
      .see = "effect scene",
      .unswept = "it measures time, and other points would run at the same time",
      .rows = true,

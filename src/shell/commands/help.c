@@ -28,18 +28,14 @@ static const struct first_line {
 
 static void help_list(FILE *out)
 {
-    char usage[USAGE_SIZE], typed[USAGE_SIZE + 2], names[256] = "Parameters:";
+    char usage[USAGE_SIZE], names[256] = "Parameters:";
     help_say(out, "The first five minutes: type what follows the '>'");
-    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++) {
-        snprintf(typed, sizeof typed, "> %s", first_lines[i].line);
-        topic_entry(out, typed, first_lines[i].does);
-    }
+    for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
+        topic_entry(out, "> ", first_lines[i].line, first_lines[i].does);
     for (const struct command_group *g = command_groups(); g->title; g++) {
         fprintf(out, "\n%s\n", g->title);
-        for (const struct command *c = g->commands; c->name; c++) {
-            snprintf(typed, sizeof typed, "  %s", command_usage(c, usage));
-            topic_entry(out, typed, c->summary);
-        }
+        for (const struct command *c = g->commands; c->name; c++)
+            topic_entry(out, "  ", command_usage(c, usage), c->summary);
     }
     putc('\n', out);
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -238,7 +234,7 @@ static void help_several(FILE *out, const char *word)
     help_say(out, "'%s' is about one of these; 'help NAME' explains it:", word);
     for (int k = 0; (name = topic_meant(word, k)) != NULL; k++) {
         const struct command *c = command_find(name);
-        topic_entry(out, name, c ? c->summary : parameter_meaning(parameter_find(name)));
+        topic_entry(out, "", name, c ? c->summary : parameter_meaning(parameter_find(name)));
     }
 }
 
@@ -294,7 +290,7 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
             if (topic.parameter)
                 snprintf(topic.usage, sizeof topic.usage, "%s %s", topic.parameter->effect ? "effect" : "set",
                          topic.name);
-            topic_entry(session->output->out, topic.usage, topic.summary);
+            topic_entry(session->output->out, "", topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "

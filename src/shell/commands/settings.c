@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about the session itself. */
+/* Commands about the session: its parameters, their changes, and its end. */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "io/output.h"
@@ -10,7 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Tells the values that 'on' chose, since they were not typed; with csv and json on standard error. */
+/* Says which values 'on' has chosen, since nobody typed them. With csv and json it is a note on standard
+ * error. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
@@ -58,7 +59,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* A file that is sourced may set the other one next. */
+    /* The next line of a file may set the other parameter, too. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
@@ -72,7 +73,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
 }
 
 static const struct column step_columns[] = {
-    {"change", "", "the command whose change is taken back, or made again", 0},
+    {"change", "", "the command whose change was undone or done again", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -84,9 +85,8 @@ static bool run_undo(struct session *session, const struct arguments *given, str
     bool back = strcmp(a->command, "undo") == 0;
     const char *text = undo_step(session->undo, &session->state, back);
     if (!text)
-        return problem_error(problem, back
-                                          ? "there is no change to take back"
-                                          : "there is nothing to do again; 'undo' takes a change back first");
+        return problem_error(problem, back ? "there is no change to undo"
+                                           : "there is nothing to do again; 'undo' comes first");
     if (!answer_for_people(a))
         return answer_cells(a, cell_word(text));
     answer_say(a, "%s: %s", back ? "undone" : "done again", text);
@@ -123,7 +123,8 @@ static void variables_save(const struct variables *variables, FILE *out)
     }
 }
 
-/* Returns the path of the folder of a file, without links; NULL if the file is a device or FIFO. */
+/* Returns the absolute path of the folder of a file, which the caller frees. Returns NULL for a device or a
+ * FIFO. */
 static char *folder_of(const char *path)
 {
     struct stat status;
@@ -176,10 +177,12 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help = "VALUE is one of the parameter's words (hollow, json) or an expression: 7/48, 4.8 cm, 0.9*s, "
-             "rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Each value is checked on its "
-             "own; a command that needs r s <= 1 checks that. NAME may also "
-             "be an effect: 'set friction 0.2', 'set friction off'.",
+     .help =
+         "VALUE is one of the words of the parameter, such as hollow or json, or an expression: 7/48, 4.8 "
+         "cm, "
+         "0.9*s, rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Only the range of VALUE is "
+         "checked here; commands check combinations, such as r s <= 1. NAME may also be an effect: 'set "
+         "friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .shortest = "se",
@@ -197,10 +200,10 @@ const struct command session_commands[] = {
      .shortest = "re",
      .synonyms = "undo default clear restore variable delete remove unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
-     .summary = "the parameter NAME, or all of the model, to the defaults",
-     .help = "Without NAME all effects are turned off, too, and the settings of the session are kept: "
-             "threads, output, "
-             "digits, angle, errors, timing, hints. So are variables; 'reset x' forgets the variable x.",
+     .summary = "give the parameter NAME, or all of the model, the defaults again",
+     .help =
+         "Without NAME all effects are turned off, too. The settings of the session stay: threads, output, "
+         "digits, angle, errors, timing, hints. Variables stay, too; 'reset x' forgets the variable x.",
      .example = "set s 0.3; reset s; print s",
      .see = "set show",
      .changes = true,
@@ -208,7 +211,7 @@ const struct command session_commands[] = {
     {.name = "diff",
      .synonyms = "changes changed compare default settings",
      .summary = "the parameters and effects that differ from their defaults",
-     .help = "What 'let' has defined is listed, too.",
+     .help = "The list includes what 'let' has defined.",
      .example = "set s 0.3; effect friction 0.2; diff",
      .see = "show reset undo",
      .rows = true,
@@ -216,9 +219,10 @@ const struct command session_commands[] = {
      .run = run_diff},
     {.name = "undo",
      .synonyms = "back revert restore previous",
-     .summary = "take back the last change",
-     .help = "A change is a line that changed a parameter, an effect, the row or a variable; a file that was "
-             "sourced is one. The last 100 can be taken back, one after the other.",
+     .summary = "undo the last change",
+     .help =
+         "A change is a command that changed a parameter, an effect, the row or a variable. All changes of a "
+         "file that was sourced are one. The last 100 changes can be undone, one after the other.",
      .example = "set s 0.3; undo; print s",
      .see = "redo diff reset",
      .unswept = "it computes nothing",
@@ -226,7 +230,7 @@ const struct command session_commands[] = {
      .act = run_undo},
     {.name = "redo",
      .synonyms = "again forward repeat",
-     .summary = "make again what undo took back",
+     .summary = "do again what undo has undone",
      .example = "set s 0.3; undo; redo; print s",
      .see = "undo",
      .unswept = "it computes nothing",
@@ -240,22 +244,25 @@ const struct command session_commands[] = {
                    .optional = true,
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
-     .summary = "the value of an expression, in another unit",
+     .summary = "the value of an expression, also in another unit",
      .help =
-         "A line that is an expression means the same: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to "
-         "percent'. "
-         "Numbers, + - * / ^ and parentheses; units of length m mm cm km in ft yd, of mass kg g t lb oz, "
-         "of time s ms, of angle rad deg; pi; sin cos tan asin acos atan atan2 exp ln log log10 sqrt abs "
-         "floor ceil round hypot min max; the parameters; what 'let' defines; 'ans', the last value, and "
-         "'ans.KEY', a number of the last answer; commands, "
-         "with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after a number "
-         "or a ')': '10 g'; elsewhere g is gravity: 'h/g', '2*g'. "
-         "Comparisons are 1 if they are true, and else 0: < <= >= == !=, and '(a > b)' in parentheses, since "
-         "'>' alone begins the name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' is "
-         "one "
-         "of two values. 'with' gives parameters and effects other values for one answer alone: 'rmax 0.4 "
-         "with "
-         "q hollow d 0.1', and in an expression, between parentheses, '2*(rmax with friction 0.2)'.",
+         "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
+         "expression has "
+         "numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of mass (kg g t lb oz), "
+         "of time "
+         "(s ms) and of angle (rad deg); pi; the functions sin cos tan asin acos atan atan2 exp ln log log10 "
+         "sqrt "
+         "abs floor ceil round hypot min max; parameters; what 'let' has defined; 'ans', the last value, and "
+         "'ans.KEY', a number of the last answer; and commands, with a key or without: rmax, "
+         "rmax(0.3).r_max_paper. "
+         "g and t are units directly after a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. "
+         "Comparisons are 1 if they are true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, "
+         "since "
+         "'>' alone begins the name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' "
+         "chooses one "
+         "of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d "
+         "0.1', and "
+         "in an expression, in parentheses, '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",
@@ -269,11 +276,11 @@ const struct command session_commands[] = {
                    .parse = definition_parse,
                    .bind = definition_bind}},
      .summary = "give a value a name, or define a function",
-     .help = "'let x = 0.9*rmax' keeps the value that the expression has now; every expression can use x. "
-             "'let f(s) = rmax(s)*s' keeps the text; f(0.3) evaluates it with s = 0.3. A "
-             "function has 1 .. 4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' "
-             "changes it, "
-             "'reset x' forgets it; 'let' lists all, and 'save' keeps them.",
+     .help =
+         "'let x = 0.9*rmax' keeps the value that the expression has now, and every expression can use x. "
+         "'let f(s) = rmax(s)*s' keeps the text, and f(0.3) evaluates it with s = 0.3. A function has 1 to 4 "
+         "values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
+         "forgets it. 'let' lists all variables and functions, and 'save' writes them into its file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
      .changes = true,
@@ -282,9 +289,9 @@ const struct command session_commands[] = {
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
-     .help = "FILE also gets the effects that are on, the name of the row's file, the gaps that 'place' "
-             "changed, and "
-             "what 'let' defined.",
+     .help = "FILE also gets the effects that are on, the name of the row's file, the gaps that 'place' has "
+             "changed, "
+             "and what 'let' has defined.",
      .see = "source",
      .files = true,
      .run = run_save},
@@ -296,9 +303,9 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave; so does the end of the input (^D)",
-     .help = "At the prompt, if 'place' changed gaps of the row and no file has them, the first 'quit' only "
-             "says so, and "
-             "the second one leaves.",
+     .help = "If 'place' has changed gaps of the row and they are in no file, the first 'quit' at the prompt "
+             "only "
+             "says so, and the second one leaves.",
      .act = run_quit},
     {.name = NULL},
 };

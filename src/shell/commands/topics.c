@@ -138,24 +138,24 @@ void help_say(FILE *out, const char *format, ...)
     help_wrapped(out, text, 0);
 }
 
-/* Returns the column in which summaries begin: behind the longest usage of a command, indented by two. */
+/* Returns the column in which summaries begin: behind the longest usage of a command. */
 static int summary_column(void)
 {
     struct topic topic;
     size_t widest = 0;
     for (int k = 0; topic_at(k, &topic) && topic.command; k++)
         widest = strlen(topic.usage) > widest ? strlen(topic.usage) : widest;
-    return (int)widest + 4;
+    return (int)widest + 2;
 }
 
-void topic_entry(FILE *out, const char *usage, const char *summary)
+void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary)
 {
     enum { ROOM = 30, INDENT = 6 }; /* columns for a summary beside the usage; blanks before one below */
-    int column = summary_column();
+    int column = summary_column() + (int)strlen(prefix);
     bool below = help_width(out) < column + ROOM;
     if (below)
-        fprintf(out, "%s\n%*s", usage, INDENT, "");
+        fprintf(out, "%s%s\n%*s", prefix, usage, INDENT, "");
     else
-        fprintf(out, "%-*s", column, usage);
+        fprintf(out, "%s%-*s", prefix, column - (int)strlen(prefix), usage);
     help_wrapped(out, summary, below ? INDENT : column);
 }

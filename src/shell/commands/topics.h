@@ -29,9 +29,9 @@ bool topic_details_mention(const struct topic *topic, const char *word);
 void topic_rows_begin(struct answer *answer);
 void topic_row(struct answer *answer, const struct topic *topic);
 
-/* Writes "rmax [S]   the largest growth": the usage, and the summary beside it, or below it on a narrow
- * terminal. */
-void topic_entry(FILE *out, const char *usage, const char *summary);
+/* Writes "rmax [S]   the largest growth" behind a prefix: the usage, and the summary beside it, or below it
+ * on a narrow terminal. */
+void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary);
 
 /* ---- Paragraphs ---- */
 

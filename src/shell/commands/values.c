@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Values of expressions: print them, convert them, and give them names. */
+/* print and let: values of expressions, their units and their names. */
 #include "commands/tables.h"
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
@@ -11,18 +11,18 @@
 /* ---- print ---- */
 
 const struct column print_columns[] = {
-    {"value", "", "in SI units, and the unit of angles; or in the unit after 'to'", 0},
-    {"unit", "", "the unit of the value; nothing for a plain number", 6},
+    {"value", "", "in SI units, angles in the session's unit, or in the unit after 'to'", 0},
+    {"unit", "", "the unit of the value; empty for a plain number", 6},
     {NULL, NULL, NULL, 0},
 };
 
-/* The unit after 'to'. */
+/* The unit to which a value is converted. */
 struct conversion {
     struct quantity unit;
     char name[48];
 };
 
-/* Lists the units of one kind, with a blank before each. */
+/* Lists the units of the same kind as a quantity, with a blank before each. */
 static void units_list(struct quantity kind, char *text, size_t size)
 {
     const char *name;
@@ -89,7 +89,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
     if (!conversion_find(problem, name, c))
         return false;
     if (quantity_bare(*q) &&
-        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as where an angle belongs */
+        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as for an argument that is an angle */
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
@@ -121,7 +121,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     }
     int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
-        digits = 15; /* a whole number is shown whole */
+        digits = 15; /* a whole number is shown with all its digits */
     bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
@@ -142,7 +142,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* Lists for names.h the words with a meaning between values. */
+/* The list, for names.h, of words that are operators or conversions. */
 static const char *language_words(const void *context, int k)
 {
     static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};
@@ -150,7 +150,7 @@ static const char *language_words(const void *context, int k)
     return words[k];
 }
 
-/* Describes a problem where a name has a meaning already. */
+/* Returns true if a name has no meaning yet. Otherwise describes the problem. */
 static bool name_free(struct problem *problem, const char *name)
 {
     const char *is = parameter_find(name)                             ? "a parameter"
@@ -162,14 +162,14 @@ static bool name_free(struct problem *problem, const char *name)
     return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
 
-/* A definition: the variable, whose body is in the arena, and the value that it gets. */
+/* A parsed definition. The body of a function is in the arena. */
 struct definition {
     struct variable variable;
     struct item value;
 };
 
-/* Parses the text of a function up to the end of the command. Its names get their meaning where it is used.
- */
+/* Parses the text of a function, up to the end of the command. Names in it are resolved when the function is
+ * used. */
 static bool body_parse(struct reader *r, struct variable *v)
 {
     char shown[NAMES_SHOWN], word[NAMES_SHOWN];
@@ -189,7 +189,7 @@ static bool body_parse(struct reader *r, struct variable *v)
     return v->body || problem_error(r->problem, "out of memory");
 }
 
-/* Finds the variable whose name is all of the definition; it is shown. */
+/* Returns the variable if its name is the whole definition, as in 'let x'. Returns NULL otherwise. */
 static const struct variable *defined_parse(struct reader *r)
 {
     char name[VARIABLE_NAME];
