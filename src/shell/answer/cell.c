@@ -48,27 +48,23 @@ struct cell cell_word(const char *word)
 
 /* ---- Text ---- */
 
-/* Writes a bound in two digits, rounded up so that it stays a bound. */
+/* Writes an error bound in two digits, rounded up so that it is still a bound. */
 static const char *bound_text(domq_real error, char text[WIDE_TEXT])
 {
-    if (!isfinite(error))
-        return "-"; /* none is known */
-    quad_text(error * (domq_real)1.06, 2, text);
-    return text;
+    return quad_text(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits an exact value needs: 0.4 has one, also where its text could have 36. */
-static int exact_digits(struct cell cell, int all)
+/* Returns how many digits an exact number has, at most `all`: 1 for 0.4. */
+static int exact_digits(domq_real number, int all)
 {
     char text[WIDE_TEXT];
     int digits = all < 15 ? all : 15;
-    while (digits < all && quad_read(quad_text(cell.number, digits, text), NULL) != cell.number)
+    while (digits < all && quad_read(quad_text(number, digits, text), NULL) != number)
         digits++;
     return digits;
 }
 
-/* Returns how many digits of a value its bound leaves certain, so that the printed value is within the bound.
- */
+/* Returns how many digits of a number its error bound leaves certain, and one more, at most `all`. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -76,19 +72,19 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* Returns the bound of the printed number: the digits that are left out are an error, too. */
-static domq_real printed_error(struct cell cell, const char *number)
+/* Returns the error bound of a number as printed, which includes rounding to the printed digits. */
+static domq_real printed_error(struct cell cell, const char *text)
 {
-    return cell.error + quad(fabs)(quad_read(number, NULL) - cell.number);
+    return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
 }
 
 static const char *real_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT])
 {
     char number[WIDE_TEXT], bound[WIDE_TEXT];
-    bool known = bounds && isfinite(cell.error) && cell.digits == 0;
-    if (!known)
+    bool with_bound = bounds && isfinite(cell.error) && cell.digits == 0;
+    if (!with_bound)
         return quad_text(cell.number, cell.digits ? cell.digits : digits, text);
-    digits = cell.error != 0 ? bound_digits(cell, digits) : exact_digits(cell, digits);
+    digits = cell.error != 0 ? bound_digits(cell, digits) : exact_digits(cell.number, digits);
     quad_text(cell.number, digits, number);
     domq_real error = printed_error(cell, number);
     if (error > 0)
@@ -115,7 +111,8 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
     return "-";
 }
 
-/* Returns the value rounded to the session's precision. */
+/* ---- At the precision of the session ---- */
+
 static domq_real rounded(const struct answer_style *style, domq_real value)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)(float)value
@@ -123,7 +120,7 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Reads a number as a program with the session's precision does. */
+/* Reads a number as a program with this precision does. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
@@ -131,48 +128,48 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* What is brief is known in double at best, and a count is more than a float holds. */
-static const struct answer_style *style_of(const struct answer_style *style, struct cell cell)
+/* Returns the style in which a cell is written.  Brief numbers are at best known in double, and a float
+ * cannot hold large counts. */
+static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
-    bool count = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
-    return cell.digits || count ? &in_double : style;
+    bool is_large = cell.kind == CELL_COUNT && style->precision == DOM_FLOAT;
+    return cell.digits || is_large ? &in_double : style;
 }
 
 bool cell_finite(const struct answer_style *style, struct cell cell)
 {
-    bool number = cell.kind == CELL_REAL || cell.kind == CELL_COUNT;
-    return !number || isfinite(rounded(style_of(style, cell), cell.number));
+    bool is_number = cell.kind == CELL_REAL || cell.kind == CELL_COUNT;
+    return !is_number || isfinite(rounded(cell_style(style, cell), cell.number));
 }
 
 bool cell_vanishes(const struct answer_style *style, struct cell cell)
 {
-    return cell.kind == CELL_REAL && cell.number != 0 && rounded(style_of(style, cell), cell.number) == 0;
+    return cell.kind == CELL_REAL && cell.number != 0 && rounded(cell_style(style, cell), cell.number) == 0;
 }
 
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT])
 {
     if (cell.kind == CELL_FLAG)
         return cell.number != 0 ? "true" : "false";
-    style = style_of(style, cell);
-    const int all = style->all_digits, few = all < 15 ? all - 2 : 15;
+    style = cell_style(style, cell);
+    const int all = style->all_digits;
     cell.digits = 0;
-    cell.number = cell.kind == CELL_REAL ? rounded(style, cell.number) : cell.number;
-    const char *said = cell_text(cell, few, false, text);
-    bool same = cell.kind != CELL_REAL || read_back(style, text) == cell.number;
-    for (int n = all - 2 > few ? all - 2 : few + 1; !same && n <= all; n++) {
-        said = cell_text(cell, n, false, text);
-        same = n == all || read_back(style, text) == cell.number;
-    }
-    return said;
+    if (cell.kind != CELL_REAL)
+        return cell_text(cell, all, false, text);
+    cell.number = rounded(style, cell.number);
+    /* Most numbers need few digits, and the others nearly all. */
+    for (int n = all < 15 ? all - 2 : 15; n < all; n = n < all - 2 ? all - 2 : n + 1)
+        if (read_back(style, quad_text(cell.number, n, text)) == cell.number)
+            return text;
+    return quad_text(cell.number, all, text);
 }
 
 const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT])
 {
     char number[CELL_TEXT];
-    /* In bound_text it grows by 6 %. */
-    return cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2))
-               ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text)
-               : none;
+    bool has_bound =
+        cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2)); /* it will be rounded up */
+    return has_bound ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }

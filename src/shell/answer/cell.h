@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One value of an answer, and its text: digits that its tolerance and the bound of its error leave. */
+/* The values of an answer, and how many digits of them are shown. */
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
@@ -10,51 +10,53 @@ enum angle { ANGLE_RAD, ANGLE_DEG };
 
 struct format;
 
+/* How answers look, from the settings of the session. */
 struct answer_style {
-    unsigned output; /* which of the formats, as the session has it; session_style finds the format */
+    unsigned output; /* the number of the format that 'set output' has chosen */
     const struct format *format;
     enum angle angle;
-    unsigned header;  /* csv begins with the names of its columns */
-    domq_real digits; /* in a table */
+    unsigned header;  /* csv begins with the column names */
+    domq_real digits; /* the most digits of a number in a table */
     enum dom_precision precision;
-    int tol_digits;  /* that the session's tolerance promises */
-    int all_digits;  /* that read back to the same number of the session's precision: csv and json */
-    unsigned errors; /* every number with the bound of its error */
+    int tol_digits;  /* the digits that the tolerance guarantees */
+    int all_digits;  /* enough digits for an exact round trip at this precision */
+    unsigned errors; /* show error bounds */
 };
 
 struct cell {
     enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
     domq_real number;
-    domq_real error; /* bound of it; 0: exact, or not asked for */
+    domq_real error; /* an upper bound of the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
-    int digits;    /* in a table; 0: as the style says */
-    bool computed; /* to the session's tolerance: more digits than it promises are not shown */
+    int digits;    /* the digits in a table, or 0 for those of the style */
+    bool computed; /* a table shows at most the digits that the tolerance guarantees */
 };
 
-/* Makes a cell of a number; NaN and infinity become CELL_NONE, which is null in json. */
+/* Makes a cell.  NaN and infinity give an empty cell, which is null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
-struct cell cell_unbounded(domq_real value); /* no error bound is known */
-struct cell cell_brief(double value);        /* three digits in a table: for what is not known better */
+struct cell cell_unbounded(domq_real value); /* a number without a known error bound */
+struct cell cell_brief(double value);        /* a number of which only three digits are known */
 struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
 
-/* Returns true unless the number is none, or too large, in the arithmetic in which csv and json write it. */
+/* Returns false if a number is not finite at the precision at which csv and json write it. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true for a number that is not 0, and is 0 in that arithmetic. */
+/* Returns true if a number other than 0 becomes 0 at that precision. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
-enum { CELL_TEXT = 128 }; /* enough for any cell that is not a word */
+enum { CELL_TEXT = 128 }; /* room for any cell but a word */
 
-/* Writes a cell of a table, in so many digits at most, with its bound if bounds are shown. */
+/* Returns the text of a cell in a table, with at most this many digits, and with its error bound if `bounds`.
+ */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Writes a cell for programs: the fewest digits that read back to the same number, without a bound. */
+/* Returns the text of a cell for programs: the fewest digits for an exact round trip, without a bound. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
-/* Writes the bound of a number as cell_plain does; nothing where no bound is known. */
+/* Returns the text of an error bound for programs, or `none` if no bound is known. */
 const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,
                              char text[CELL_TEXT]);
 

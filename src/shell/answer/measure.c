@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The measures of each unit, the smallest first; `below` is in the base unit. */
+/* A unit holds for numbers of the base unit below a limit.  The smallest limit comes first. */
 static const struct {
     const char *base;
     domq_real below;
@@ -18,7 +18,7 @@ static const struct {
 
 struct measure measure_of(const char *unit, domq_real largest)
 {
-    const domq_real almost = 1 + (domq_real)1e-12; /* 10 mm, as typed, are 1 cm in spite of rounding */
+    const domq_real almost = 1 + (domq_real)1e-12; /* 10 mm are 1 cm in spite of rounding */
     for (size_t i = 0; *unit && i < sizeof measures / sizeof *measures; i++)
         if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
             return measures[i].measure;
@@ -45,25 +45,25 @@ domq_real measure_number(struct measure measure, domq_real value)
 
 struct measured measured(domq_real value, const char *unit, int digits)
 {
-    struct measured said;
+    struct measured result;
     char number[WIDE_TEXT];
     struct measure measure = measure_of(unit, value);
-    domq_real shown = measure_number(measure, value), most = 1;
+    domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
-        most *= 10;
-    for (; digits < 15 && quad(fabs)(shown) >= most - (domq_real)0.5; most *= 10) /* 99.9 is not 1e+02 */
+        limit *= 10;
+    for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10) /* 99.9 is not 1e+02 */
         digits++;
-    quad_text(shown, digits, number);
-    snprintf(said.text, sizeof said.text, "%s%s%s", number, *measure.unit ? " " : "", measure.unit);
-    return said;
+    snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits, number),
+             *measure.unit ? " " : "", measure.unit);
+    return result;
 }
 
 struct measured measured_share(domq_real value, int digits)
 {
-    struct measured said = measured(value, "share", digits);
-    while (value != 1 && strcmp(said.text, "100 %") == 0 && digits < 15)
-        said = measured(value, "share", ++digits);
-    return said;
+    struct measured result = measured(value, "share", digits);
+    while (value != 1 && strcmp(result.text, "100 %") == 0 && digits < 15)
+        result = measured(value, "share", ++digits);
+    return result;
 }
 
 struct axis_unit measure_axis(double longest)
