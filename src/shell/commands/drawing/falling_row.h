@@ -3,7 +3,7 @@
 #ifndef SHELL_FALLING_ROW_H
 #define SHELL_FALLING_ROW_H
 
-#include "commands/rows/row_run.h"
+#include "commands/rows/falling.h"
 #include "picture/stage.h"
 
 /* Lengths are in m, and times in s on the clock of struct domq_fall. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* watch: keys change a parameter, and the answer follows as a point on its curve.  The session stays as it is
- * until Enter. */
+/* watch: keys change a parameter, and the answer follows as a point on its curve. Only Enter changes the
+ * session. */
 #include "commands/planning/planning.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -15,28 +15,26 @@
 #include <unistd.h>
 
 enum {
-    STEPS = 200, /* places of the point */
-    COARSE = 5,  /* of them between two points of the curve, which are as far as a large step */
-    LEAST_HEIGHT = 8,
-    LEAST_WIDTH = 34
+    STEPS = 200, /* from one end of the range to the other */
+    COARSE = 5   /* small steps in a large one, and between two points of the curve */
 };
 
 struct watch {
     const struct solve *solve;
     struct probe probe;
     double from, to;
-    double curve[STEPS / COARSE + 1]; /* NaN: no answer */
-    double x;                         /* of the point */
-    int at;                           /* its place, 0 .. STEPS; before the first step the nearest */
+    double curve[STEPS / COARSE + 1]; /* NaN if there is no answer */
+    double x;                         /* where the point is */
+    int step;                         /* the step of the range that is nearest to it */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
 };
 
-static double watch_x(const struct watch *w, int place)
+static double watch_x(const struct watch *w, int step)
 {
-    return w->from + (w->to - w->from) * place / STEPS;
+    return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve; false: an error was reported. */
+/* Computes the curve, and puts the point where the session is. Returns false with a problem. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
@@ -48,7 +46,7 @@ static bool watch_begin(struct watch *w, struct problem *problem)
             return probe_report(&w->probe, problem);
     }
     w->x = fmin(fmax((double)parameter_get(w->probe.query->state, p), w->from), w->to);
-    w->at = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
+    w->step = (int)lround(STEPS * (w->x - w->from) / (w->to - w->from));
     return answers > 0 || probe_report(&w->probe, problem);
 }
 
@@ -77,7 +75,7 @@ static void watch_draw(struct watch *w, FILE *out)
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
-    if (height >= LEAST_HEIGHT && width >= LEAST_WIDTH)
+    if (height >= 8 && width >= 34) /* a smaller chart shows nothing */
         chart_text(&chart, look_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small ones  Enter keeps it  q leaves"
                       : "arrows move, Enter keeps, q leaves",
@@ -86,30 +84,29 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-/* Takes what was typed; the arrows are the last letters of what begins with an escape. */
-static void watch_keys(struct watch *w, const char *key, ssize_t count)
+/* Takes what was typed. An arrow is an escape sequence: ESC, '[' or 'O', and a letter. */
+static void keys_take(struct watch *w, const char *key, ssize_t count)
 {
+    static const int steps[] = {1, -1, COARSE, -COARSE}; /* of the letters A, B, C and D */
     for (ssize_t i = 0; i < count; i++) {
-        bool arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033';
-        int step = !arrow          ? 0
-                   : key[i] == 'C' ? COARSE
-                   : key[i] == 'D' ? -COARSE
-                   : key[i] == 'A' ? 1
-                   : key[i] == 'B' ? -1
-                                   : 0;
-        w->at = w->at + step < 0 ? 0 : w->at + step > STEPS ? STEPS : w->at + step;
-        w->x = step ? watch_x(w, w->at) : w->x;
-        if (key[i] == '\n' || key[i] == '\r')
+        bool is_arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033' &&
+                        key[i] >= 'A' && key[i] <= 'D';
+        if (is_arrow) {
+            w->step += steps[key[i] - 'A'];
+            w->step = w->step < 0 ? 0 : w->step > STEPS ? STEPS : w->step;
+            w->x = watch_x(w, w->step);
+        } else if (key[i] == '\n' || key[i] == '\r') {
             w->state = WATCH_KEEP;
-        else if (key[i] == 'q' || key[i] == 4 /* ^D */)
+        } else if (key[i] == 'q' || key[i] == 4 /* ^D */) {
             w->state = WATCH_LEAVE;
-        else if (key[i] == 26) /* ^Z */
+        } else if (key[i] == 26 /* ^Z */) {
             w->state = WATCH_STOP;
+        }
     }
 }
 
 /* Runs until a key, a signal or the end of the input ends it. */
-static void watch_run(struct session *session, struct watch *w)
+static void watch_run(struct watch *w, FILE *out)
 {
     struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
     int width = 0, height = 0;
@@ -117,22 +114,22 @@ static void watch_run(struct session *session, struct watch *w)
     char key[64];
     while (w->state == WATCH_ON) {
         int across, down;
-        terminal_size(session->output->out, &across, &down);
+        terminal_size(out, &across, &down);
         if (across != width || down != height || w->x != shown)
-            watch_draw(w, session->output->out);
+            watch_draw(w, out);
         width = across;
         height = down;
         shown = w->x;
         ssize_t count = poll(&input, 1, 200) > 0 ? read(STDIN_FILENO, key, sizeof key) : -1;
-        if (dom_raised(session->state.scene.compute.interrupt) || count == 0 ||
+        if (dom_raised(w->probe.query->scene->compute.interrupt) || count == 0 ||
             (input.revents & (POLLHUP | POLLERR)))
             w->state = WATCH_LEAVE;
         else if (count > 0)
-            watch_keys(w, key, count);
+            keys_take(w, key, count);
     }
 }
 
-/* Reports an error where there are no keys, or the terminal cannot put its cursor. */
+/* Describes a problem if there are no keys, or if the terminal cannot move its cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;
@@ -143,12 +140,29 @@ static bool watch_possible(const struct session *session, struct problem *proble
                                   "'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
+/* Shows the screen, and waits for keys. */
+static void watch_show(struct watch *w, FILE *out)
+{
+    struct termios before, keys;
+    if (tcgetattr(STDIN_FILENO, &before) != 0)
+        return;
+    keys = before;
+    keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+    keys.c_cc[VSUSP] =
+        _POSIX_VDISABLE; /* ^Z is a key here, so that the terminal is restored before the stop */
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
+    fputs("\033[?1049h\033[?25l", out); /* the alternate screen, without a cursor */
+    watch_run(w, out);
+    fputs("\033[?25h\033[?1049l", out);
+    fflush(out);
+    tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
+}
+
 bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                struct problem *problem)
 {
     const struct solve *solve = given->bound;
     const struct query query = session_query(session);
-    struct termios before, keys;
     struct watch w = {.solve = solve, .from = (double)solve->from, .to = (double)solve->to};
     w.probe = (struct probe){.query = &query,
                              .command = problem->command,
@@ -159,17 +173,8 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     bool begun = watch_begin(&w, problem);
     progress_end();
-    if (begun && tcgetattr(STDIN_FILENO, &before) == 0) {
-        keys = before;
-        keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
-        keys.c_cc[VSUSP] = _POSIX_VDISABLE; /* is a key here: the terminal is put in order before the stop */
-        tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
-        fputs("\033[?1049h\033[?25l", session->output->out); /* a screen of its own, without a cursor */
-        watch_run(session, &w);
-        fputs("\033[?25h\033[?1049l", session->output->out);
-        fflush(session->output->out);
-        tcsetattr(STDIN_FILENO, TCSADRAIN, &before);
-    }
+    if (begun)
+        watch_show(&w, session->output->out);
     gsl_set_error_handler(handler);
     domq_real value = w.x;
     if (w.state == WATCH_STOP)

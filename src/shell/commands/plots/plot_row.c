@@ -2,7 +2,6 @@
 /* plot fall, speed, gaps: what happens along the row, and how far its gaps may be off. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
-#include "commands/rows/row_run.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
 #include <stdlib.h>

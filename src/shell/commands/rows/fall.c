@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* fall and verdict: the row of the scene is run once; fall lists its dominoes, verdict sums up. */
-#include "commands/rows/row_run.h"
 #include "commands/rows/rows.h"
 #include "commands/walk.h"
 #include "language/quad.h"

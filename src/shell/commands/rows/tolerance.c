@@ -32,8 +32,7 @@ struct windows {
     const struct scene_row *scene;
     size_t count;                    /* of the dominoes */
     struct domq_window *kind[KINDS]; /* for each enum dom_window_of: domino k has [k]; the friction has [0] */
-    size_t first[KINDS]; /* the number of the domino with the least room; 0 if the row does not fall */
-    size_t saving_lean;  /* the number of a domino whose lean, if changed, saves the row; or 0 */
+    size_t first[KINDS];             /* the number of the domino that first_find has found, or 0 */
     bool falls;
 };
 
@@ -49,28 +48,17 @@ static domq_real room(const struct domq_window *w)
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/* Finds the leaning domino whose top has to move least to save the row. */
-static void saving_lean_find(struct windows *w)
-{
-    domq_real change = DOMQ_NAN;
-    for (size_t k = 0; k < w->count; k++) {
-        const struct domq_window *lean = &w->kind[DOM_WINDOW_PLUMB][k];
-        domq_real off = -room(lean); /* the value is outside of the window */
-        if (lean->now != 0 && off > 0 && !(off >= change)) {
-            change = off;
-            w->saving_lean = k + 1;
-        }
-    }
-}
-
-/* Finds the domino with the least room: heights are compared as shares, places and leans as lengths. */
+/*
+ * Finds the domino with the least room: heights are compared as shares, places and leans as lengths. In a row
+ * that does not fall, finds the domino whose value is closest to its window.
+ */
 static void first_find(struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
-        domq_real free = room(of) / (kind == DOM_WINDOW_HEIGHT ? of->now : 1);
-        if (!isnan(free) && !(free >= least)) {
+        domq_real free = quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT ? of->now : 1);
+        if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
             least = free;
             w->first[kind] = k + 1;
         }
@@ -110,12 +98,11 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
     }
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
+    if (status == DOM_OK)
+        first_find(w, DOM_WINDOW_PLUMB);
     if (status == DOM_OK && w->falls) {
         first_find(w, DOM_WINDOW_PLACE);
         first_find(w, DOM_WINDOW_HEIGHT);
-        first_find(w, DOM_WINDOW_PLUMB);
-    } else if (status == DOM_OK) {
-        saving_lean_find(w);
     }
     return status;
 }
@@ -178,12 +165,12 @@ static struct words off_plumb(domq_real value, int digits)
 
 static void lean_say(struct answer *a, const struct windows *w)
 {
-    const size_t first = w->first[DOM_WINDOW_PLUMB], k = first ? first : w->saving_lean;
+    const size_t k = w->first[DOM_WINDOW_PLUMB];
     if (k == 0)
         return;
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
     const char *all = w->count > 1 ? ", the least room of all" : "";
-    if (!first)
+    if (!w->falls)
         answer_say(a, "With the top of domino %zu off by %s to %s all would fall; it is off by %s now.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
                    off_plumb(l.now, DIGITS_NOW).text);

@@ -104,11 +104,9 @@ static void row_write(struct sweeper *w, const struct cell *row, const char *rea
     w->to->late_reason[0] = '\0'; /* since the sweep says it */
 }
 
-/* Returns the column with this key, or -1. Looks at column `guess` first. */
-static int column_find(const struct column *columns, const char *key, int guess)
+/* Returns the column with this key, or -1. */
+static int column_find(const struct column *columns, const char *key)
 {
-    if (columns[guess].key && strcmp(columns[guess].key, key) == 0)
-        return guess;
     for (int i = 0; columns[i].key; i++)
         if (strcmp(columns[i].key, key) == 0)
             return i;
@@ -123,13 +121,11 @@ static void row_take(struct answer *a, const struct cell *cells, const char *rea
     struct cell row[ANSWER_COLUMNS];
     const int values = w->grid->axes;
     memcpy(row, w->value, (size_t)values * sizeof *row);
-    for (int j = values, next = 0; c->column[j].key; j++) {
-        int i = column_find(a->columns, c->key[j], next);
+    for (int j = values; c->column[j].key; j++) {
+        int i = column_find(a->columns, c->key[j]);
         row[j] = i < 0 ? (struct cell){.kind = CELL_NONE} : cells[i];
-        if (i >= 0) {
+        if (i >= 0)
             c->column[j].unit = a->columns[i].unit;
-            next = i + 1;
-        }
     }
     if (!w->to && !w->answered)
         memcpy(w->sample, row, sizeof row);
