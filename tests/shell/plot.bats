@@ -218,6 +218,8 @@ END
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
     "$DOMINO" -e 'sweep s 0.2 0.6 5 : rmax > a.svg; plot sweep s 0.2 0.6 5 : rmax > b.svg'
     same 'the same picture' "$(grep -v Produced b.svg)" "$(grep -v Produced a.svg)"
+    # A grid may go down.
+    same 'a map' "$("$DOMINO" -e 'plot sweep s 0.1 0.9 9 d 0.1 0.3 7 : rmax')" "$("$DOMINO" -e 'plot sweep s 0.9 0.1 9 d 0.3 0.1 7 : rmax')"
     # Words make a curve each, parameters on a logarithm keep it, points without an answer are counted.
     "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
     for words in 'fuel = exact' 'fuel = paper'; do grep -q "$words" picture; done

@@ -58,6 +58,12 @@ struct look look_of(FILE *stream)
     return look;
 }
 
+double ruler_step(double least)
+{
+    double ten = pow(10, floor(log10(least)));
+    return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
+}
+
 /* ---- Dots ---- */
 
 bool canvas_make(struct canvas *c, struct look look, int width, int height)

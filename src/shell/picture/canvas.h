@@ -28,6 +28,10 @@ int ink_colour(enum ink ink);
 /* Returns the colour of a shade in 0 .. 1 of the palette viridis, whose brightness rises steadily. */
 int shade_colour(double shade);
 
+/* Returns the step of a ruler or an axis: the least of 1, 2 and 5 times a power of ten that is not below
+ * `least`. */
+double ruler_step(double least);
+
 /* What the terminal of a stream can show; a file and a pipe get plain letters. */
 struct look {
     bool braille; /* also lines of boxes and half blocks */

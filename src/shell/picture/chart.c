@@ -26,7 +26,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    c->curves -= c->curves == CHART_CURVES; /* no caller has more; the last one would be written over */
+    c->curves -= c->curves == CHART_CURVES; /* the last curve is replaced: no caller has more */
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
     va_start(arguments, format);
@@ -95,10 +95,10 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends that are NaN; pad: leaves room above and below, as a share of what there is. */
+/* Sets the ends that are NaN, with room above and below the data, `pad` times its range. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
-    if (!(low <= high)) { /* nothing is there to be seen */
+    if (!(low <= high)) { /* there is no data */
         low = a->logarithmic ? 0.1 : 0;
         high = 1;
     }
@@ -127,15 +127,12 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Sets the ends of the axes to the outer edges of the cells of a map. */
-static void map_fit(const struct chart_map *m, struct chart_axis *x, struct chart_axis *y)
+/* Moves the ends of an axis from the middles of the outermost cells of a map to their edges. */
+static void cells_fit(struct chart_axis *a, int cells)
 {
-    double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) / 2 : 0.5;
-    double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) / 2 : 0.5;
-    x->low = x->logarithmic ? pow(10, m->x0 - dx) : m->x0 - dx;
-    x->high = x->logarithmic ? pow(10, m->x1 + dx) : m->x1 + dx;
-    y->low = y->logarithmic ? pow(10, m->y0 - dy) : m->y0 - dy;
-    y->high = y->logarithmic ? pow(10, m->y1 + dy) : m->y1 + dy;
+    double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
+    a->low = low;
+    a->high = high;
 }
 
 static void curve_fit(const struct chart *c, struct chart_curve *curve)
@@ -167,8 +164,10 @@ void chart_fit(struct chart *c)
             c->curve[kept++] = c->curve[k];
     }
     c->curves = kept;
-    if (c->map.value)
-        map_fit(&c->map, &c->x, &c->y);
+    if (c->map.value) {
+        cells_fit(&c->x, c->map.across);
+        cells_fit(&c->y, c->map.down);
+    }
     axis_fit(&c->x, x0 - aside, x1 + aside, 0);
     axis_fit(&c->y, y0, y1, 0.06);
     for (int k = 0; k < c->curves; k++)
@@ -182,53 +181,56 @@ double axis_place(const struct chart_axis *a, double value)
     return (value - a->low) / (a->high - a->low);
 }
 
-/* Writes the multiples of a step of 1, 2 or 5 and zeros. */
-static int ticks_even(const struct chart_axis *a, int most, double tick[TICKS])
+double axis_number(const struct chart_axis *a, double place)
 {
-    double least = (a->high - a->low) / most, ten = pow(10, floor(log10(least))), step = ten;
-    for (int k = 0; step < least * (1 - 1e-9) || (a->whole && step < 1); k++) {
-        step = ten * (k % 3 == 0 ? 2 : k % 3 == 1 ? 5 : 10);
-        ten = k % 3 == 2 ? 10 * ten : ten;
-    }
-    int n = 0;
-    double first = ceil(a->low / step - 1e-9);
-    for (double k = first; k * step <= a->high + 1e-9 * step && n < TICKS; k++)
-        tick[n++] = k == 0 ? 0 : k * step;
-    return n;
+    return a->logarithmic ? a->low * pow(a->high / a->low, place) : a->low + place * (a->high - a->low);
 }
 
-int axis_ticks(const struct chart_axis *a, int most, double tick[TICKS])
+/* ---- Ticks ---- */
+
+static void tick_add(struct ticks *t, double tick)
 {
-    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}}; /* of each decade: coarse to fine */
+    if (t->count == TICKS)
+        return;
+    char *text = t->text[t->count];
+    int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
+    if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
+        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* the range of the axis is narrow */
+    t->widest = wide > t->widest ? wide : t->widest;
+    t->at[t->count++] = tick;
+}
+
+struct ticks axis_ticks(const struct chart_axis *a, int most)
+{
+    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}}; /* ticks of a decade, from coarse to fine */
+    struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;
     most = most < TICKS ? most : TICKS;
-    if (decades < 0.8) /* a short piece of a logarithm is nearly even */
-        return ticks_even(a, most, tick);
-    int low = (int)floor(log10(a->low)), high = (int)ceil(log10(a->high)), n = 0;
+    if (decades < 0.8) { /* a short piece of a logarithmic axis is nearly even */
+        double step = ruler_step((a->high - a->low) / most * (1 - 1e-9));
+        step = a->whole ? fmax(step, 1) : step;
+        for (double k = ceil(a->low / step - 1e-9); k * step <= a->high + 1e-9 * step; k++)
+            tick_add(&t, k == 0 ? 0 : k * step);
+        return t;
+    }
+    int low = (int)floor(log10(a->low)), high = (int)ceil(log10(a->high));
     int fine = 2, step = 1 + (int)(decades / most);
     while (fine > 0 && (fine + 1) * decades > fmax(most, 4))
         fine--;
     for (int ten = low; ten <= high; ten += step)
-        for (int k = 0; k <= fine && n < TICKS; k++) {
+        for (int k = 0; k <= fine; k++) {
             double value = parts[fine][k] * pow(10, ten);
             if (value >= a->low * (1 - 1e-9) && value <= a->high * (1 + 1e-9))
-                tick[n++] = value;
+                tick_add(&t, value);
         }
-    return n;
-}
-
-int tick_text(double tick, char text[TICK_TEXT])
-{
-    int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
-    bool exact = fabs(strtod(text, NULL) - tick) <= 1e-9 * fabs(tick);
-    return exact ? wide : snprintf(text, TICK_TEXT, "%.9g", tick);
+    return t;
 }
 
 /* ---- Events ---- */
 
 struct event_spot event_spot(const struct chart *c, int event, double letter)
 {
-    double end[CHART_EVENTS] = {0}; /* of the last name of each row, with a gap after it */
+    double end[CHART_EVENTS] = {0}; /* where the next name of each row may begin */
     struct event_spot spot = {0, 0};
     for (int k = 0; k <= event; k++) {
         double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);

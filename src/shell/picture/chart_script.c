@@ -30,16 +30,12 @@ static int lines_make(const char *text, char script[ROOM])
 
 static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
 {
-    double tick[TICKS];
-    char text[TICK_TEXT];
-    int n = axis_ticks(a, a->whole ? 20 : 9, tick);
+    const struct ticks ticks = axis_ticks(a, a->whole ? 20 : 9);
     if (a->logarithmic)
         fprintf(out, "set logscale %s\n", name);
     fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
-    for (int k = 0; k < n; k++) {
-        tick_text(tick[k], text);
-        fprintf(out, "%s'%s' %.12g", k ? ", " : "", text, tick[k]);
-    }
+    for (int k = 0; k < ticks.count; k++)
+        fprintf(out, "%s'%s' %.12g", k ? ", " : "", ticks.text[k], ticks.at[k]);
     fprintf(out, ")\n");
 }
 
@@ -115,11 +111,6 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
     fprintf(out, "END\n");
 }
 
-static double map_place(const struct chart_axis *axis, double at)
-{
-    return axis->logarithmic ? pow(10, at) : at;
-}
-
 /*
  * Writes the data of a map and draws it. With even axes it is an image, which needs the middles of all cells.
  * On a logarithmic axis the cells are boxes, which overlap a little, since the background would shine through
@@ -128,20 +119,19 @@ static double map_place(const struct chart_axis *axis, double at)
 static void map_script(const struct chart *c, FILE *out)
 {
     const struct chart_map *m = &c->map;
-    double dx = m->across > 1 ? (m->x1 - m->x0) / (m->across - 1) : 1;
-    double dy = m->down > 1 ? (m->y1 - m->y0) / (m->down - 1) : 1;
+    const double wide = 1.0 / m->across, high = 1.0 / m->down;
     bool image = !c->x.logarithmic && !c->y.logarithmic;
     fprintf(out, "$map << END\n");
     for (int k = 0; k < m->down; k++)
         for (int i = 0; i < m->across; i++) {
-            double value = m->value[k * m->across + i], x = m->x0 + i * dx, y = m->y0 + k * dy;
-            double x1 = x + (i + 1 < m->across ? 0.55 : 0.5) * dx, x0 = x - 0.5 * dx;
-            double y1 = y + (k + 1 < m->down ? 0.55 : 0.5) * dy, y0 = y - 0.5 * dy;
+            double value = m->value[k * m->across + i], x = i * wide, y = k * high;
             if (image)
-                fprintf(out, "%.8g %.8g ", x, y);
+                fprintf(out, "%.8g %.8g ", axis_number(&c->x, x + wide / 2),
+                        axis_number(&c->y, y + high / 2));
             else if (isfinite(value))
-                fprintf(out, "%.8g %.8g %.8g %.8g ", map_place(&c->x, x0), map_place(&c->x, x1),
-                        map_place(&c->y, y0), map_place(&c->y, y1));
+                fprintf(out, "%.8g %.8g %.8g %.8g ", axis_number(&c->x, x),
+                        axis_number(&c->x, fmin(x + 1.05 * wide, 1)), axis_number(&c->y, y),
+                        axis_number(&c->y, fmin(y + 1.05 * high, 1)));
             else
                 continue;
             number_script(value, out);

@@ -167,28 +167,15 @@ static int text_put(struct canvas *c, int left, int right, int row, int most, bo
     return rows;
 }
 
-/* Makes the ticks of the y axis and their texts. Returns the columns of the widest one. */
-static int ticks_y(const struct frame *f, double tick[TICKS], char text[TICKS][TICK_TEXT], int *count)
-{
-    int widest = 0, rows = f->bottom - f->top;
-    *count = axis_ticks(&f->chart->y, rows < 6 ? 3 : rows / 3, tick);
-    for (int k = 0; k < *count; k++) {
-        int wide = tick_text(tick[k], text[k]);
-        widest = wide > widest ? wide : widest;
-    }
-    return widest;
-}
-
-static void axis_y_draw(const struct frame *f, const double tick[TICKS], char text[TICKS][TICK_TEXT],
-                        int count)
+static void axis_y_draw(const struct frame *f, const struct ticks *ticks)
 {
     bool boxes = f->canvas->look.braille;
     for (int row = f->top; row < f->bottom; row++)
         canvas_text(f->canvas, f->left - 1, row, boxes ? "│" : "|", INK_TEXT);
-    for (int k = 0; k < count; k++) {
-        int row = (int)dot_y(f, tick[k]) / f->canvas->down;
+    for (int k = 0; k < ticks->count; k++) {
+        int row = (int)dot_y(f, ticks->at[k]) / f->canvas->down;
         row = row >= f->bottom ? f->bottom - 1 : row;
-        canvas_text(f->canvas, f->left - 2 - (int)strlen(text[k]), row, text[k], INK_TEXT);
+        canvas_text(f->canvas, f->left - 2 - (int)strlen(ticks->text[k]), row, ticks->text[k], INK_TEXT);
         canvas_text(f->canvas, f->left - 1, row, boxes ? "┤" : "+", INK_TEXT);
     }
 }
@@ -197,21 +184,20 @@ static void axis_x_draw(const struct frame *f)
 {
     struct canvas *c = f->canvas;
     bool boxes = c->look.braille;
-    double tick[TICKS];
-    int n = axis_ticks(&f->chart->x, (f->right - f->left) / 9, tick), free_from = 0;
+    const struct ticks ticks = axis_ticks(&f->chart->x, (f->right - f->left) / 9);
+    int free_from = 0;
     canvas_text(c, f->left - 1, f->bottom, boxes ? "└" : "+", INK_TEXT);
     for (int column = f->left; column < f->right; column++)
         canvas_text(c, column, f->bottom, boxes ? "─" : "-", INK_TEXT);
-    for (int k = 0; k < n; k++) {
-        char text[TICK_TEXT];
-        int wide = tick_text(tick[k], text);
-        int column = (int)dot_x(f, tick[k]) / c->across, at = column - wide / 2;
+    for (int k = 0; k < ticks.count; k++) {
+        int wide = (int)strlen(ticks.text[k]), column = (int)dot_x(f, ticks.at[k]) / c->across;
+        int at = column - wide / 2;
         at = at + wide > c->width ? c->width - wide : at;
         if (at < free_from)
             continue;
         free_from = at + wide + 1;
         canvas_text(c, column, f->bottom, boxes ? "┴" : "+", INK_TEXT);
-        canvas_text(c, at, f->bottom + 1, text, INK_TEXT);
+        canvas_text(c, at, f->bottom + 1, ticks.text[k], INK_TEXT);
     }
     text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
 }
@@ -317,10 +303,8 @@ static void data_draw(const struct frame *f)
 bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out)
 {
     struct canvas canvas;
-    double tick[TICKS];
-    char text[TICKS][TICK_TEXT];
     int (*const legend_put)(const struct frame *f, int row) = chart->map.value ? map_legend : legend;
-    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0, ticks;
+    int note_rows = *chart->note ? 1 + terminal_columns(chart->note) / (width - 4) : 0;
     if (!canvas_make(&canvas, look, width, height - note_rows))
         return false;
     struct frame f = {.canvas = &canvas, .chart = chart, .left = AXIS_LEAST, .right = width};
@@ -332,9 +316,11 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     f.bottom = canvas.height - 2 - label_rows;
     int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
     f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0; /* what does not fit is left out */
-    f.left = ticks_y(&f, tick, text, &ticks) + 3;
+    const int rows = f.bottom - f.top;
+    const struct ticks ticks = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3);
+    f.left = ticks.widest + 3;
     data_draw(&f);
-    axis_y_draw(&f, tick, text, ticks);
+    axis_y_draw(&f, &ticks);
     axis_x_draw(&f);
     legend_put(&f, f.bottom + 2 + label_rows);
     canvas_write(&canvas, 0, out);

@@ -91,12 +91,6 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
     return stage->unit ? (struct axis_unit){stage->unit, 1} : measure_axis(across);
 }
 
-double ruler_step(double least)
-{
-    double ten = pow(10, floor(log10(least)));
-    return least <= ten ? ten : least <= 2 * ten ? 2 * ten : least <= 5 * ten ? 5 * ten : 10 * ten;
-}
-
 /* ---- The train ---- */
 
 /* A train that is being put on a stage, from the front to the back. */

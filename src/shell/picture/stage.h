@@ -108,9 +108,6 @@ void stage_free(struct stage *stage);
 /* Returns the unit in which the ruler counts, and its size in the stage's own unit. */
 struct axis_unit stage_unit(const struct stage *stage, double across);
 
-/* Returns a step of a ruler: the least of 1, 2 and 5 times a power of ten that is not below `least`. */
-double ruler_step(double least);
-
 /* ---- In characters ---- */
 
 struct marks text_marks(struct look look);

@@ -95,29 +95,27 @@ static void curves_draw(struct chart *chart, const struct points *p, int over)
     }
 }
 
-static double map_place(const struct chart_axis *axis, double value)
-{
-    return axis->logarithmic ? log10(value) : value;
-}
-
 static void map_draw(struct chart *chart, const struct points *p)
 {
     const struct grid *grid = p->shape.grid;
     const struct plot_row *first = p->rows->row, *last = first + p->rows->count - 1;
-    struct chart_map *m = &chart->map;
-    size_t across = grid->axis[0].count, down = grid->axis[1].count;
-    m->value = malloc(p->rows->count * sizeof *m->value);
-    chart->failed = chart->failed || !m->value;
-    for (size_t k = 0; k < p->rows->count && m->value; k++)
-        m->value[k % down * across + k / down] = value_at(p, k);
-    m->across = (int)across;
-    m->down = (int)down;
-    axis_label(&grid->axis[0], &chart->x);
-    axis_label(&grid->axis[1], &chart->y);
-    m->x0 = map_place(&chart->x, first->number[0]);
-    m->x1 = map_place(&chart->x, last->number[0]);
-    m->y0 = map_place(&chart->y, first->number[1]);
-    m->y1 = map_place(&chart->y, last->number[1]);
+    struct chart_axis *axis[AXES] = {&chart->x, &chart->y};
+    size_t cells[AXES] = {grid->axis[0].count, grid->axis[1].count};
+    double *value = chart->map.value = malloc(p->rows->count * sizeof *value);
+    chart->failed = chart->failed || !value;
+    for (size_t k = 0; k < p->rows->count && value; k++) {
+        size_t i = k / cells[1], j = k % cells[1];
+        i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* the grid may go down */
+        j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
+        value[j * cells[0] + i] = value_at(p, k);
+    }
+    chart->map.across = (int)cells[0];
+    chart->map.down = (int)cells[1];
+    for (int k = 0; k < AXES; k++) {
+        axis_label(&grid->axis[k], axis[k]);
+        axis[k]->low = fmin(first->number[k], last->number[k]);
+        axis[k]->high = fmax(first->number[k], last->number[k]);
+    }
 }
 
 bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
