@@ -64,7 +64,7 @@ bool csv_load(struct csv_file *file, FILE *in)
 /* ---- Cells ---- */
 
 /* Moves to the next character. */
-static void step(struct csv_file *file)
+static void advance(struct csv_file *file)
 {
     char c = *file->next++;
     file->blank = isspace((unsigned char)c);
@@ -73,10 +73,10 @@ static void step(struct csv_file *file)
 }
 
 /* Skips blanks, except a tab that is the separator. */
-static void skip(struct csv_file *file)
+static void skip_cell_blanks(struct csv_file *file)
 {
     while (*file->next && *file->next != file->separator && strchr(" \t\f\v", *file->next))
-        step(file);
+        advance(file);
 }
 
 /* Returns true at the end of a line, and where a comment begins. */
@@ -88,32 +88,32 @@ static bool at_end(const struct csv_file *file)
 /* Reads a cell, and its separator or the rest of the line. *more tells whether another cell follows. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
-    skip(file);
+    skip_cell_blanks(file);
     const struct csv_place open = file->at;
     bool quoted = *file->next == '"', closed = false, line = true;
     if (quoted) {
-        step(file);
-        skip(file);
+        advance(file);
+        skip_cell_blanks(file);
     }
     char *to = file->next;
     *cell = (struct csv_cell){to, file->at, quoted};
     while (quoted ? *file->next && !closed : !at_end(file) && *file->next != file->separator) {
         bool quote = quoted && *file->next == '"';
         if (quote)
-            step(file);
+            advance(file);
         closed = quote && *file->next != '"';
         if (!closed) {
             *to++ = *file->next;
-            step(file);
+            advance(file);
         }
     }
-    skip(file);
+    skip_cell_blanks(file);
     *more = !at_end(file);
     if (quoted && !closed)
         return csv_wrong(file, open, "this '\"' is never closed; write another '\"' at the end of the cell");
     if (*more && *file->next != file->separator)
         return csv_wrong(file, file->at, "a %s is missing after the closing '\"'", csv_separator_name(file));
-    for (; line && *file->next; step(file)) /* skips a comment */
+    for (; line && *file->next; advance(file)) /* skips a comment */
         line = !*more && *file->next != '\n';
     while (to > cell->text && isspace((unsigned char)to[-1]))
         to--;
@@ -133,7 +133,7 @@ static void separator_find(struct csv_file *file)
     bool commas = *text_end(file->next, ",\n") == ',' && !tabs;
     file->separator = *(named ? name + 4 : *text_end(file->next, ";\n") == ';' ? ";" : commas ? "," : "\t");
     while (named && *file->next && *file->next != '\n')
-        step(file);
+        advance(file);
 }
 
 bool csv_read(struct csv_file *file, struct csv_record *record)

@@ -103,7 +103,8 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
 
 /* ---- Trees ---- */
 
-static bool power(struct evaluation *e, const struct tree *exponent, struct quantity *q, struct quantity by)
+static bool apply_power(struct evaluation *e, const struct tree *exponent, struct quantity *q,
+                        struct quantity by)
 {
     bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
     e->at = exponent->op_at;
@@ -126,7 +127,7 @@ static bool make_alike(const struct evaluation *e, struct quantity *a, struct qu
     return quantity_alike(*a, *b);
 }
 
-static bool compares(enum tree_operator op, domq_real a, domq_real b)
+static bool compare(enum tree_operator op, domq_real a, domq_real b)
 {
     switch (op) {
     case OPERATOR_LESS:
@@ -155,11 +156,11 @@ static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct qu
     if (adds)
         q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
     else
-        *q = (struct quantity){.value = compares(t->op, q->value, by.value)};
+        *q = (struct quantity){.value = compare(t->op, q->value, by.value)};
     return true;
 }
 
-static bool condition(struct evaluation *e, const struct tree *t, bool *is_true)
+static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool *is_true)
 {
     struct quantity q;
     char kind[48];
@@ -172,12 +173,12 @@ static bool condition(struct evaluation *e, const struct tree *t, bool *is_true)
 }
 
 /* Evaluates the conditions of a chain with 'and' or 'or' until one of them decides. */
-static bool logical_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
+static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     bool is_true, decides = t->child->next->op == OPERATOR_OR;
     const struct tree *child = t->child;
     do {
-        if (!condition(e, child, &is_true))
+        if (!evaluate_condition(e, child, &is_true))
             return false;
         child = child->next;
     } while (child && is_true != decides);
@@ -197,30 +198,30 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
         return evaluation_no_value(e, "division by zero");
     if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
         quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
-    else if (!(op == OPERATOR_POWER ? power(e, value, q, by) : sum_or_compare(e, value, q, by)))
+    else if (!(op == OPERATOR_POWER ? apply_power(e, value, q, by) : sum_or_compare(e, value, q, by)))
         return false;
     return is_valid(e, op == OPERATOR_POWER ? t->at : value->op_at, q);
 }
 
-static bool chain(struct evaluation *e, const struct tree *t, struct quantity *q)
+static bool evaluate_chain(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     const struct tree *child = t->child->next;
     if (child->op <= OPERATOR_AND)
-        return logical_chain(e, t, q);
+        return evaluate_logic(e, t, q);
     bool good = expression_evaluate(e, t->child, q);
     for (; good && child; child = child->next)
         good = apply(e, t, child, q);
     return good;
 }
 
-static bool choice(struct evaluation *e, const struct tree *t, struct quantity *q)
+static bool evaluate_if(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     bool is_true;
-    return condition(e, t->child, &is_true) &&
+    return evaluate_condition(e, t->child, &is_true) &&
            expression_evaluate(e, is_true ? t->child->next : t->child->next->next, q);
 }
 
-static bool function(struct evaluation *e, const struct tree *t, struct quantity *q)
+static bool evaluate_function(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     struct quantity argument[2] = {{.value = 0}, {.value = 0}};
     const struct tree *child = t->child;
@@ -243,16 +244,16 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
         q->value = -q->value;
         return true;
     case TREE_NOT:
-        if (!condition(e, t->child, &is_true))
+        if (!evaluate_condition(e, t->child, &is_true))
             return false;
         *q = (struct quantity){.value = !is_true};
         return true;
     case TREE_CHAIN:
-        return chain(e, t, q);
+        return evaluate_chain(e, t, q);
     case TREE_IF:
-        return choice(e, t, q);
+        return evaluate_if(e, t, q);
     case TREE_FUNCTION:
-        return function(e, t, q);
+        return evaluate_function(e, t, q);
     case TREE_SYMBOL:
         e->at = t->at;
         return e->symbol(e, t, q) && is_valid(e, t->at, q);

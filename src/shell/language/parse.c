@@ -20,7 +20,7 @@ struct tree *parse_fail(struct parse *p, const char *format, ...)
     return NULL;
 }
 
-static struct tree *node(struct parse *p, enum tree_kind kind, const char *at)
+static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *at)
 {
     if (++p->nodes > NODES_MAX)
         return parse_fail(p, "the expression has more than %d values", NODES_MAX);
@@ -33,9 +33,9 @@ static struct tree *node(struct parse *p, enum tree_kind kind, const char *at)
 }
 
 /* Returns a node with one child, which is NULL after an error. */
-static struct tree *node_of(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
+static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
 {
-    struct tree *t = child ? node(p, kind, at) : NULL;
+    struct tree *t = child ? make_node(p, kind, at) : NULL;
     if (!t)
         return NULL;
     t->child = child;
@@ -65,10 +65,10 @@ static bool is_word(const char *at, const char *word)
 /* The levels of precedence, from the operators that bind most loosely. */
 enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
 
-static struct tree *chain(struct parse *p, enum level least);
+static struct tree *parse_chain(struct parse *p, enum level least);
 
 /* Parses the unit, if there is one, after a number or a value in parentheses. */
-static struct tree *postfix_unit(struct parse *p, struct tree *value)
+static struct tree *parse_unit(struct parse *p, struct tree *value)
 {
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
@@ -86,7 +86,8 @@ static struct tree *postfix_unit(struct parse *p, struct tree *value)
         unit_scan(c, &value->value);
         return value;
     }
-    struct tree *chain = node_of(p, TREE_CHAIN, c, value), *factor = chain ? node(p, TREE_NUMBER, c) : NULL;
+    struct tree *chain = make_parent(p, TREE_CHAIN, c, value),
+                *factor = chain ? make_node(p, TREE_NUMBER, c) : NULL;
     if (!factor)
         return NULL;
     factor->value = unit;
@@ -94,12 +95,12 @@ static struct tree *postfix_unit(struct parse *p, struct tree *value)
     return chain;
 }
 
-static struct tree *number(struct parse *p)
+static struct tree *parse_number(struct parse *p)
 {
     const char *begin = p->end;
     if (begin[0] == '0' && (begin[1] == 'x' || begin[1] == 'X'))
         return parse_fail(p, "is not a decimal number");
-    struct tree *t = node(p, TREE_NUMBER, begin);
+    struct tree *t = make_node(p, TREE_NUMBER, begin);
     if (!t)
         return NULL;
     char *stop;
@@ -109,11 +110,11 @@ static struct tree *number(struct parse *p)
         return parse_fail(p, quad(fabs)(t->value.value) > 1 ? "is too large for a number"
                                                             : "is too small for a number");
     p->end = stop;
-    return postfix_unit(p, t);
+    return parse_unit(p, t);
 }
 
 /* Parses the arguments of a name, as in "(a, b)" or "()". */
-static bool call(struct parse *p, struct tree *name)
+static bool parse_arguments(struct parse *p, struct tree *name)
 {
     struct tree **last = &name->child;
     name->called = true;
@@ -122,7 +123,7 @@ static bool call(struct parse *p, struct tree *name)
     while (*p->end != ')') {
         if (name->count == EXPRESSION_ARGUMENTS)
             return parse_fail(p, "too many values") != NULL;
-        struct tree *value = chain(p, LEVEL_OR);
+        struct tree *value = parse_chain(p, LEVEL_OR);
         if (!value)
             return false;
         *last = value;
@@ -142,17 +143,17 @@ static bool call(struct parse *p, struct tree *name)
     return true;
 }
 
-static struct tree *name(struct parse *p)
+static struct tree *parse_name(struct parse *p)
 {
     const char *at = p->end;
     size_t length = name_length(at);
     if (length >= NAME_SIZE)
         return parse_fail(p, "this name is too long");
-    struct tree *t = node(p, TREE_NAME, at);
+    struct tree *t = make_node(p, TREE_NAME, at);
     if (!t || !(t->name = arena_text(p->arena, at, length)))
         return parse_fail(p, "out of memory");
     p->end += length;
-    if (*p->end == '(' && !call(p, t))
+    if (*p->end == '(' && !parse_arguments(p, t))
         return NULL;
     if (t->called && strcmp(t->name, "if") == 0) {
         if (t->count != 3) {
@@ -184,12 +185,12 @@ static struct tree *name(struct parse *p)
     return t;
 }
 
-static struct tree *in_parentheses(struct parse *p)
+static struct tree *parse_parentheses(struct parse *p)
 {
     const char *open = p->end++;
     p->nested++;
     p->end = skip_blanks(p->end);
-    struct tree *t = chain(p, LEVEL_OR);
+    struct tree *t = parse_chain(p, LEVEL_OR);
     p->end = t ? skip_blanks(p->end) : p->end;
     if (t && p->with && is_word(p->end, "with"))
         t = p->with(p, t);
@@ -202,18 +203,18 @@ static struct tree *in_parentheses(struct parse *p)
         return parse_fail(p, "this '(' is never closed");
     }
     p->end++;
-    return postfix_unit(p, t);
+    return parse_unit(p, t);
 }
 
-static struct tree *primary(struct parse *p)
+static struct tree *parse_primary(struct parse *p)
 {
     char c = *p->end;
     if (isdigit((unsigned char)c) || (c == '.' && isdigit((unsigned char)p->end[1])))
-        return number(p);
+        return parse_number(p);
     if (name_start(c))
-        return name(p);
+        return parse_name(p);
     if (c == '(')
-        return in_parentheses(p);
+        return parse_parentheses(p);
     if (c == '*' && p->end > p->text && p->end[-1] == '*')
         return parse_fail(p, "a power is written with '^', as in '2^10'");
     return parse_fail(p, c ? "a value is missing" : "a value is missing at the end");
@@ -221,7 +222,7 @@ static struct tree *primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* A longer operator stands before its prefix. '^' is missing here, since the function factor parses it. */
+/* A longer operator stands before its prefix. '^' is missing here, since parse_factor handles it. */
 static const struct op {
     const char *text;
     enum tree_operator op;
@@ -256,7 +257,7 @@ static const struct op *op_at(const struct parse *p, const char *at)
 }
 
 /* Parses a value with the operators before it, and with its exponent: -2^2 is -(2^2). */
-static struct tree *factor(struct parse *p)
+static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
     if (++p->depth > DEPTH_MAX)
@@ -264,20 +265,20 @@ static struct tree *factor(struct parse *p)
     struct tree *t;
     if (*at == '-' || *at == '+') {
         p->end = skip_blanks(at + 1);
-        t = factor(p);
+        t = parse_factor(p);
         if (*at == '-')
-            t = node_of(p, TREE_MINUS, at, t);
+            t = make_parent(p, TREE_MINUS, at, t);
     } else if (*at == 'n' && is_word(at, "not")) {
         p->end = skip_blanks(at + strlen("not"));
-        t = node_of(p, TREE_NOT, at, chain(p, LEVEL_COMPARE));
+        t = make_parent(p, TREE_NOT, at, parse_chain(p, LEVEL_COMPARE));
     } else
-        t = primary(p);
+        t = parse_primary(p);
     const char *power = t ? skip_blanks(p->end) : "";
     if (*power == '^') {
         p->end = skip_blanks(power + 1);
         const char *exponent_at = p->end;
-        struct tree *exponent = factor(p), *base = t;
-        t = exponent ? node_of(p, TREE_CHAIN, power, base) : NULL;
+        struct tree *exponent = parse_factor(p), *base = t;
+        t = exponent ? make_parent(p, TREE_CHAIN, power, base) : NULL;
         if (t)
             append(t, base, OPERATOR_POWER, exponent_at, exponent);
     }
@@ -286,9 +287,9 @@ static struct tree *factor(struct parse *p)
 }
 
 /* Parses values with operators between them that bind at least as tightly as the level `least`. */
-static struct tree *chain(struct parse *p, enum level least)
+static struct tree *parse_chain(struct parse *p, enum level least)
 {
-    struct tree *left = factor(p), *last = NULL;
+    struct tree *left = parse_factor(p), *last = NULL;
     const struct op *before = NULL; /* the operator that the chain `left` ends with, if it is a chain */
     while (left) {
         const char *at = skip_blanks(p->end);
@@ -297,15 +298,16 @@ static struct tree *chain(struct parse *p, enum level least)
             break;
         if (before && before->level == LEVEL_COMPARE && op->level == LEVEL_COMPARE) {
             p->end = at;
-            return parse_fail(p, "a comparison has two values; join several by 'and', as in '1 < r and r < 2'");
+            return parse_fail(p,
+                              "a comparison has two values; join several by 'and', as in '1 < r and r < 2'");
         }
         p->end = skip_blanks(at + strlen(op->text));
-        struct tree *right = chain(p, op->level + 1);
+        struct tree *right = parse_chain(p, op->level + 1);
         if (!right)
             return NULL;
         if (!before || before->level != op->level) {
             last = left;
-            left = node_of(p, TREE_CHAIN, left->at, left);
+            left = make_parent(p, TREE_CHAIN, left->at, left);
         }
         before = op;
         if (left) {
@@ -321,5 +323,5 @@ struct tree *expression_parse(struct parse *p)
     p->end = p->text;
     p->message[0] = '\0';
     p->depth = p->nested = p->nodes = 0;
-    return chain(p, LEVEL_OR);
+    return parse_chain(p, LEVEL_OR);
 }

@@ -207,15 +207,15 @@ void effect_save(const struct scene *scene, int name, const char *folder, FILE *
         fprintf(out, " %s", quad_exact(scene->effect[name].value[i], number));
     putc('\n', out);
     for (size_t i = 0; name == DOM_EFFECT_row && i < scene->listed.changes; i++)
-        fprintf(out, "place %zu %s m\n", scene->listed.placed[i].k,
-                quad_exact(scene->listed.placed[i].gap, number));
+        fprintf(out, "place %zu %s m\n", scene->listed.change[i].k,
+                quad_exact(scene->listed.change[i].gap, number));
 }
 
 /* ---- The row ---- */
 
-bool scene_weighed(const struct scene *scene)
+bool scene_has_masses(const struct scene *scene)
 {
-    return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.weighed);
+    return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
 /* Scales masses of which only the ratios are known: the first domino gets the mass of the session, or if that
@@ -236,10 +236,10 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
     else
         domq_row_of_train(&scene->train, &scene->scale, 1, domino, count);
     for (size_t i = 0; i < listed->changes; i++)
-        domino[listed->placed[i].k - 1].gap = listed->placed[i].gap;
+        domino[listed->change[i].k - 1].gap = listed->change[i].gap;
     for (size_t k = 0; listed->width && k < count; k++)
         domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
-    if (!listed->domino || !listed->weighed)
+    if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
 }
 
@@ -326,14 +326,14 @@ bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct proble
     if (k < 2 || k > count)
         return problem_error(problem, "there is no gap before domino %zu; K is 2 .. %zu in this row", k,
                              count);
-    while (i < listed->changes && listed->placed[i].k != k)
+    while (i < listed->changes && listed->change[i].k != k)
         i++;
-    struct placed *more =
-        i < listed->changes ? listed->placed : realloc(listed->placed, (i + 1) * sizeof *listed->placed);
+    struct gap_change *more =
+        i < listed->changes ? listed->change : realloc(listed->change, (i + 1) * sizeof *listed->change);
     if (!more)
         return problem_status(problem, scene, DOM_NO_MEMORY);
-    listed->placed = more;
-    listed->placed[i] = (struct placed){k, gap};
+    listed->change = more;
+    listed->change[i] = (struct gap_change){k, gap};
     listed->changes += i == listed->changes;
     listed->saved = false;
     return true;

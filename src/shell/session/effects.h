@@ -60,7 +60,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
 
 /* Returns true if masses are known. Energies are then in J, and otherwise in m g h / 2 of the first domino.
  */
-bool scene_weighed(const struct scene *scene);
+bool scene_has_masses(const struct scene *scene);
 
 /* Turns on the effect 'row' with the dominoes of a file. After an error there is no row, and the message says
  * so, so that no command answers for an earlier row. */

@@ -119,7 +119,7 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
                                  .radius = csv->column[RADIUS] ? value[RADIUS] : 0,
                                  .lean = csv->column[LEAN] ? quad(asin)(value[LEAN] / height) : 0};
     char message[LEAN_MESSAGE];
-    if (csv->column[RELATIVE] && !rows->weighed)
+    if (csv->column[RELATIVE] && !rows->has_masses)
         domino.mass = value[RELATIVE];
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
         return csv_wrong(&csv->file, csv_cell(csv, THICKNESS).at,
@@ -148,14 +148,14 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
                          "both mass and density are given; leave one of these columns out");
     csv_write_others(csv, true, others);
     putc('\0', others);
-    rows->weighed = csv->column[MASS] || csv->column[DENSITY];
+    rows->has_masses = csv->column[MASS] || csv->column[DENSITY];
     bool good = true;
     while (good && csv_next(csv)) {
         good = row_keep(csv, slope, rows);
         csv_write_others(csv, false, others);
         putc('\0', others);
     }
-    if (csv->column[MASS] || (csv->column[RELATIVE] && !rows->weighed)) {
+    if (csv->column[MASS] || (csv->column[RELATIVE] && !rows->has_masses)) {
         free(rows->width);
         rows->width = NULL;
     }
@@ -165,8 +165,10 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows)
 {
     size_t size;
-    *rows = (struct listed_row){.domino = NULL};
-    FILE *others = io_memory(&rows->others, &size);
+    *rows = (struct listed_row){.holders = malloc(sizeof *rows->holders)};
+    if (rows->holders)
+        *rows->holders = 1;
+    FILE *others = rows->holders ? io_memory(&rows->others, &size) : NULL;
     bool good = others && rows_read(csv, slope, rows, others) && !ferror(others);
     if (others)
         good = fclose(others) == 0 && good;

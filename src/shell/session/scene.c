@@ -23,32 +23,26 @@ void state_close(struct state *state)
 
 void listed_free(struct listed_row *row)
 {
-    if (!row->holders || --*row->holders == 0) {
+    if (row->holders && --*row->holders == 0) {
         free(row->domino);
         free(row->width);
         free(row->path);
         free(row->others);
         free(row->holders);
     }
-    free(row->placed);
+    free(row->change);
     *row = (struct listed_row){.domino = NULL};
 }
 
-bool listed_share(struct listed_row *to, struct listed_row *from)
+bool listed_share(struct listed_row *to, const struct listed_row *from)
 {
-    size_t size = from->changes * sizeof *from->placed;
+    size_t size = from->changes * sizeof *from->change;
+    struct gap_change *change = size ? malloc(size) : NULL;
     *to = (struct listed_row){.domino = NULL};
-    if (from->domino && !from->holders && (from->holders = malloc(sizeof *from->holders)) != NULL)
-        *from->holders = 1;
-    struct placed *placed = size ? malloc(size) : NULL;
-    if ((from->domino && !from->holders) || (size && !placed)) {
-        free(placed);
+    if (size && !change)
         return false;
-    }
     *to = *from;
-    to->placed = placed;
-    if (size)
-        memcpy(placed, from->placed, size);
+    to->change = size ? memcpy(change, from->change, size) : NULL;
     if (from->holders)
         ++*from->holders;
     return true;

@@ -22,18 +22,18 @@ struct effect_state {
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;
-    bool weighed;     /* the masses are in kg; otherwise only their ratios matter */
+    bool has_masses;  /* the masses are in kg; otherwise only their ratios matter */
     domq_real *width; /* the widths in m, if masses follow from volumes; otherwise NULL */
     char *path;
     char *others; /* the other columns of the file as csv: their names, then the cells of each row. Each cell
                      begins with a comma, and each line ends with a NUL byte. */
-    struct placed {
+    struct gap_change {
         size_t k; /* the number of the domino behind the gap, from 1 */
         domq_real gap;
-    } * placed;
+    } * change;
     size_t changes;  /* the number of changed gaps */
     bool saved;      /* the changed gaps have been written to a file */
-    size_t *holders; /* a reference count, for what comes from the file; NULL stands for 1 */
+    size_t *holders; /* the reference count of what comes from the file; NULL without a file */
 };
 
 /* The place of a walk through the cycles of the train: at an event, or between two events. */
@@ -95,7 +95,7 @@ static inline bool row_unsaved(const struct scene *scene)
 }
 
 /* Makes a copy of a row, which shares what comes from the file. Returns false if there is no memory. */
-bool listed_share(struct listed_row *to, struct listed_row *from);
+bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
 /* Returns the share of the volume of a domino that its walls fill; 1 for a solid domino. */

@@ -26,7 +26,7 @@ static void state_free(struct state *state)
     free(state);
 }
 
-struct state *undo_begin(struct state *state)
+struct state *undo_begin(const struct state *state)
 {
     struct state *copy = malloc(sizeof *copy);
     if (!copy)
@@ -43,7 +43,7 @@ static bool row_equal(const struct listed_row *a, const struct listed_row *b)
 {
     bool equal = a->domino == b->domino && a->changes == b->changes;
     for (size_t i = 0; equal && i < a->changes; i++)
-        equal = a->placed[i].k == b->placed[i].k && a->placed[i].gap == b->placed[i].gap;
+        equal = a->change[i].k == b->change[i].k && a->change[i].gap == b->change[i].gap;
     return equal;
 }
 

@@ -10,7 +10,7 @@ struct undo;
 
 /* Returns a copy of a state, to be made before a command and given to undo_keep after it. Returns NULL if
  * there is no memory; the command then cannot be undone. */
-struct state *undo_begin(struct state *state);
+struct state *undo_begin(const struct state *state);
 
 /* Adds a step to the history, which begins as NULL, if the command with this text has changed the state.
  * Takes ownership of the state before the command. */

@@ -27,7 +27,7 @@ const struct column design_columns[] = {
 struct plan {
     struct domq_domino *domino;
     size_t count;
-    bool weighed; /* masses are in kg; otherwise that of the first is 1 */
+    bool has_masses; /* masses are in kg; otherwise that of the first is 1 */
     bool hollow;
 };
 
@@ -39,11 +39,11 @@ static bool plan_make(const struct query *query, struct problem *problem, const 
     const domq_real mass = scene_mass(query->scene);
     train.s = d->s;
     train.r = d->r;
-    *p = (struct plan){.count = d->steps + 1, .weighed = mass > 0, .hollow = train.q == 3};
+    *p = (struct plan){.count = d->steps + 1, .has_masses = mass > 0, .hollow = train.q == 3};
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    domq_row_of_train(&train, &query->scene->scale, p->weighed ? mass : 1, p->domino, p->count);
+    domq_row_of_train(&train, &query->scene->scale, p->has_masses ? mass : 1, p->domino, p->count);
     p->domino[d->steps].height = height;
     return true;
 }
@@ -71,7 +71,7 @@ static void plan_write(struct answer *a, const struct plan *p, bool file)
     a->rows = true;
     a->units = file;
     a->style.errors = false;
-    answer_leave_out(a, p->weighed ? "relative" : "mass");
+    answer_leave_out(a, p->has_masses ? "relative" : "mass");
     if (file)
         answer_leave_out(a, "at");
     if (file || p->hollow)
@@ -113,7 +113,7 @@ static void design_row(struct answer *a, const struct plan *p, const struct domq
     answer_row(a,
                ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
                    cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
-                   p && p->weighed ? cell_narrow(mass, 5) : none,
+                   p && p->has_masses ? cell_narrow(mass, 5) : none,
                    p && p->hollow ? cell_narrow(material, 5) : none,
                    p && !p->hollow ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
                    d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),

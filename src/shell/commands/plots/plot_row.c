@@ -89,7 +89,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (!row_run(query, problem, false, &run))
         return false;
-    if (scene_weighed(query->scene))
+    if (scene_has_masses(query->scene))
         columns_in_joules(a);
     for (size_t i = 0; i < run.hits; i++) {
         const struct domq_fall *f = &run.fall[i];

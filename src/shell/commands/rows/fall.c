@@ -206,10 +206,10 @@ static bool row_fall(const struct query *query, struct answer *a, struct problem
     const struct scene_row *scene = &f.run.scene;
     if (!row_run_begin(query, problem, &f.run))
         return false;
-    if (scene_weighed(query->scene))
+    if (scene_has_masses(query->scene))
         columns_in_joules(a);
     if (listed)
-        fall_choose(a, scene, scene_weighed(query->scene));
+        fall_choose(a, scene, scene_has_masses(query->scene));
     for (size_t k = 0; k < scene->row.count && listed; k++)
         answer_largest(a, "height", scene->domino[k].height);
     enum dom_status status =

@@ -29,7 +29,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
     }
-    answer_leave_out(a, scene_weighed(query->scene) ? "relative" : "mass");
+    answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
     if (!has_radii)
         answer_leave_out(a, "radius");
     if (!has_leans)
