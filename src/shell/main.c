@@ -23,20 +23,21 @@ static const char help[] =
     "\n"
     "Calculates how far a row of dominoes, each r times larger than the one before, can grow.\n"
     "Without -e, -f or FILE it reads commands from standard input: at a prompt on a terminal,\n"
-    "else one command a line.  -e, -f and FILE stop at the first error; standard input goes on.\n"
+    "otherwise one command a line.  -e, -f and FILE stop at the first error, but standard input\n"
+    "goes on.\n"
     "\n"
-    "  -e, --execute COMMANDS  run these commands, ';' between them\n"
+    "  -e, --execute COMMANDS  run these commands, separated by ';'\n"
     "  -f, --file FILE         run the commands in FILE ('-' is standard input)\n"
     "  -n, --no-init           do not run the start-up file, $XDG_CONFIG_HOME/domino/init.dom\n"
-    "      --bail              stop at the first error, also on standard input\n"
-    "      --keep-going        go on after errors, also in -e, -f and FILE\n"
+    "      --bail              stop at the first error, even on standard input\n"
+    "      --keep-going        go on after errors, even in -e, -f and FILE\n"
     "      --safe              commands may not read or write files\n"
-    "      --interruptible     SIGINT ends the command that runs, not the program\n"
-    "      --shard I/N         of a curve, sweep or placement compute the part I of N\n"
+    "      --interruptible     SIGINT ends the running command, not the program\n"
+    "      --shard I/N         compute only part I of N of a curve, sweep or placement\n"
     "  -h, --help              print this help\n"
     "  -V, --version           print the version\n"
     "\n"
-    "Exit status: 0, 1 after an error in a command, 2 for wrong options.\n"
+    "Exit status: 0, or 1 after an error in a command, or 2 for wrong options.\n"
     "The command 'help' lists the commands: domino -e help\n";
 
 static const struct option options[] = {
@@ -53,65 +54,96 @@ static const struct option options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/* '-': a FILE counts in its place among the options. */
+/* With '-', getopt returns a FILE as option 1, in its place among the options. */
 static const char short_options[] = "-e:f:nhV";
 
-/* What the options say about the whole run. */
+/* What the options ask for. */
 struct plan {
     bool init, prompt, sources;
-    bool keep_going; /* -e, -f and FILE go on after an error */
+    bool keep_going; /* go on after an error in -e, -f and FILE */
 };
 
-/* ---- Signals that end a script, which first writes what it has found ---- */
+/* ---- Signals: a script that is ended first writes what it has found ---- */
 
-/* Set by the handler: `interrupted` ends the command that runs, `ended` the script. */
+/* The number of the signal that ends the command that runs, and of the signal that ends the whole script. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* SIGINT ends the command alone. */
-static bool interruptible;
+/* SIGINT ends only the command. */
+static bool is_interruptible;
 
 static void on_signal(int number)
 {
-    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads look at it: dom_raised */
-    if (number != SIGINT || !interruptible)
+    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads read it: see dom_raised */
+    if (number != SIGINT || !is_interruptible)
         ended = number;
 }
 
-/* A signal that ends the script ends each wait, too; a second one ends the program at once. */
+/* Installs the handler.  After a signal that ends the script, a second one ends the program at once.  Signals
+ * that the caller ignores stay ignored. */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
     struct sigaction before, action = {.sa_handler = on_signal};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        bool command = all[i] == SIGINT && interruptible;
-        action.sa_flags = command ? SA_RESTART : (int)SA_RESETHAND;
-        if (command || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
+        bool ends_command = all[i] == SIGINT && is_interruptible;
+        action.sa_flags = ends_command ? SA_RESTART : (int)SA_RESETHAND;
+        if (ends_command || (sigaction(all[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL))
             sigaction(all[i], &action, NULL);
     }
     session->state.scene.compute.interrupt = &interrupted;
-    session->resumes = interruptible ? &interrupted : NULL;
+    session->resumes = is_interruptible ? &interrupted : NULL;
 }
 
-/* "2/7"; false, with a message, for anything else. */
+/* ---- Options ---- */
+
+/* Reads "2/7".  Writes a message and returns false for anything else. */
 static bool shard_read(const char *text, struct shard *shard)
 {
     enum { PARTS_MAX = 1000000000 };
-    char *slash, *end;
-    bool digits = text[strspn(text, "0123456789/")] == '\0' && *text != '/';
-    unsigned long part = strtoul(text, &slash, 10), parts = 0;
-    if (digits && *slash == '/' && slash[1] != '/' && slash[1] != '\0') {
-        parts = strtoul(slash + 1, &end, 10);
-        parts = *end == '\0' ? parts : 0;
-    }
+    unsigned long part = 0, parts = 0;
+    int end = 0;
+    bool is_read = text[strspn(text, "0123456789/")] == '\0' &&
+                   sscanf(text, "%10lu/%10lu%n", &part, &parts, &end) == 2 && text[end] == '\0';
     *shard = (struct shard){part, parts};
-    if (part >= 1 && part <= parts && parts <= PARTS_MAX)
+    if (is_read && part >= 1 && part <= parts && parts <= PARTS_MAX)
         return true;
-    fprintf(stderr, "domino: --shard '%s': I/N is the part I of N, 1 <= I <= N <= %d, such as 2/7\n", text,
-            PARTS_MAX);
+    fprintf(stderr, "domino: --shard '%s': I/N is the part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
+            text, PARTS_MAX);
     return false;
 }
 
-static bool stopped(const struct session *session)
+/* Reads all options before the first command runs.  Writes a message and returns false if one is wrong. */
+static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
+{
+    int option;
+    while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
+        if (option == 'b' || option == 'k') { /* the last of them counts */
+            session->bail = option == 'b';
+            plan->keep_going = option == 'k';
+        }
+        session->means.safe = session->means.safe || option == 's';
+        is_interruptible = is_interruptible || option == 'i';
+        plan->init = plan->init && option != 'n';
+        plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
+        if (option == 'h' || option == 'V') {
+            fprintf(session->output->out, option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
+            session->quit = true;
+            return true;
+        }
+        if (option == 'p' && !shard_read(optarg, &session->means.shard))
+            return false;
+        if (option == '?') {
+            fputs(usage, stderr);
+            return false;
+        }
+    }
+    plan->sources = plan->sources || optind < argc;
+    return true;
+}
+
+/* ---- Sources of commands ---- */
+
+static bool is_over(const struct session *session)
 {
     return session->quit || (session->bail && session->errors > 0);
 }
@@ -137,64 +169,37 @@ static void run_text(struct session *session, const char *text)
     command_run_text(session, text);
 }
 
-/* Checks the options before the first command runs; returns false for wrong ones. */
-static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
-{
-    int option;
-    while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
-        if (option == 'b' || option == 'k') { /* the last one counts */
-            session->bail = option == 'b';
-            plan->keep_going = option == 'k';
-        }
-        session->means.safe = session->means.safe || option == 's';
-        interruptible = interruptible || option == 'i';
-        plan->init = plan->init && option != 'n';
-        plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
-        if (option == 'h' || option == 'V') {
-            fprintf(session->output->out, option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
-            session->quit = true;
-            return true;
-        }
-        if (option == 'p' && !shard_read(optarg, &session->means.shard))
-            return false;
-        if (option == '?') {
-            fputs(usage, stderr);
-            return false;
-        }
-    }
-    plan->sources = plan->sources || optind < argc;
-    return true;
-}
-
-/* Runs -e, -f and FILE in their order. */
+/* Runs -e, -f and FILE in the order of the command line. */
 static void run_sources(int argc, char **argv, struct session *session)
 {
     optind = 0;
     for (int option;
-         !stopped(session) && (option = getopt_long(argc, argv, short_options, options, NULL)) != -1;) {
+         !is_over(session) && (option = getopt_long(argc, argv, short_options, options, NULL)) != -1;) {
         if (option == 'e')
             run_text(session, optarg);
         else if (option == 'f' || option == 1)
             run_file(session, optarg);
     }
-    for (; !stopped(session) && optind < argc; optind++)
-        run_file(session, argv[optind]); /* those after "--" */
+    for (; !is_over(session) && optind < argc; optind++)
+        run_file(session, argv[optind]); /* files after "--" */
 }
 
-/* The start-up file is for people: scripts do not depend on it. */
+/* Runs the start-up file, which is only for people, so that scripts do not depend on it. */
 static void run_init(struct session *session)
 {
     char path[PATH_MAX];
     struct stat status;
     if (!line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) || stat(path, &status) != 0)
         return;
-    if (S_ISFIFO(status.st_mode)) /* to read a FIFO could wait for ever */
+    if (S_ISFIFO(status.st_mode)) /* reading it might wait for ever */
         session_error(session, "domino: the start-up file %s is not a regular file", path);
     else
         run_file(session, path);
 }
 
-/* Returns true if standard output is a pipe whose reader has gone. */
+/* ---- The end ---- */
+
+/* Returns true if standard output is a pipe without a reader. */
 static bool reader_gone(void)
 {
     struct pollfd out = {.fd = STDOUT_FILENO};
@@ -203,13 +208,33 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
+/* Closes standard output, where buffered text may fail to be written only now.  Returns false with a message
+ * if text was lost.  If the reader has gone, as in 'domino | head', the program ends by SIGPIPE instead,
+ * unless the caller ignores that. */
+static bool output_close(const struct output *standard, bool ignores_pipe)
+{
+    errno = 0;
+    bool is_gone = reader_gone(), is_lost = ferror(standard->out) != 0;
+    if (fclose(standard->out) == 0 && !is_lost)
+        return true;
+    if (!ignores_pipe && (is_gone || errno == EPIPE)) {
+        signal(SIGPIPE, SIG_DFL);
+        raise(SIGPIPE);
+    }
+    int reason = standard->error ? standard->error : errno;
+    if (!ended)
+        fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
+                reason ? strerror(reason) : "");
+    return false;
+}
+
 int main(int argc, char **argv)
 {
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* A closed pipe and a file at its limit of size are write errors, which are reported. */
-    bool dies = signal(SIGPIPE, SIG_IGN) == SIG_DFL; /* where the caller does not ignore it */
+    /* A pipe without a reader and a limit of file size become errors of write(2), which are reported. */
+    bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
     session_init(&session, io_stdout(&ended));
@@ -221,36 +246,18 @@ int main(int argc, char **argv)
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
-        session.bail = !plan.keep_going; /* what comes after an error would answer for another scene */
+        session.bail = !plan.keep_going; /* after an error, commands might answer for another scene */
         run_sources(argc, argv, &session);
-    } else if (plan.prompt && !stopped(&session)) {
+    } else if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
-        session.errors = 0; /* the person has seen them */
-    } else if (!stopped(&session))
+        session.errors = 0; /* the user has seen them */
+    } else if (!is_over(&session))
         run_file(&session, "-");
-
-    bool failed = session.errors > 0;
     session_close(&session);
-    /* Buffered output may fail as late as here. */
-    errno = 0;
-    bool gone = reader_gone(), lost = ferror(session.standard.out) != 0;
-    if (fclose(session.standard.out) != 0 || lost) {
-        if (dies &&
-            (gone ||
-             errno ==
-                 EPIPE)) { /* 'domino | head' has what it asked for: no message, and the status of SIGPIPE */
-            signal(SIGPIPE, SIG_DFL);
-            raise(SIGPIPE);
-        }
-        int reason = session.standard.error ? session.standard.error : errno;
-        if (!ended)
-            fprintf(stderr, "domino: cannot write the output%s%s\n", reason ? ": " : "",
-                    reason ? strerror(reason) : "");
-        failed = true;
-    }
+    bool is_good = output_close(&session.standard, ignores_pipe) && session.errors == 0;
     if (ended) {
         signal(ended, SIG_DFL);
         raise(ended);
     }
-    return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+    return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
