@@ -76,7 +76,7 @@ static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-/* Says it for each kind of domino that has a name, and for that of the session. */
+/* Says this for each kind of domino that has a name, and for the kind of the session. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height)
 {

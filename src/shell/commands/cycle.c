@@ -4,7 +4,7 @@
 #include "language/quad.h"
 #include "session/parameters.h"
 
-/* Returns why falling sets no energy free: not even that of equal dominoes does, or the head is too heavy. */
+/* Returns why a cycle sets no energy free. */
 static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;

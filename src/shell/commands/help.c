@@ -185,29 +185,26 @@ static void help_command(struct session *session, const struct topic *t)
 
 /* ---- help ---- */
 
-/* Explains everything of this name. */
-static void help_name(struct session *session, const char *name)
+/* Explains all topics of this name, or, for programs, all topics if it is NULL. A command comes before a
+ * parameter. */
+static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;
-    bool is_command = false;
+    bool is_second = false, people = answer_for_people(a);
     for (int k = 0; topic_at(k, &topic); k++) {
-        if (strcmp(topic.name, name) != 0)
+        if (name && strcmp(topic.name, name) != 0)
             continue;
-        if (is_command)
+        if (!people) {
+            topic_row(a, &topic);
+            continue;
+        }
+        if (is_second)
             fprintf(session->output->out, "\nThe %s of this name:\n\n", topic.kind);
         (topic.command ? help_command : help_parameter)(session, &topic);
-        if (!topic.command && !is_command && topic.example)
+        if (!topic.command && !is_second && topic.example)
             help_example(session, topic.example);
-        is_command = topic.command != NULL;
+        is_second = true;
     }
-}
-
-static void help_rows(struct answer *a, const char *name)
-{
-    struct topic topic;
-    for (int k = 0; topic_at(k, &topic); k++)
-        if (!name || strcmp(topic.name, name) == 0)
-            topic_row(a, &topic);
 }
 
 /* Explains what 'let' has defined. */
@@ -227,7 +224,7 @@ static void help_variable(const struct session *session, const struct arguments 
              v->name);
 }
 
-/* Lists the topics that a word means, which is the name of none. */
+/* Lists the topics of which a word is a synonym. */
 static void help_several(FILE *out, const char *word)
 {
     const char *name;
@@ -243,25 +240,20 @@ static bool run_help(struct session *session, const struct arguments *given, str
 {
     (void)problem;
     bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
-    const char *word = given->count && !has_name ? given->word[0] : NULL,
-               *name = has_name ? topic_names(NULL, (int)given->number[0])
-                       : word   ? topic_meant(word, 0)
-                                : NULL;
+    const char *word = given->count && !has_name ? given->word[0] : NULL, *name;
     if (!people)
         topic_rows_begin(a);
     if (given->variable)
         help_variable(session, given, a);
-    else if (!people && word)
-        for (int k = 0; (name = topic_meant(word, k)) != NULL; k++)
-            help_rows(a, name);
-    else if (!people)
-        help_rows(a, name);
-    else if (!name)
+    else if (people && !given->count)
         help_list(session->output->out);
-    else if (word && topic_meant(word, 1))
+    else if (people && word && topic_meant(word, 1))
         help_several(session->output->out, word);
+    else if (!word)
+        help_name(session, a, has_name ? topic_names(NULL, (int)given->number[0]) : NULL);
     else
-        help_name(session, name);
+        for (int k = 0; (name = topic_meant(word, k)) != NULL; k++)
+            help_name(session, a, name);
     return true;
 }
 

@@ -21,7 +21,7 @@ static char tutorial[] = {
 
 static const char prompt[] = "domino> ";
 
-/* Opens the tutorial behind its own line 'lesson'. Returns NULL without memory. */
+/* Opens the tutorial and skips its beginning, up to the line 'lesson'. Returns NULL if there is no memory. */
 static FILE *tutorial_open(void)
 {
     FILE *in = fmemopen(tutorial, sizeof tutorial, "r");
@@ -77,8 +77,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
                 struct problem *problem)
 {
     (void)given;
-    struct session
-        reader; /* so that the lesson begins with the defaults, and changes nothing of the reader's */
+    struct session reader; /* its parameters are the defaults, and those of the session do not change */
     bool in_file = session->source.stream && strcmp(session->source.name, "stdin") != 0;
     int width, height;
     bool waits = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);

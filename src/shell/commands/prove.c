@@ -50,7 +50,7 @@ static struct dom_compute proof_compute(const struct query *query)
 /* Enough digits for an exact round trip: a bound that is rounded may be wrong. */
 enum { ALL_DIGITS = 17 };
 
-/* Returns a cell with this many digits behind the decimal point, or with all if there are none. */
+/* Returns a cell with this many digits behind the decimal point, or with all digits if decimals is 0. */
 static struct cell cell_proved(double value, int decimals)
 {
     struct cell cell = cell_real(value);
@@ -69,7 +69,7 @@ static void prove_row(struct answer *a, double s, enum what what, struct cell lo
                reason);
 }
 
-/* Writes why a proof is not complete; returns NULL if it is. */
+/* Writes why a proof is incomplete. Returns NULL if it is complete. */
 static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
 {
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));

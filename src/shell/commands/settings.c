@@ -28,8 +28,8 @@ static void effect_say(const struct query *query, struct answer *a, const struct
         means_note(query->means, "%s", text);
 }
 
-/* A height without a unit that is this many times as large as the session's, or as small, is taken for a
- * slip. */
+/* A height without a unit is probably a mistake if it is more than this many times as large, or as small, as
+ * the height of the session. */
 #define SLIP_OF_UNIT 50
 
 /* Refuses a height without a unit that is far from the height of the session: 'set h 5' would be 5 m. */

@@ -91,7 +91,8 @@ static bool is_changed(const struct query *query, const struct parameter *p)
     return parameter_get(query->state, p) != parameter_fallback(query->state, p);
 }
 
-/* Lists the parameter or variable of the call, or else what is to be listed, with the variables. */
+/* Lists the parameter or variable that the call names. Without a name, lists the parameters that `listed`
+ * chooses, and all variables. */
 static bool list(const struct query *query, struct answer *a, enum listed listed)
 {
     const struct arguments *given = query->given;

@@ -140,7 +140,7 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
            (goes_on || walk_ended(w, problem, forward));
 }
 
-/* Moves to the tilt or the event in the call: events are -1, -2, ... */
+/* Moves to the tilt in the call, or to the event, which is given as -1 - its kind. */
 static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     domq_real place = query->given->number[0];

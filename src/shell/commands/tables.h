@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of commands, and what other files than that of a table give to it. */
+/* The tables of commands, and the commands that are defined in other files than their tables. */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
 

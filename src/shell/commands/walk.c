@@ -64,10 +64,10 @@ void walk_columns_in(const struct query *query, struct answer *a)
 struct measured angle_text(const struct query *query, domq_real theta, int digits)
 {
     const struct answer_style *style = &query->state->settings.style;
-    struct measured said;
-    snprintf(said.text, sizeof said.text, "%.*g %s", digits, (double)style_angle(style, theta),
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.*g %s", digits, (double)style_angle(style, theta),
              style_angle_unit(style));
-    return said;
+    return text;
 }
 
 /* ---- In words ---- */
@@ -79,7 +79,7 @@ struct place {
     const struct domq_state *state;
     struct answer *answer;
     struct walk_units units;
-    bool rubs, rounds; /* the train has friction; its edges are rounded */
+    bool has_friction, is_rounded;
 };
 
 static struct measured angle_at(const struct place *p, domq_real theta)
@@ -90,18 +90,18 @@ static struct measured angle_at(const struct place *p, domq_real theta)
 /* Returns "10.3 rad/s" for tau omega. */
 static struct measured omega_at(const struct place *p, domq_real omega)
 {
-    struct measured said = angle_text(p->query, omega / p->units.tau, 6);
-    size_t used = strlen(said.text);
-    snprintf(said.text + used, sizeof said.text - used, "/s");
-    return said;
+    struct measured text = angle_text(p->query, omega / p->units.tau, 6);
+    size_t used = strlen(text.text);
+    snprintf(text.text + used, sizeof text.text - used, "/s");
+    return text;
 }
 
 static struct measured energy_at(const struct place *p, domq_real energy)
 {
-    struct measured said;
-    snprintf(said.text, sizeof said.text, "%.6g %s", (double)(energy * p->units.energy),
+    struct measured text;
+    snprintf(text.text, sizeof text.text, "%.6g %s", (double)(energy * p->units.energy),
              p->units.energy_unit);
-    return said;
+    return text;
 }
 
 /* The first impulses of the collision. */
@@ -135,21 +135,21 @@ static void say_launch(const struct place *p)
         domq_cycle_forces(&w->train, &w->compute, 0, impulse_add, &impulses) != DOM_OK)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
-    const char *inertia = p->rubs ? "A(0)" : "J(0)";
+    const char *inertia = p->has_friction ? "A(0)" : "J(0)";
     answer_say(
         p->answer,
         "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
         "on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) omega_1(theta_c), "
         "%s%s = %.6g (22; c4), (24; c6).",
         omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
-        omega_at(p, omega).text, inertia, inertia, p->rounds ? "i(0)" : "1", inertia,
-        p->rounds ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
-    if (p->rubs)
+        omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
+        p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
+    if (p->has_friction)
         answer_say(p->answer,
                    "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the share that the "
                    "contacts pass on.",
-                   p->rounds ? "i(theta_i) " : "");
-    if (p->rounds)
+                   p->is_rounded ? "i(theta_i) " : "");
+    if (p->is_rounded)
         answer_say(p->answer,
                    "i(theta) is the inertia of a domino with rounded edges, about its line of contact with "
                    "the floor, over that with sharp edges.");
@@ -163,9 +163,9 @@ static void say_launch(const struct place *p)
                    "its impulse has no bound in this model (14; b10).");
     answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s are left.",
                (double)(100 * p->state->lost / p->state->before),
-               p->rubs     ? ""
-               : p->rounds ? ", the share i(0)/J(0)"
-                           : ", the share 1/J(0)",
+               p->has_friction ? ""
+               : p->is_rounded ? ", the share i(0)/J(0)"
+                               : ", the share 1/J(0)",
                energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
         answer_say(p->answer,
@@ -176,14 +176,14 @@ static void say_launch(const struct place *p)
             "The train has %s of the energy that it needs to go on: it must climb %s, up to a tilt of %s%s, "
             "and it %s by %s (26; c8).",
             measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-            angle_at(p, b.theta_m).text, p->rubs ? ", friction on the way included" : "",
+            angle_at(p, b.theta_m).text, p->has_friction ? ", friction on the way included" : "",
             b.margin >= 0 ? "clears the barrier" : "misses the top", energy_at(p, quad(fabs)(b.margin)).text);
 }
 
 static void say_top(const struct place *p)
 {
     const struct domq_state *s = p->state;
-    if (p->rubs)
+    if (p->has_friction)
         answer_say(
             p->answer,
             "The hardest tilt, theta_m = %s: the train has climbed %s, friction has taken %.6g, and %s of "
@@ -220,7 +220,7 @@ static void say_fall(const struct place *p)
         "It comes to rest at theta_f = %s with all that follow it, and pushes no more %s. Of the energy set "
         "free since the launch %s came from it; it keeps %.6g.",
         domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
-        p->rounds ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
+        p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
         energy_at(p, 0 - p->state->fallen).text,
         (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
 }
@@ -235,7 +235,7 @@ static void say_stop(const struct place *p)
         "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the barrier "
         "is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' says more.",
         angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
-        p->rubs ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
+        p->has_friction ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
         energy_at(p, -b.margin).text);
 }
 
@@ -248,10 +248,10 @@ static void say_hit(const struct place *p)
         "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; the cycle "
         "has set free %s, the fuel P (25; c7), and lasted %s.",
         measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
-        p->rounds ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+        p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
         omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
         measured(s->time * p->units.tau, "s", 6).text);
-    if (p->rubs)
+    if (p->has_friction)
         answer_say(p->answer, "Friction between dominoes has taken %s of it.",
                    energy_at(p, s->friction_work).text);
     answer_say(p->answer,
@@ -280,8 +280,8 @@ void walk_say(const struct query *query, const struct walk *walk, const struct d
                                 .state = state,
                                 .answer = answer,
                                 .units = walk_units(query, walk->cycle),
-                                .rubs = domq_law(&walk->train)->dissipates,
-                                .rounds = walk->train.rho != 0};
+                                .has_friction = domq_law(&walk->train)->dissipates,
+                                .is_rounded = walk->train.rho != 0};
     answer_say(answer, "Cycle %d, event %d of %d", walk->cycle, walk->event + 1, walk->count);
     (walk->theta == e->theta ? say[e->kind] : say_between)(&place);
 }

@@ -5,13 +5,14 @@
 
 #include "session/query.h"
 
-/* The sizes of a length, a time, an energy and a force of the model in a cycle. */
+/* The units of the model in a given cycle: they grow from cycle to cycle. */
 struct walk_units {
     domq_real height; /* of the head, in m */
     domq_real tau;    /* in s */
-    domq_real energy; /* m g h / 2 of the head: in J, or over that of the first head if no mass is known */
+    domq_real
+        energy; /* m g h / 2 of the head: in J, or divided by that of the first head if no mass is known */
     const char *energy_unit;
-    domq_real weight; /* m g of the head: in N, or over that of the first head */
+    domq_real weight; /* m g of the head: in N, or divided by that of the first head */
     const char *weight_unit;
 };
 
