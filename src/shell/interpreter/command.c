@@ -177,17 +177,6 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-static bool count_check(const struct query *query, const struct argument *a, domq_real value,
-                        struct problem *problem)
-{
-    char range[96];
-    int most = a->most ? a->most(query->scene) : COUNT_MAX;
-    snprintf(range, sizeof range, "an integer in 1 .. %d%s%s", most, a->most ? ", " : "",
-             a->most ? a->most_of : "");
-    return (value >= 1 && value <= most && value == quad(floor)(value)) ||
-           out_of_range(problem, a, value, "not a count", range);
-}
-
 bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
                     struct problem *problem)
 {
@@ -221,7 +210,8 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
         return (q.value >= 0 && q.value <= (domq_real)1e9) ||
                out_of_range(problem, a, q.value, "not a gap", "a length in metres, 0 or more");
     case ARGUMENT_COUNT:
-        return count_check(query, a, q.value, problem);
+        return (q.value >= 1 && q.value <= COUNT_MAX && q.value == quad(floor)(q.value)) ||
+               out_of_range(problem, a, q.value, "not a count", "an integer in 1 .. 10000000");
     case ARGUMENT_OF:
         return of_check(query, a, q.value, problem);
     default:

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The commands. Each is a row of a table, from which follow how its arguments are read, its errors, its help
- * and completion, and its value in expressions.
- */
+/* The commands. Each command is a row of a table. The way its arguments are read, its errors, its help, its
+ * completion and its value in expressions all follow from that row. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -13,7 +11,7 @@
 /* The kind of an argument says how it is parsed and checked, and what completion offers. */
 enum argument_kind {
     ARGUMENT_NONE,
-    /* An expression gives these: */
+    /* Kinds that an expression gives: */
     ARGUMENT_TILT,   /* an angle in [0, theta_c] */
     ARGUMENT_OF,     /* a value of the parameter that `of` names */
     ARGUMENT_HEIGHT, /* a length > 0 */
@@ -22,7 +20,7 @@ enum argument_kind {
     ARGUMENT_ANY,    /* a value in any unit */
     ARGUMENT_NUMBER, /* a plain number */
     ARGUMENT_PLACE,  /* an angle as above, or one of the choices, for which the number is -1 - index */
-    /* Words and names: */
+    /* Kinds of words and names: */
     ARGUMENT_CHOICE,    /* one of the choices; the number is its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
     ARGUMENT_PARAMETER, /* the name of a parameter, or of a variable unless a value follows */
@@ -31,8 +29,8 @@ enum argument_kind {
     ARGUMENT_WORD,      /* any word, or a text between "..." */
     ARGUMENT_FILE,      /* a path; with blanks in it, between "..." */
     ARGUMENT_REST,      /* the rest of the line as it is, also behind ';' */
-    /* The argument's own function parses these: */
-    ARGUMENT_GRID,    /* names with values */
+    /* Kinds that the argument's own function parses: */
+    ARGUMENT_GRID,    /* names, each with values */
     ARGUMENT_COMMAND, /* a command that answers, perhaps after ':' */
     ARGUMENT_WORDS,   /* words and values up to the end of the command */
     ARGUMENT_UNIT,    /* "to" and a unit */
@@ -52,12 +50,11 @@ struct argument {
     int which;      /* index of the value of that parameter */
     bool optional;
     names_list *choices;
-    /* Parse the last four kinds into question->parsed, and bind that in a state as given->bound. */
+    /* For the last four kinds: `parse` makes question->parsed, and `bind` computes given->bound from that in
+     * a state. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
-    int (*most)(const struct scene *scene); /* the upper bound of ARGUMENT_COUNT; if NULL, COUNT_MAX */
-    const char *most_of;                    /* what that bound is the number of, for messages */
 };
 
 enum { ARGUMENTS_MAX = 3 };
@@ -95,9 +92,10 @@ struct command {
     const char *holds;     /* what is true if the answer is yes, see answer_holds */
     bool runs;             /* It runs other commands, which write to its output. */
     bool files;            /* It reads or writes files, which a safe session refuses. */
-    bool changes;         /* It may change parameters, effects, the row or variables, which 'undo' reverts. */
-    bool pages;           /* The answer is a long text, for the pager. */
-    const char *shortest; /* the shortest abbreviation that means this command though it is ambiguous */
+    bool changes; /* It may change parameters, effects, the row or variables, which 'undo' reverts. */
+    bool pages;   /* The answer is a long text, for the pager. */
+    const char
+        *shortest; /* the shortest abbreviation that means this command, although others begin with it, too */
     /* Answers a query and writes its next state. Returns false with a problem. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
     /* Does the same in place of `run` for a command that acts on the session. */

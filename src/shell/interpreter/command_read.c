@@ -30,7 +30,7 @@ const char *definition_head(const char *c, struct variable *v)
 
 /* ---- Shorthands ---- */
 
-/* The name that a line begins with, and what is known by that name. */
+/* The name that a line begins with, and what has that name. */
 struct head {
     const char *begin, *end, *next; /* `next` is the first character after the name and blanks. */
     char name[VARIABLE_NAME];       /* "" if the line begins with no name, or with a long one */
@@ -107,7 +107,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns the command that an assignment means, or NULL with a problem if nothing has its name. */
+/* Returns the command that an assignment means, or NULL with a problem if nothing has the name on its left.
+ */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -131,7 +132,8 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
-/* Returns the command that a shorthand means. Returns NULL if the line is none, or with a problem. */
+/* Returns the command that a shorthand means. Returns NULL if the line is no shorthand, or if there is a
+ * problem. */
 static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
@@ -199,8 +201,7 @@ static const char *synonym_command(const char *word)
     return NULL;
 }
 
-/* Reports that no command has this name, and what the name may mean; k and message are those of names_find.
- */
+/* Reports that no command has this name, and suggests what was meant. k and message come from names_find. */
 static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
 {
     const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;

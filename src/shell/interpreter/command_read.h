@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which command a line means: it begins with a command's name, or is a shorthand such as 2+2, r = 2, q or
- * ?rmax. */
+/* Finds the command that a line means. The line begins with a command's name, or is a shorthand: 2+2, r = 2,
+ * q, ?rmax. */
 #ifndef SHELL_COMMAND_READ_H
 #define SHELL_COMMAND_READ_H
 
@@ -13,13 +13,11 @@
  */
 const struct command *command_read(struct reader *reader);
 
-/*
- * The same inside of another command, such as 'sweep': an expression means 'print', and there are no other
- * shorthands. `offered` lists the commands that completion offers.
- */
+/* Returns the command of a question inside another command, such as 'sweep': an expression means 'print', and
+ * there are no other shorthands. `offered` lists the commands that completion offers. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
-/* Returns true if the expression of the word before c goes on at c, with an operator or a conversion. */
+/* Returns true if an operator or 'to' at c continues an expression that the word before it begins. */
 bool goes_on(const char *c);
 
 /* Reads the head of a definition, "x =" or "f(s, d) =". Returns the place after '=', or NULL if there is no

@@ -9,16 +9,15 @@
 
 /* ---- Commands ---- */
 
-/*
- * Returns true if a command without an answer writes an object to json, so that a program that waits for an
- * answer gets one. The parts of a sweep are concatenated: only the first part writes such objects, and none
- * for a part without points.
- */
+/* Returns true if a command has written nothing, and json gets an empty object instead: a program that waits
+ * for an answer has to get one. The parts of a sweep are concatenated, so that only the first part writes
+ * such objects, and none in place of rows. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE; /* Its answers are complete. */
+    bool is_source =
+        c->runs && c->argument[0].kind == ARGUMENT_FILE; /* The commands of the file have written theirs. */
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
@@ -42,7 +41,8 @@ static void run_command_at(struct session *session, struct reader *line)
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
         bool done = run_question(session, &r, &q);
-        bool is_same = session_answers(session) == format; /* 'set output' changes it, and writes nothing. */
+        bool is_same =
+            session_answers(session) == format; /* 'set output' changes the format, and has no answer. */
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
         if (is_step)
@@ -57,7 +57,8 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if typed commands are logged. Those of a file that is sourced are not, since 'source' is. */
+/* Returns true if typed commands are logged. The commands of a sourced file are not, since 'source' itself
+ * is. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
@@ -69,7 +70,8 @@ static void run_commands(struct session *session, const struct text *text, const
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    if (is_logged) /* Of several commands one may fail after others have run: these are logged at once. */
+    if (is_logged) /* One of several commands may fail after others have run, so that they are logged at once.
+                    */
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
         long errors = session->errors;
@@ -109,7 +111,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.length = (int)length;
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
-    /* Log and tee are written after each line, so that a crash loses nothing. */
+    /* Log and tee are written after each line, so that a crash loses none of them. */
     const char *wrong = records_flush(&session->output);
     if (wrong)
         session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
@@ -201,7 +203,8 @@ void line_stream(struct session *session, FILE *in, const char *name)
     free(text);
     session->source = outer;
     session->command = command;
-    if (reason == ECANCELED && session->command) { /* a problem of 'source', and of none of its lines */
+    if (reason == ECANCELED &&
+        session->command) { /* The interrupt is a problem of 'source', not of one of its lines. */
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
         session_problem(session, &problem);

@@ -34,7 +34,7 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Describes an error in an expression, with the word at its place; `name` is the argument's. */
+/* Describes an error in the expression of the argument `name`, and quotes the word where the error is. */
 static bool expression_wrong(struct problem *problem, enum problem_kind kind, const struct text *text,
                              const char *name, const char *at, const char *message)
 {
@@ -48,7 +48,7 @@ static bool expression_wrong(struct problem *problem, enum problem_kind kind, co
                           names_shown(word, shown), message);
 }
 
-/* Describes what directly follows a value, where a blank or an operator has to be. */
+/* Describes a character that directly follows a value, where a blank or an operator has to be. */
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     char shown[NAMES_SHOWN];
@@ -101,8 +101,8 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     return t;
 }
 
-/* Resolves the names of an item. The text of a function is not in the line, so that places in it are not
- * known. */
+/* Resolves the names of an item. A function's text is not in the line, so that problems have no place there.
+ */
 static bool item_resolve(struct reader *r, const struct item *item, struct tree *tree)
 {
     struct reader inside = *r;
@@ -163,12 +163,10 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /* ---- Words for values ---- */
 
-/*
- * Reads a word that may stand for a value, and returns its index in a list, or what names_find returns. An
- * abbreviation counts, and an unknown word has a message, unless the word may be an expression, such as the
- * parameter h in 'set q h'; `is_word_only` excludes that. If the word is not in the list, the reader stays
- * where it is.
- */
+/* Reads a word and returns its index in a list of words for values. Unless `is_word_only`, the word may also
+ * be an expression, such as the parameter h in 'set q h'; then it is not taken for an abbreviation. If the
+ * word is not in the list, the reader does not move, and a negative result and the message are those of
+ * names_find; the message is empty if an expression may follow. */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {

@@ -6,7 +6,7 @@
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* The functions below that parse return false, or NULL, with a problem. */
+/* The parsers below return false or NULL after an error, with a problem. */
 
 /* Parses an expression for an argument, which the item refers to from then on. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
@@ -22,7 +22,7 @@ bool item_parse_listed(struct reader *reader, const struct parameter *parameter,
 /* Parses one of the argument's names; the number of the item is its index. */
 bool item_parse_choice(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses one of the argument's names, for which the number is -1 - index, or an angle. */
+/* Parses one of the argument's names, whose number is -1 - index, or an angle. */
 bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
 /* Parses the name of a parameter of the model or of an effect. `form` shows what the command takes. */
@@ -35,7 +35,7 @@ const struct assignment *assignments_parse(struct reader *reader);
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
-/* Returns true if expressions know the name in this state, or in any state if that is NULL. */
+/* Returns true if the name has a value in this state, or, if the state is NULL, in every state. */
 bool is_value_name(const struct state *state, const char *name);
 
 /* Lists for names.h the parameters of the model, then the effects. */

@@ -3,11 +3,11 @@
 #include "language/quad.h"
 #include <string.h>
 
-/* The context of an evaluation. */
+/* The context of an evaluation, for symbol_quantity. */
 struct lookup {
     const struct query *query;
     const struct quantity *argument; /* the arguments of the function that is evaluated */
-    struct problem *problem;         /* for a command without an answer */
+    struct problem *problem;         /* describes why a command has no answer */
 };
 
 static bool cell_quantity(struct evaluation *e, const char *name, const struct command *c, int i,

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Parses the command at the reader, which stops where its parser stops. */
+/* Parses the command at the reader, and the '>' after it. */
 static bool command_preview(struct reader *r)
 {
     struct question question;

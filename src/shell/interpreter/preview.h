@@ -1,20 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A line that is being typed: it is parsed, for completion, hints and colours, and not run. */
+/* Parses a line that is being typed, for completion, hints and colours. Nothing is run. */
 #ifndef SHELL_PREVIEW_H
 #define SHELL_PREVIEW_H
 
 #include "interpreter/reader.h"
 #include "session/session.h"
 
-/* The cursor is a character that no parser accepts, so that parsing ends there. */
+/* No parser accepts this character, so that parsing ends at the cursor. */
 #define PREVIEW_CURSOR "\001"
 
-/*
- * Parses the first `length` bytes of a line with `tail` after them. Returns true if the last command is
- * right as far as it goes: an error at its end says only that something has to follow. With `offer`,
- * records what may stand at the last character, which is the cursor; else the values are also computed and
- * checked.
- */
+/* Parses the first `length` bytes of a line, followed by `tail`. Returns true if the last command is correct
+ * so far: an error at its end only means that more has to follow. If `offer` is not NULL, the last character
+ * is the cursor, and what may stand there is recorded; otherwise the values are also computed and checked. */
 bool line_preview(struct session *session, const char *line, size_t length, const char *tail,
                   struct offer *offer);
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A question is a command with its arguments, parsed. Names and syntax are looked at once, when the question
- * is parsed; its values are computed in a state when it is bound, which a sweep does at every point. A parsed
- * question does not change, so that threads can share it. It lives in the arena of the line.
- */
+/* A question is a command with its arguments, parsed. Its syntax is checked and its names are resolved once,
+ * when it is parsed. Its values are computed in a state, when it is bound, which a sweep does at every point.
+ * A parsed question does not change, so that threads can share it. It lives in the arena of the line. */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
 
@@ -28,42 +26,42 @@ bool command_parse(struct reader *reader, struct question *question);
 /* Parses the arguments of question->command, up to the end of the command, '>' or a stop of the reader. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question inside of another command: COMMAND, COMMAND.KEY or an expression, which 'print' answers.
- * With `is_number`, the question must ask for one number. */
+/* Parses a question inside another command: COMMAND, COMMAND.KEY or an expression, which 'print' answers. If
+ * `is_number`, it must ask for one number. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
-/* Lists for names.h the commands that a question inside of another command can ask. */
+/* Lists for names.h the commands that such a question can have. */
 const char *question_names(const void *context, int k);
 
-/* Returns the text of a question for messages, without blanks at its end; in the arena. */
+/* Returns a copy of a question's text for messages, without blanks at its end. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* A question about to be answered: its values, and the state in which they hold. */
+/* A question that is bound: its values, and the query that it is run with. */
 struct call {
     struct query query;
     struct arguments given;
-    struct state state; /* only after 'with'; else that of the query is used */
+    struct state state; /* the state that 'with' has changed; not used without 'with' */
 };
 
-/* Binds a question in the state of a query, whose arguments are not used. Call call_free also after a
- * problem. */
+/* Binds a question in the state of a query. Call call_free also after a problem. */
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 void call_free(struct call *call);
 
-/* Binds and answers a question. */
+/* Binds a question and runs its command. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Answers with one number, the one of the key or the value of an expression, in SI units. */
+/* Asks a question and returns one number of its answer, in SI units: the one of the key, or an expression's
+ * value. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question is an expression, which 'print' answers. Problems do not name that command. */
+/* Returns true if the question is an expression. 'print' answers it, which problems do not name. */
 bool question_is_expression(const struct question *question);
 
-/* Returns true if the question asks for one number. Otherwise describes a problem with the keys of the
- * answer. */
+/* Returns true if the question asks for one number; otherwise a problem lists the keys that could be meant.
+ */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

@@ -26,7 +26,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Parses argument i, a value for the parameter that the question names, or a file in place of the first. */
+/* Parses argument i, a value of the parameter that the question names. A file may stand for all its values.
+ */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -161,7 +162,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
                       : problem_error(r->problem, "%s", unclosed);
 }
 
-/* Describes a '--check' after a command that decides something: 'assert' does that. */
+/* Describes a '--check' after a command that decides something, for which there is 'assert'. Returns true if
+ * it is there. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];

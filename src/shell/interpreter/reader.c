@@ -16,7 +16,7 @@ void reader_place(const struct reader *r, const char *at)
 
 /* ---- Words ---- */
 
-/* Reads a word; `is_typed`: as it stands in the line that was typed. */
+/* Reads a word. If `is_typed`, the copy has the characters that were typed. */
 static char *word_read(struct reader *r, bool quotes, bool is_typed)
 {
     char ends[16];
@@ -74,7 +74,7 @@ bool word_is_next(const struct reader *r, const char *word)
            !isalnum((unsigned char)r->at[n]);
 }
 
-/* Lists for names.h one word, which is the context. */
+/* Lists for names.h a single word, the context. */
 static const char *single_word(const void *word, int k)
 {
     return k == 0 ? word : NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader of a command: the place in the line up to which it is parsed, and the words from there on. */
+/* The reader: how far a line has been parsed, and the words that follow. */
 #ifndef SHELL_READER_H
 #define SHELL_READER_H
 
@@ -18,7 +18,7 @@ enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
  */
 struct offer {
     const char *cursor;
-    int lists; /* number of lists of names that were tried */
+    int lists; /* number of lists that a name was looked up in */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
     struct argument value; /* the argument that an expression would give; ARGUMENT_NONE if none would */
@@ -28,17 +28,17 @@ struct offer {
     int argument;                      /* index of that argument */
     const struct parameter *parameter; /* the parameter or effect that gets a value at the cursor, or NULL */
     size_t typed;                      /* typed length of the last command's name, which may be abbreviated */
-    bool *is_command;                  /* If not NULL, is set to true for each byte of a command's name. */
+    bool *is_command; /* If not NULL, the bytes that belong to a command's name are set to true. */
 };
 
 struct reader {
     const struct query *query; /* the state whose names are known */
     struct problem *problem;
-    const struct text *text; /* the line; NULL for the text of a function, where places are not known */
+    const struct text *text; /* the line, or NULL for the text of a function, where problems have no place */
     const char *at;          /* the next character */
     struct arena *arena;     /* memory of the trees */
     const char *stops;       /* more characters that end a word or value, such as ",:" in a grid, or NULL */
-    const char *no_unit;     /* letters that are names, not units, when they follow a blank, or NULL */
+    const char *no_unit;     /* letters that are names, and not units, when they follow a blank; or NULL */
     bool unresolved;         /* Names in expressions are resolved later. */
     bool evaluates;          /* Each value is also computed and checked. */
     bool last;               /* No other argument follows the one that is read. */
@@ -56,7 +56,7 @@ struct offer *reader_offer(const struct reader *reader);
 /* Records that a command's name was typed between these places. */
 void reader_named(const struct reader *reader, const char *begin, const char *end);
 
-/* Makes this place in the line the place of the next problem. */
+/* Sets the place in the line that the next problem is about. */
 void reader_place(const struct reader *reader, const char *at);
 
 /* Returns true at the end of a command; a '#' here begins a comment. */

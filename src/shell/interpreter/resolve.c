@@ -20,7 +20,7 @@ fail(struct resolver *r, const struct tree *t, const char *format, ...)
     return -1;
 }
 
-/* Makes a tree a symbol, and returns 0, the height of its children. */
+/* Turns a tree into a symbol. Returns 0, the height of the children of a symbol without arguments. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;

@@ -44,7 +44,7 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    if (c->principal) /* Most lines of a script have no cells, and this is a kilobyte. */
+    if (c->principal) /* This is a kilobyte, which most lines of a script do not need. */
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = output_end(output);
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
@@ -86,7 +86,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* Programs read csv and json, which the time must not disturb. */
+        /* The time must not stand in csv and json, which programs read. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -104,7 +104,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* The reader has left the pager before its end, so that nothing that was wanted is lost. */
+        /* The person has closed the pager before the end of the answer, which is no write error. */
         output_end(session->output)->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -153,7 +153,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
-        /* A picture is drawn as for people, also after 'set output csv'. */
+        /* The file gets a picture even after 'set output csv'. */
         session->output->format = ending->kind == ENDING_PICTURE ? &format_table : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);

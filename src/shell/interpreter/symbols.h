@@ -11,7 +11,7 @@
 
 /* One value of a command: an expression, or a word that stands for a value. */
 struct item {
-    const struct argument *argument; /* how the value is checked */
+    const struct argument *argument; /* the argument that has this value */
     const struct tree *value;        /* the expression, or NULL if `number` is the value */
     domq_real number;
     const char *word; /* the word, name or path that was typed, or NULL */
@@ -31,8 +31,9 @@ enum symbol {
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* column number `index` of a struct command */
-    SYMBOL_ANS,       /* the same of the last answer; or, if it refers to NULL, the last printed value */
-    SYMBOL_WITH,      /* struct assignments, which hold while the child is evaluated */
+    SYMBOL_ANS,  /* column number `index` of the last answer's struct command; NULL for the last printed value
+                  */
+    SYMBOL_WITH, /* struct assignments, which hold while the child is evaluated */
 };
 
 /* A function of 'let' with its names resolved. Each expression that uses the function has its own. */
@@ -52,8 +53,8 @@ struct resolver {
     void *context;                                                 /* of `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    int depth;           /* of functions within functions */
-    bool names_function; /* The message says already in which function the error is. */
+    int depth;           /* levels of functions within functions */
+    bool names_function; /* The message already says in which function the error is. */
     const char *at;      /* the place of the error */
     char message[EXPRESSION_MESSAGE];
 };
@@ -66,7 +67,7 @@ bool resolve(struct resolver *resolver, struct tree *tree);
 bool query_evaluate(const struct query *query, struct evaluation *evaluation, const struct tree *tree,
                     struct quantity *result, struct problem *problem);
 
-/* Copies the query's state, assigns these values, and makes `changed` the same query about the copy. */
+/* Makes a copy of the query's state, assigns values to it, and makes `changed` the query of that copy. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

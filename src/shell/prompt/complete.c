@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Completion: the parser says what may stand at the cursor, and whether it takes a candidate. */
+/* Completion. The parser says what may stand at the cursor, and whether it accepts a candidate. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "prompt/input.h"
@@ -9,12 +9,12 @@
 
 #include <readline/readline.h>
 
-/* The word that is completed, what the parser expects there, and where candidates go. */
+/* One completion of the last word of a line. */
 struct completion {
     struct session *session;
     const char *line;
     const char *word;   /* the last word of the line, which may be empty */
-    const char *name;   /* the word, or the name at its end: in an expression it follows an operator */
+    const char *name;   /* the name at the end of the word, which in an expression follows an operator */
     struct offer offer; /* at the name */
     void (*emit)(const char *candidate, void *context);
     void *context;
@@ -25,8 +25,8 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL);
 }
 
-/* Emits the last word with this name at its end, followed by `more`, if the name begins as it was typed.
- * `is_checked`: the parser is asked whether it takes the word, perhaps as the first of a list. */
+/* Emits the last word, completed with this name and `more`, if the name has the typed prefix. If
+ * `is_checked`, the parser has to accept the word, by itself or as the first of a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -39,10 +39,8 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/*
- * Returns true if a name with this unit may be the value of the argument by itself. Of the numbers without a
- * unit only those of the argument's parameter may: for r the names that begin with r or r_.
- */
+/* Returns true if a name with this unit may be all of the argument's value. If the argument has no unit, only
+ * names of its own parameter may: for r those that begin with r or r_. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
@@ -71,7 +69,7 @@ static void emit_values(const struct completion *c)
         if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* The check computes the answer, which for the endless train takes no time. */
+        /* The check computes the answer, which is fast for the endless train. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
@@ -98,8 +96,8 @@ static void count(const char *candidate, void *context)
     snprintf(counted->last, sizeof counted->last, "%s", candidate);
 }
 
-/* Returns true if the only candidate for an empty word is a command: one key would write an answer that
- * nobody asked for, such as 'best' after 'set s'. */
+/* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. A key
+ * would insert the command, which nobody has asked for. */
 static bool is_unasked(const struct completion *c)
 {
     struct counted counted = {.count = 0};
@@ -111,23 +109,21 @@ static bool is_unasked(const struct completion *c)
     return counted.count == 1 && command_find(counted.last);
 }
 
-/* Emits the units that a number may have, without those that are also names which may stand here: the parser
- * takes s and g for parameters. */
+/* Emits the units that a number may have, but no s or g where these are parameters. */
 static void emit_units(const struct completion *c)
 {
-    const struct offer *e = &c->offer;
+    const struct offer *o = &c->offer;
     const char *unit;
     for (int k = 0; (unit = expression_units(NULL, k)) != NULL; k++) {
         bool is_name = false;
-        for (int i = 0; i < e->lists; i++)
-            is_name = is_name || names_exact(e->names[i], e->context[i], unit) >= 0;
+        for (int i = 0; i < o->lists; i++)
+            is_name = is_name || names_exact(o->names[i], o->context[i], unit) >= 0;
         if (!is_name)
             emit_name(c, unit, "", true);
     }
 }
 
-/* Returns the place after the number that the name begins with, where a unit may follow; NULL without a
- * number. */
+/* Returns the place after the number that a name begins with. Returns NULL if there is no number. */
 static const char *number_end(const char *name)
 {
     char *end = NULL;
@@ -197,30 +193,30 @@ void complete_line(struct session *session, const char *line, bool files, void (
 {
     struct completion c = {
         .session = session, .line = line, .word = last_word(line), .emit = emit, .context = context};
-    struct offer *e = &c.offer, at_word = {.lists = 0};
+    struct offer *o = &c.offer, at_word = {.lists = 0};
     c.name = last_name(c.word);
     line_preview(session, line, (size_t)(c.word - line), PREVIEW_CURSOR, &at_word);
-    line_preview(session, line, (size_t)(c.name - line), PREVIEW_CURSOR, e);
+    line_preview(session, line, (size_t)(c.name - line), PREVIEW_CURSOR, o);
     const char *unit = number_end(c.name);
     if (files && at_word.kinds & OFFER_FILE)
         emit_files(&c);
     else if (c.name > c.word && c.name[-1] == '.')
         emit_keys(&c, c.name - 1);
-    for (int i = 0; i < e->lists; i++) {
+    for (int i = 0; i < o->lists; i++) {
         const char *candidate;
-        for (int k = 0; (candidate = e->names[i](e->context[i], k)) != NULL; k++)
+        for (int k = 0; (candidate = o->names[i](o->context[i], k)) != NULL; k++)
             emit_name(&c, candidate, "", true);
     }
-    if (e->kinds & OFFER_VARIABLE)
+    if (o->kinds & OFFER_VARIABLE)
         for (size_t i = 0; i < session->state.variables.count; i++)
             emit_name(&c, session->state.variables.list[i].name, "", false);
-    if (e->value.kind != ARGUMENT_NONE && unit) {
+    if (o->value.kind != ARGUMENT_NONE && unit) {
         c.name = unit;
         emit_units(&c);
-    } else if (e->value.kind != ARGUMENT_NONE &&
-               (e->is_inside || e->lists == 0 || e->value.kind == ARGUMENT_PLACE) && !is_unasked(&c))
+    } else if (o->value.kind != ARGUMENT_NONE &&
+               (o->is_inside || o->lists == 0 || o->value.kind == ARGUMENT_PLACE) && !is_unasked(&c))
         emit_values(&c);
-    if (e->kinds & OFFER_UNIT && !unit)
+    if (o->kinds & OFFER_UNIT && !unit)
         emit_units(&c);
 }
 
@@ -243,7 +239,7 @@ static void candidate_add(const char *candidate, void *context)
         more[candidates.count++] = copy;
 }
 
-/* Returns the next candidate, which Readline frees; `state` is 0 at first. */
+/* Returns the next candidate, which Readline frees. `state` is 0 in the first call. */
 static char *candidate_next(const char *text, int state)
 {
     (void)text;
@@ -255,12 +251,13 @@ char **complete_word(const char *text, int start, int end)
 {
     char *line = strndup(rl_line_buffer, (size_t)end);
     (void)start;
-    rl_attempted_completion_over = 1; /* Readline does not complete paths instead. */
+    rl_attempted_completion_over = 1; /* Readline must not fall back to paths. */
     candidates.count = 0;
     if (line)
         complete_line(complete_session, line, true, candidate_add, NULL);
     free(line);
     const char *first = candidates.count ? candidates.word[0] : "";
-    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '('; /* no blank in a function */
+    rl_completion_suppress_append =
+        *first && first[strlen(first) - 1] == '('; /* No blank follows the '(' of a function. */
     return rl_completion_matches(text, candidate_next);
 }
