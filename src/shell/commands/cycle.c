@@ -142,36 +142,37 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
 }
 
-enum { REASON_SIZE = 160 };
-
-/* Writes where the train stops. */
-static const char *stop_reason(const struct query *query, char *reason, size_t size)
+/* Describes where the train stops. */
+static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;
-    char text[WIDE_TEXT];
+    char text[WIDE_TEXT], place[64] = "";
     struct answer_style style = state_style(query->state);
     int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
     if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
         isfinite(stop.value))
-        snprintf(reason, size,
-                 "no domino effect: the train has too little energy, and stops at theta = %s %s, below the "
-                 "barrier",
+        snprintf(place, sizeof place, " at theta = %s %s,",
                  quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
-    else
-        snprintf(reason, size,
-                 "no domino effect: the train has too little energy, and stops below the barrier");
-    return reason;
+    snprintf(reason, ANSWER_REASON,
+             "no domino effect: the train has too little energy, and stops%s below the barrier", place);
 }
 
-/* Returns why a cycle does not come to its end, or NULL if it does. */
-static const char *no_cycle(const struct query *query, enum dom_status status, char reason[REASON_SIZE])
+/*
+ * Returns true if a command can answer, and sets *why to the reason why numbers are missing in the answer, or
+ * to NULL if the cycle comes to its end. Otherwise describes the problem.
+ */
+static bool cycle_ends(const struct query *query, enum dom_status status, struct problem *problem,
+                       char reason[ANSWER_REASON], const char **why)
 {
-    return status == DOM_NO_FUEL ? no_fuel(query)
-           : status == DOM_STOPS ? stop_reason(query, reason, REASON_SIZE)
+    *why = status == DOM_NO_FUEL ? no_fuel(query)
+           : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
                ? "no domino effect: friction locks the collision, the force on the struck domino "
                  "points past its hinge and cannot turn it; a smaller r s or friction leaves it free"
                : NULL;
+    if (status == DOM_STOPS)
+        stop_reason(query, reason);
+    return status == DOM_OK || *why || problem_status(problem, query->scene, status);
 }
 
 static const struct column launch_columns[] = {
@@ -190,15 +191,16 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
                             .velocity_ratio = DOMQ_NAN,
                             .omegasq = DOMQ_NAN,
                             .kinetic = DOMQ_NAN};
-    char reason[REASON_SIZE];
+    char reason[ANSWER_REASON];
+    const char *why;
     enum dom_status status = domq_launch_find(&query->scene->train, &compute, &l);
-    if (status != DOM_OK && status != DOM_NO_FUEL && status != DOM_LOCKS)
-        return problem_status(problem, query->scene, status);
+    if (!cycle_ends(query, status, problem, reason, &why))
+        return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
                       ROW(CELL_OF(l, omegasq), cell_omega(l.omegasq, l.error.omegasq, tau),
                           CELL_OF(l, kinetic), CELL_OF(l, J0)),
-                      no_cycle(query, status, reason));
+                      why);
 }
 
 static const struct column omega_columns[] = {
@@ -213,15 +215,16 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
     const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_value omegasq;
-    char reason[REASON_SIZE];
+    char reason[ANSWER_REASON];
+    const char *why;
     enum dom_status status = domq_cycle_omegasq(&query->scene->train, &compute, theta, &omegasq);
-    if (status != DOM_OK && !no_cycle(query, status, reason))
-        return problem_status(problem, query->scene, status);
+    if (!cycle_ends(query, status, problem, reason, &why))
+        return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
                       ROW(cell_real(theta), cell_bound(omegasq.value, omegasq.error),
                           cell_omega(omegasq.value, omegasq.error, tau)),
-                      no_cycle(query, status, reason));
+                      why);
 }
 
 static const struct column barrier_columns[] = {
@@ -238,10 +241,11 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     const struct domq_compute compute = query_compute(query);
     struct domq_barrier b = {
         .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
-    char reason[REASON_SIZE];
+    char reason[ANSWER_REASON];
+    const char *why;
     enum dom_status status = domq_barrier_find(&query->scene->train, &compute, &b);
-    if (status != DOM_OK && !no_cycle(query, status, reason))
-        return problem_status(problem, query->scene, status);
+    if (!cycle_ends(query, status, problem, reason, &why))
+        return false;
     const char *verdict = status == DOM_OK      ? "goes on"
                           : status == DOM_STOPS ? "stops"
                           : status == DOM_LOCKS ? "locks"
@@ -252,7 +256,7 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     return answer_row(a,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
                           cell_word(verdict)),
-                      no_cycle(query, status, reason));
+                      why);
 }
 
 static const struct column duration_columns[] = {
@@ -268,11 +272,11 @@ static bool run_duration(const struct query *query, struct answer *a, struct pro
     const struct domq_compute compute = query_compute(query);
     struct domq_value duration = {.value = DOMQ_NAN};
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
-    char reason[REASON_SIZE];
+    char reason[ANSWER_REASON];
+    const char *why;
     enum dom_status status = domq_cycle_duration(&query->scene->train, &compute, &duration);
-    const char *why = no_cycle(query, status, reason);
-    if (status != DOM_OK && !why)
-        return problem_status(problem, query->scene, status);
+    if (!cycle_ends(query, status, problem, reason, &why))
+        return false;
     domq_real speed =
         why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration.value);
     return answer_row(a,

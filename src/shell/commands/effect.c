@@ -181,62 +181,64 @@ static const struct column scene_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-static void plan_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
+static void part_row(struct answer *a, const char *part, const char *solved, size_t dominoes, const char *why)
 {
     answer_cells(a, cell_word(part), dominoes ? cell_count((domq_real)dominoes) : cell_real(DOMQ_NAN),
                  cell_word(why), cell_word(solved));
 }
 
-/* Lists how a train is computed. */
-static void plan_train(const struct query *query, struct answer *a, size_t n)
+/* Lists how a train or a row is computed, with sums over at most n dominoes. */
+static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
-    bool rubs = domq_law(&query->scene->train)->dissipates;
-    if (query->scene->train.rho != 0)
-        plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
-    else
-        plan_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
-    plan_row(a, "energy", "H (19; c1) and J (20; c2), ended by a bound of the tail", n, "always");
-    plan_row(a, "motion", domq_law(&query->scene->train)->plan, n, rubs ? "friction is on" : "no losses");
-    plan_row(a, "barrier", rubs ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
-             "always");
-    plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
-}
-
-/* Lists how the engine runs a row. */
-static void plan_of_engine(const struct query *query, struct answer *a, size_t n)
-{
-    char solved[96];
-    const char *version = engine_version();
-    bool pushed = query->scene->effect[DOM_EFFECT_push].on;
-    snprintf(solved, sizeof solved, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
+    const struct scene *scene = query->scene;
+    const char *version = engine_version(), *motion_why, *motion;
+    bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
+         is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
+         has_friction = domq_law(&scene->train)->dissipates;
+    char engine[96];
+    snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
-    plan_row(a, "start", pushed ? domq_effect(DOM_EFFECT_push)->plan : "tipped just over its edge", 1,
-             pushed ? "push is on" : "no push");
-    plan_row(a, "motion", solved, n, scene_engine_why(query->scene));
-}
-
-/* Lists how a row is computed. */
-static void plan_of_row(const struct query *query, struct answer *a, size_t n)
-{
-    bool rubs = domq_law(&query->scene->train)->dissipates, pushed = query->scene->effect[DOM_EFFECT_push].on;
-    plan_row(a, "start",
-             pushed ? domq_effect(DOM_EFFECT_push)->plan : "(9; b5): energy of a fall from its edge", 1,
-             pushed ? "push is on" : "no push");
-    plan_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
-    if (query->scene->train.rho != 0)
-        plan_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
-    plan_row(a, "motion",
-             rubs ? domq_effect(DOM_EFFECT_friction)->plan : "energy balance and collision, not integrated",
-             n, rubs ? "friction is on" : "no losses");
-    plan_row(a, "contact", "signs by a bound, else forces at four tilts", n, "none may pull");
-    plan_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
+    motion_why = is_engine ? scene_engine_why(scene) : has_friction ? "friction is on" : "no losses";
+    motion = is_engine      ? engine
+             : !is_row      ? domq_law(&scene->train)->plan
+             : has_friction ? domq_effect(DOM_EFFECT_friction)->plan
+                            : "energy balance and collision, not integrated";
+    if (is_row)
+        part_row(a, "start",
+                 is_pushed   ? domq_effect(DOM_EFFECT_push)->plan
+                 : is_engine ? "tipped just over its edge"
+                             : "(9; b5): energy of a fall from its edge",
+                 1, is_pushed ? "push is on" : "no push");
+    if (is_row && !is_engine)
+        part_row(a, "row", domq_effect(DOM_EFFECT_row)->plan, n, "row is on");
+    if (is_rounded && !is_engine)
+        part_row(a, "geometry", domq_effect(DOM_EFFECT_edges)->plan, n, "edges is on");
+    else if (!is_row)
+        part_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
+    if (!is_row)
+        part_row(a, "energy", "H (19; c1) and J (20; c2), ended by a bound of the tail", n, "always");
+    part_row(a, "motion", motion, n, motion_why);
+    if (is_engine)
+        return;
+    if (is_row)
+        part_row(a, "contact", "signs by a bound, else forces at four tilts", n, "none may pull");
+    else
+        part_row(a, "barrier",
+                 has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
+                 "always");
+    part_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
+    for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
+        if (scene->effect[k].on)
+            part_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
+                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
 }
 
 static bool run_scene(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_work work = {0};
     size_t count;
-    bool is_row = query->scene->effect[DOM_EFFECT_row].on;
+    const struct domq_train *t = &query->scene->train;
+    bool is_row = query->scene->effect[DOM_EFFECT_row].on, is_engine = scene_has_engine(query->scene);
     char on[256] = "", setting[EFFECT_SETTING];
     if (!scene_work(query, problem, false, &work, &count))
         return false;
@@ -244,24 +246,16 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
         if (query->scene->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
                           effect_setting(query->scene, k, setting));
-    const struct domq_train *t = &query->scene->train;
     if (is_row)
         answer_say(a, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
     else
         answer_say(a, "An endless train, s = %.6g, r = %.6g, d = %.6g, q = %.6g%s.", (double)t->s,
                    (double)t->r, (double)t->d, (double)t->q, on);
-    if (scene_has_engine(query->scene)) {
-        plan_of_engine(query, a, count);
-        return true;
-    }
-    (is_row ? plan_of_row : plan_train)(query, a, work.longest);
-    for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
-        if (query->scene->effect[k].on)
-            plan_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
-                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
-    answer_say(a, "The verdict takes %zu passes down the %s at tol = %g in %s precision.", work.passes,
-               is_row ? "row" : "train", (double)query->scene->compute.tol,
-               domq_arithmetic(query->scene->compute.precision)->name);
+    parts_list(query, a, is_engine ? count : work.longest);
+    if (!is_engine)
+        answer_say(a, "The verdict takes %zu passes down the %s at tol = %g in %s precision.", work.passes,
+                   is_row ? "row" : "train", (double)query->scene->compute.tol,
+                   domq_arithmetic(query->scene->compute.precision)->name);
     return true;
 }
 

@@ -15,7 +15,7 @@ static const struct column walk_columns[] = {
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
     {"gained", "mgh/2", "energy set free since the launch, H(0) - H(theta); negative after a climb", 0},
-    {"fallen", "mgh/2", "the part of it from dominoes that have detached, and no longer push", 0},
+    {"fallen", "mgh/2", "the part of 'gained' from dominoes that have detached", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
     {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
