@@ -27,11 +27,11 @@ const struct column design_columns[] = {
 struct plan {
     struct domq_domino *domino;
     size_t count;
-    bool has_masses; /* masses are in kg; otherwise that of the first is 1 */
+    bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
     bool hollow;
 };
 
-/* Makes the dominoes, of which the last is exactly as tall as was wished. Returns false with a problem. */
+/* Makes the dominoes, with the last one exactly as tall as wished. Returns false with a problem. */
 static bool plan_make(const struct query *query, struct problem *problem, const struct domq_design *d,
                       domq_real height, struct plan *p)
 {
@@ -56,7 +56,8 @@ static domq_real plan_material(const struct plan *p, const struct domq_domino *d
                      : d->height * width * d->thickness;
 }
 
-/* Writes what to saw and where to place it, or only the columns that 'effect row FILE' reads. */
+/* Writes the dominoes: for people what to saw and where to place it, for a file what 'effect row FILE' reads.
+ */
 static void plan_write(struct answer *a, const struct plan *p, bool file)
 {
     static const struct column columns[] = {
@@ -100,7 +101,7 @@ static void plan_write(struct answer *a, const struct plan *p, bool file)
     }
 }
 
-/* Writes the numbers of a design; plan is NULL if there is no row, as the reason says. */
+/* Writes the numbers of a design. If no row fits the wishes, `p` is NULL and `reason` says why. */
 static void design_row(struct answer *a, const struct plan *p, const struct domq_design *d,
                        const char *reason)
 {
@@ -123,7 +124,7 @@ static void design_row(struct answer *a, const struct plan *p, const struct domq
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest kinetic energy over barrier that equal dominoes have at any separation. */
+/* Returns the largest ratio of kinetic energy to barrier that equal dominoes have at any separation. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;
@@ -140,7 +141,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, to three digits, with which equal dominoes have the safety, or 0. */
+/* Returns the largest friction with which equal dominoes have this safety, to three digits, or 0 if there is
+ * none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -153,15 +155,16 @@ static domq_real friction_most(const struct query *query, domq_real safety)
     return low;
 }
 
-/* Returns a push that is stronger than that of the wish, or NaN if a stronger one would lift the first
- * domino, as a push of sqrt(2 g/h) does. */
+/* Returns a stronger push than that of the wish, but less than sqrt(2 g/h), which lifts the first domino off
+ * the floor. Returns NaN if there is no room for one. */
 static domq_real push_stronger(const struct domq_wish *wish)
 {
     const domq_real most = quad(sqrt)(2 * wish->g / wish->first) * 9 / 10;
     return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
 }
 
-/* Describes which effects make the search hard, and which one to leave out. Returns false. */
+/* Describes a search that failed, and which effect to turn off because it makes the search hard. Returns
+ * false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
     const struct domq_train *t = &scene->train;
@@ -175,7 +178,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row meets the wish, and what would make one possible. */
+/* Writes why no row fits the wish, and which wish would be possible. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -224,7 +227,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 
 /* ---- The answer ---- */
 
-/* Describes a problem if no row at all can meet the wish. */
+/* Describes a problem if the wish contradicts itself. */
 static bool wish_check(struct problem *problem, const struct domq_wish *w)
 {
     if (!(w->height > w->first))
@@ -242,7 +245,7 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w)
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Finds the design. If the engine would run the row, it judges every row of the search, too. */
+/* Finds the design. If the engine runs rows, it also has to let the row fall. */
 static bool design_find(const struct query *query, struct domq_wish *wish, struct scene_engine *engine,
                         struct domq_design *d, struct problem *problem)
 {
@@ -258,11 +261,11 @@ static bool design_find(const struct query *query, struct domq_wish *wish, struc
         return problem_status(problem, query->scene, status);
     if (d->limit == DOM_DESIGN_FAILED)
         return search_failed(query->scene, d, problem);
-    /* A row that is too long for the engine is an error here already. */
+    /* Check now whether the engine can run a row of this length. */
     return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
 }
 
-/* Says what was designed and what it is good for, and lists the dominoes. */
+/* Says how safe the design is, and lists the dominoes. */
 static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
                        const struct domq_design *d, const struct plan *plan)
 {
@@ -280,7 +283,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
     plan_write(&list, plan, false);
 }
 
-/* Makes the design the row of the session. */
+/* Makes the design the row of the session, unless the answer is only a value. */
 static bool design_keep(const struct query *query, struct problem *problem, struct answer *a,
                         const struct domq_design *d)
 {

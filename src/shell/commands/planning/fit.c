@@ -39,7 +39,7 @@ struct fit {
     } * row;
     size_t count;
     bool errors;            /* every speed has an error */
-    enum dom_status status; /* why the last speed that the model does not have is missing */
+    enum dom_status status; /* why speed_at has returned NaN */
 };
 
 /* ---- The file ---- */
@@ -82,7 +82,7 @@ static bool row_add(struct fit *f, struct csv_table *csv)
     return true;
 }
 
-/* Describes a problem if the measured rows cannot tell the friction. */
+/* Describes a problem if the friction cannot be found from these rows. */
 static bool rows_check(const struct fit *f, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
@@ -120,13 +120,13 @@ static domq_real speed_at(struct fit *f, domq_real gap, domq_real mu)
     return DOMQ_NAN;
 }
 
-/* Returns the standard error of a speed: as it was measured, or the same share of each speed. */
+/* Returns the standard error of a speed. If errors are not known, all speeds get the same relative error. */
 static domq_real error_of(const struct measured_row *row)
 {
     return row->error > 0 ? row->error : row->speed;
 }
 
-/* Returns the sum of the squared residuals, each over its error. */
+/* Returns the sum of squares of the residuals divided by their errors. */
 static double squares_at(double mu, void *context)
 {
     struct fit *f = context;
@@ -141,8 +141,8 @@ static double squares_at(double mu, void *context)
 
 /* ---- Its minimum ---- */
 
-/* Finds the friction with the least squares by a scan, and then by Brent's method of GSL. Returns NaN if the
- * model has no speeds at any friction. */
+/* Finds the friction with the least sum of squares, with a scan and then Brent's method. Returns NaN if the
+ * dominoes do not keep falling at any friction. */
 static double friction_find(struct fit *f)
 {
     const double highest = 3, step = 0.02;
@@ -177,9 +177,9 @@ static double friction_find(struct fit *f)
 }
 
 /*
- * Returns the standard deviation of the friction, from the errors of the speeds and from how much a speed
- * changes with friction. If the residuals are larger than these errors, or if no errors are known, the
- * residuals count instead.
+ * Returns the standard deviation of the friction, which follows from the errors of the speeds and from how
+ * much the speeds change with friction. If the residuals are larger than the errors, or if no errors are
+ * known, the residuals are used as errors.
  */
 static double uncertainty_of(struct fit *f, double mu)
 {
@@ -223,7 +223,7 @@ static void fit_answer(struct answer *a, struct fit *f, double mu, double uncert
     answer_say(a, "The largest residual is %.2g %%.", 100 * worst);
 }
 
-/* Finds the friction and answers, from rows that have been read. */
+/* Finds the friction from the rows that have been read, and writes the answer. */
 static bool rows_fit(struct fit *f, struct answer *a, struct problem *problem)
 {
     if (!rows_check(f, problem))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files about planning give each other and the table of their commands. */
+/* What the files in this folder share, and what the table of the commands needs from them. */
 #ifndef SHELL_PLANNING_H
 #define SHELL_PLANNING_H
 
@@ -7,16 +7,16 @@
 
 /* ---- An answer along a parameter ---- */
 
-/* A question that is asked again and again, in copies of the state with other values of one parameter. */
+/* A question that is asked many times, each time with another value of one parameter. */
 struct probe {
     const struct query *query;
-    const char *command; /* the name of the command that asks, for problems */
+    const char *command; /* the name of the command that asks, for messages */
     const struct question *question;
-    const struct parameter *parameter; /* NULL if nothing is changed */
-    bool verdict;                      /* the answer is the verdict of the command: 1 if true, or -1 */
+    const struct parameter *parameter; /* NULL to ask with the state as it is */
+    bool verdict;                      /* ask for the verdict of the command, which is 1 or -1 */
     struct problem problem;            /* why the last question had no answer */
-    bool wrong;                        /* the question is wrong, whatever the value of the parameter */
-    struct quantity unit;              /* of the last answer */
+    bool wrong;                        /* the question has an error that no value of the parameter avoids */
+    struct quantity unit;              /* the unit of the last answer */
 };
 
 /* Returns the answer at a value of the parameter, or NaN with probe->problem. */
@@ -25,35 +25,35 @@ domq_real probe_at(struct probe *probe, domq_real value);
 /* Describes why the last question had no answer. Returns false. */
 bool probe_report(const struct probe *probe, struct problem *problem);
 
-/* What 'solve' and 'watch' are given. */
+/* The arguments of 'solve' and 'watch'. */
 struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* no value is given: 'solve' finds where the verdict changes */
-    struct quantity value; /* the value that the answer is to take */
+    bool verdict;          /* there is no value: find where a verdict changes */
+    struct quantity value; /* the value to solve for */
 };
 
 enum { ROOTS_MOST = 64, SCAN_POINTS = 241 };
 
-/* What a scan has found of an answer along a parameter. */
+/* A search for the values of a parameter at which an answer takes a value. */
 struct scan {
     struct probe probe;
     const struct solve *solve;
     struct root {
         domq_real x, answer;
-        const char *branch; /* how the answer changes there */
-    } root[ROOTS_MOST];     /* in the order of x */
+        const char *branch; /* "rising" or "falling", or where a verdict is true */
+    } root[ROOTS_MOST];     /* sorted by x */
     int roots;
-    domq_real jump; /* where the answer passes the value without taking it */
+    domq_real jump; /* a place where the answer jumps over the value */
     struct point {
-        domq_real x, f;                /* f: the answer less the value; NaN if there is no answer */
-    } most, least, point[SCAN_POINTS]; /* the extrema are those of all points with an answer */
-    size_t answers;
+        domq_real x, f;                /* f is the answer minus the value, or NaN without an answer */
+    } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
+    size_t answers; /* the number of points with an answer */ /* the number of points with an answer */
     char no_answer[PROBLEM_TEXT / 2]; /* why the first point without an answer has none */
 };
 
-/* Scans the whole range. Returns false if the question is wrong, or after an interrupt: see scan->probe. */
+/* Searches the whole range. Returns false if probe_report has to describe a problem or an interrupt. */
 bool scan_run(struct scan *scan);
 
 /* ---- What a builder wishes of a design ---- */
@@ -87,8 +87,8 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* List for names.h: wishes, the parameters of 'solve' and 'watch', what 'fit' finds, and the commands with a
- * verdict. */
+/* List names for names.h: of wishes, of the parameters of 'solve' and 'watch', of what 'fit' can find, and of
+ * the commands with a verdict. */
 const char *wish_names(const void *context, int k);
 const char *solve_names(const void *context, int k);
 const char *fit_names(const void *context, int k);

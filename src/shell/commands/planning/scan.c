@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An answer along a parameter: probes, and where the answer takes a value. */
+/* Searches for the values of a parameter at which an answer takes a value. */
 #include "commands/planning/planning.h"
 #include "interpreter/symbols.h"
 #include "language/quad.h"
@@ -84,7 +84,7 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points of different sign, with Brent's method of GSL. */
+/* Finds the root between two points of opposite sign with Brent's method. */
 static void root_between(struct scan *s, struct point a, struct point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -102,7 +102,7 @@ static void root_between(struct scan *s, struct point a, struct point b)
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* Where the answer jumps over the value, it is far from the value on both sides. */
+    /* At a jump over the value, the answer is far from the value on both sides. */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -126,7 +126,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Bisects down to the last point on the side of `good` at which the predicate is true. */
+/* Bisects to find where the predicate, which is true at `good` and false at `bad`, changes. Returns a point
+ * at which it is true. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
@@ -137,12 +138,12 @@ static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, boo
     return good;
 }
 
-/* Looks for a root between two neighbours. */
+/* Looks for a root between two neighbouring points of the grid. */
 static void look_between(struct scan *s, struct point a, struct point b)
 {
     if (isnan(a.f) && isnan(b.f))
         return;
-    if (s->solve->verdict) { /* where there is no answer, the verdict does not hold */
+    if (s->solve->verdict) { /* a verdict without an answer counts as false */
         if (holds(a.f) != holds(b.f))
             root_add(s, edge_between(s, holds(a.f) ? a.x : b.x, holds(a.f) ? b.x : a.x, holds),
                      holds(a.f) ? "true up to here" : "true from here on");
@@ -153,7 +154,7 @@ static void look_between(struct scan *s, struct point a, struct point b)
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    if (a.f == 0 && b.f == 0) /* inside of an interval of roots, of which both ends are found */
+    if (a.f == 0 && b.f == 0) /* inside an interval of roots, only whose ends are listed */
         return;
     if (a.f == 0)
         root_add(s, edge_between(s, a.x, b.x, is_zero), b.f > a.f ? "rising" : "falling");
@@ -163,8 +164,8 @@ static void look_between(struct scan *s, struct point a, struct point b)
         root_between(s, a, b);
 }
 
-/* Narrows down an extremum around the middle one of three points by golden sections: between the points, the
- * answer may reach the value. */
+/* If the middle one of three points is an extremum, searches for the exact extremum by golden sections, since
+ * the answer may reach the value there without doing so at the points of the grid. */
 static void look_around(struct scan *s, struct point a, struct point m, struct point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

@@ -21,7 +21,7 @@ bool sensitivity_parse(struct reader *r, struct question *q)
     return q->parsed ? question_parse_any(r, q->parsed, true) : problem_error(r->problem, "out of memory");
 }
 
-/* A parameter, its step, and the changes of the answer. */
+/* How much a parameter changes the answer, if it is smaller or larger by a step. */
 struct influence {
     const struct parameter *parameter;
     domq_real value, step, less, more;
@@ -30,7 +30,7 @@ struct influence {
 
 enum { INFLUENCES_MOST = 32 };
 
-/* Chooses the step of a parameter. Returns false if the parameter is not changed. */
+/* Chooses the step of a parameter. Returns false for a parameter that cannot be varied. */
 static bool step_choose(const struct query *query, const struct parameter *p, struct influence *i)
 {
     domq_real value = parameter_get(query->state, p);
@@ -42,7 +42,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
         return false;
     i->step = dynamic && angle ? QUAD_PI / 180 : dynamic ? (domq_real)1 / 100 : quad(fabs)(i->value) / 100;
     i->step_text = dynamic && angle ? "1 deg" : dynamic ? "0.01" : "1 %";
-    return i->step > 0; /* a mass that is not known is 0 */
+    return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
 /* Returns the larger of the two changes, or -1 if neither exists. */
@@ -62,8 +62,8 @@ static int compare(const void *one, const void *other)
 }
 
 /*
- * Returns by which share the answer differs at a value of the parameter, or by how much if the answer is 0
- * now. A change that is within the tolerance of the answers counts as 0.
+ * Returns the relative change of the answer at another value of the parameter, or the absolute change if the
+ * answer is 0 now. A change within the tolerance of the answers is taken as 0.
  */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
@@ -72,7 +72,7 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Fills the list with the parameters that can be changed. Returns false with a problem. */
+/* Makes a sorted list of all parameters that can be varied. Returns false with a problem. */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {
@@ -104,7 +104,7 @@ bool run_sensitivity(const struct query *query, struct answer *a, struct problem
         return probe_report(&probe, problem);
     if (!influences_find(query, problem, &probe, now, list, &count))
         return false;
-    if (now == 0) { /* there is no share of 0 */
+    if (now == 0) { /* a change from 0 cannot be a percentage */
         struct column *columns = answer_columns(a, sensitivity_columns);
         columns[3].unit = columns[4].unit = "";
     }

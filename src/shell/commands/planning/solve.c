@@ -9,8 +9,8 @@
 
 /* ---- The question ---- */
 
-/* The range that is scanned if none is given: what builders have, since the range that a parameter allows is
- * too wide. */
+/* The range to search if none is given: values that occur in practice, since the whole range of a parameter
+ * is too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;
@@ -30,7 +30,7 @@ const char *solve_names(const void *context, int k)
     return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
 }
 
-/* Returns the form of the command, for messages. */
+/* Returns how to write the command, for messages. */
 static const char *form_of(const struct problem *problem)
 {
     return problem->command && strcmp(problem->command, "watch") == 0
@@ -38,7 +38,7 @@ static const char *form_of(const struct problem *problem)
                : "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 }
 
-/* A question as it was parsed. The items that are not given have no argument. */
+/* The arguments of 'solve' and 'watch' as they were parsed. Items that were not typed are zero. */
 struct solve_parsed {
     const struct parameter *parameter;
     const struct usual_range *usual;
@@ -166,13 +166,13 @@ const struct column solve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes why no value was found. */
+/* Writes why the answer takes the value nowhere in the range. */
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
     const char *name = v->parameter->name, *unit = v->parameter->value->unit, *asked = v->question->name;
     const struct quad_shown value = quad_shown(v->value.value);
-    const bool below = s->most.f < 0; /* everywhere */
+    const bool below = s->most.f < 0; /* the answer is always below the value */
     const struct point *nearest = below ? &s->most : &s->least;
     char range[192];
     unit = strcmp(unit, "h") == 0 ? "" : unit;
@@ -192,7 +192,7 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
                  value.text, range, name, quad_shown(s->jump).text);
 }
 
-/* Describes a problem if the answer has another unit than the value, or is the same everywhere. */
+/* Describes a problem if the answer and the value have different units, or if the answer is constant. */
 static bool scan_check(const struct scan *s, struct problem *problem)
 {
     char is[64], wanted[64];

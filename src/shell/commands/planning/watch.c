@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* watch: keys change a parameter, and the answer follows as a point on its curve. Only Enter changes the
- * session. */
+/* watch: arrow keys change a parameter, and a point moves along the curve of the answer. The session changes
+ * only if Enter is pressed. */
 #include "commands/planning/planning.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -15,17 +15,17 @@
 #include <unistd.h>
 
 enum {
-    STEPS = 200, /* from one end of the range to the other */
-    COARSE = 5   /* small steps in a large one, and between two points of the curve */
+    STEPS = 200, /* small steps in the range */
+    COARSE = 5   /* small steps in a large step, and between two points of the curve */
 };
 
 struct watch {
     const struct solve *solve;
     struct probe probe;
     double from, to;
-    double curve[STEPS / COARSE + 1]; /* NaN if there is no answer */
-    double x;                         /* where the point is */
-    int step;                         /* the step of the range that is nearest to it */
+    double curve[STEPS / COARSE + 1]; /* NaN where there is no answer */
+    double x;                         /* the parameter at the moving point */
+    int step;                         /* the nearest small step, 0 .. STEPS */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
 };
 
@@ -34,7 +34,7 @@ static double watch_x(const struct watch *w, int step)
     return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve, and puts the point where the session is. Returns false with a problem. */
+/* Computes the curve, and places the point at the current value. Returns false with a problem. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
@@ -75,7 +75,7 @@ static void watch_draw(struct watch *w, FILE *out)
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
-    if (height >= 8 && width >= 34) /* a smaller chart shows nothing */
+    if (height >= 8 && width >= 34) /* in a smaller window a chart has no room */
         chart_text(&chart, look_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small ones  Enter keeps it  q leaves"
                       : "arrows move, Enter keeps, q leaves",
@@ -84,10 +84,10 @@ static void watch_draw(struct watch *w, FILE *out)
     chart_free(&chart);
 }
 
-/* Takes what was typed. An arrow is an escape sequence: ESC, '[' or 'O', and a letter. */
+/* Handles typed keys. An arrow key sends ESC, then '[' or 'O', then one of the letters A to D. */
 static void keys_take(struct watch *w, const char *key, ssize_t count)
 {
-    static const int steps[] = {1, -1, COARSE, -COARSE}; /* of the letters A, B, C and D */
+    static const int steps[] = {1, -1, COARSE, -COARSE}; /* up, down, right, left */
     for (ssize_t i = 0; i < count; i++) {
         bool is_arrow = i >= 2 && (key[i - 1] == '[' || key[i - 1] == 'O') && key[i - 2] == '\033' &&
                         key[i] >= 'A' && key[i] <= 'D';
@@ -105,7 +105,7 @@ static void keys_take(struct watch *w, const char *key, ssize_t count)
     }
 }
 
-/* Runs until a key, a signal or the end of the input ends it. */
+/* Handles keys until one of them, a signal or the end of the input ends the command. */
 static void watch_run(struct watch *w, FILE *out)
 {
     struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};
@@ -129,7 +129,7 @@ static void watch_run(struct watch *w, FILE *out)
     }
 }
 
-/* Describes a problem if there are no keys, or if the terminal cannot move its cursor. */
+/* Describes a problem if nobody can press keys, or if the terminal cannot move its cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;
@@ -140,7 +140,7 @@ static bool watch_possible(const struct session *session, struct problem *proble
                                   "'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
-/* Shows the screen, and waits for keys. */
+/* Switches the terminal to its alternate screen and to single keys, and back at the end. */
 static void watch_show(struct watch *w, FILE *out)
 {
     struct termios before, keys;
@@ -149,9 +149,9 @@ static void watch_show(struct watch *w, FILE *out)
     keys = before;
     keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
     keys.c_cc[VSUSP] =
-        _POSIX_VDISABLE; /* ^Z is a key here, so that the terminal is restored before the stop */
+        _POSIX_VDISABLE; /* ^Z is read as a key, so that the terminal is restored before the process stops */
     tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
-    fputs("\033[?1049h\033[?25l", out); /* the alternate screen, without a cursor */
+    fputs("\033[?1049h\033[?25l", out); /* alternate screen, no cursor */
     watch_run(w, out);
     fputs("\033[?25h\033[?1049l", out);
     fflush(out);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a builder wishes of a design: 'safety 2 hall 20 m minimise length', in any order. */
+/* The wishes of 'design', such as 'safety 2 hall 20 m minimise length', in any order. */
 #include "commands/planning/planning.h"
 #include <stdlib.h>
 
@@ -22,7 +22,7 @@ static const char *least_names(const void *context, int k)
     return names[k];
 }
 
-/* The wishes as they were parsed. An item that is not given has no argument. */
+/* The wishes as they were parsed. Items that were not typed are zero. */
 struct wishes_parsed {
     struct item value[MINIMISE];
     enum dom_least least;

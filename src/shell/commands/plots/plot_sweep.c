@@ -54,7 +54,7 @@ static void value_label(const struct query *query, const struct points *p, char 
         c++;
     bool angle = c->key && column_is_angle(c), expression = strcmp(command->name, "print") == 0;
     const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
-    snprintf(label, size, "%s%s%s", expression ? p->shape.asked : key, *unit ? " in " : "", unit);
+    snprintf(label, size, "%s%s%s", expression ? p->shape.typed : key, *unit ? " in " : "", unit);
 }
 
 /* Returns true if the values of an axis, or their logarithms, are evenly spaced, as a map needs them. */
@@ -145,7 +145,7 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
     if (p.none == rows->count)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
-    snprintf(chart->title, sizeof chart->title, "%.95s over %s%s%s", p.shape.asked, axis[0].parameter->name,
+    snprintf(chart->title, sizeof chart->title, "%.95s over %s%s%s", p.shape.typed, axis[0].parameter->name,
              two ? " and " : "", two ? axis[1].parameter->name : "");
     if (p.none > 0)
         snprintf(chart->note, sizeof chart->note, "%zu of %zu points have no answer.", p.none, rows->count);

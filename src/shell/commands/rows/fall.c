@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fall and verdict: the row of the scene is run once; fall lists its dominoes, verdict sums up. */
+/* fall and verdict: both run the row of the scene once; fall lists the dominoes, and verdict gives the
+ * result. */
 #include "commands/rows/rows.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -42,8 +43,8 @@ static bool is_slippery(const struct scene_row *scene)
     return scene->row.engine && isfinite(scene->engine.effects.feet);
 }
 
-/* Returns how far the foot of domino k, counted from 0, has slid in the engine. */
-static domq_real slid(const struct scene_row *scene, size_t k)
+/* Returns how far the foot of domino k, counted from 0, has slid, or NaN without the engine. */
+static domq_real foot_slid(const struct scene_row *scene, size_t k)
 {
     return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
 }
@@ -90,13 +91,13 @@ static void verdict_say(struct answer *a, const struct falling *f)
     weakest_say(a, v);
 }
 
-/* Says which foot slides the farthest, as a share of the height of its domino. */
+/* Says which foot slides the farthest, compared with the height of its domino. */
 static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
 {
     size_t most = 0;
     domq_real share = 0;
     for (size_t k = 0; k < hits; k++) {
-        domq_real of = quad(fabs)(slid(scene, k)) / scene->domino[k].height;
+        domq_real of = quad(fabs)(foot_slid(scene, k)) / scene->domino[k].height;
         most = of > share ? k : most;
         share = quad_larger(share, of);
     }
@@ -104,11 +105,11 @@ static void slide_say(struct answer *a, const struct scene_row *scene, size_t hi
         answer_say(a, "No foot slides by more than a thousandth of the height of its domino.");
     else
         answer_say(a, "Feet slide: that of domino %zu the farthest for its size, %s %s, %s of its height.",
-                   most + 1, measured(quad(fabs)(slid(scene, most)), "m", 3).text,
-                   slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
+                   most + 1, measured(quad(fabs)(foot_slid(scene, most)), "m", 3).text,
+                   foot_slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
 }
 
-/* Says how far feet slide in the engine, and how sure its answer is. */
+/* If the engine ran the row, says how far feet slide and how accurate the engine is. */
 static void engine_say(struct answer *a, const struct row_run *run)
 {
     const struct engine_settled *s = &run->scene.report.settled;
@@ -123,7 +124,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves columns out: people read energies in percent, and in J if masses are known. */
+/* Leaves out columns. People see energies as percentages, and in J if masses are known. */
 static void fall_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
     bool people = answer_for_people(a);
@@ -151,8 +152,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns NaN if no energy is enough, since friction locks farther on. */
-static domq_real enough(domq_real energy)
+/* Returns NaN for an infinite energy: no energy is enough, because friction locks farther on. */
+static domq_real finite_or_nan(domq_real energy)
 {
     return isfinite(energy) ? energy : DOMQ_NAN;
 }
@@ -166,9 +167,9 @@ static bool fall_row(const struct domq_fall *fall, void *context)
                ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
                    cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4),
-                   cell_narrow(enough(fall->barrier), 4), cell_narrow(enough(fall->margin), 4),
+                   cell_narrow(finite_or_nan(fall->barrier), 4), cell_narrow(finite_or_nan(fall->margin), 4),
                    cell_narrow(fall_share(fall), 4), cell_narrow(fall->floor_motion, 3),
-                   cell_narrow(fall->floor_hit, 3), cell_narrow(slid(&f->run.scene, k), 3)),
+                   cell_narrow(fall->floor_hit, 3), cell_narrow(foot_slid(&f->run.scene, k), 3)),
                lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
     return fall_seen(fall, context) && !answer_lost(f->answer);
 }
@@ -186,19 +187,19 @@ static void verdict_row(struct answer *a, const struct row_run *run)
     const struct cell cells[] = {
         cell_word(words[v->end]),
         cell_count((domq_real)v->domino),
-        cell_bound(enough(v->short_by), DOMQ_NAN),
+        cell_bound(finite_or_nan(v->short_by), DOMQ_NAN),
         cell_bound(falls ? v->seconds : DOMQ_NAN,
                    run->scene.row.engine ? (domq_real)(report->settled.change * report->seconds) : DOMQ_NAN),
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
-    if (answer_for_people(a)) /* who read it in sentences */
+    if (answer_for_people(a)) /* who get the same in sentences */
         answer_keep(a, cells);
     else
         answer_row(a, cells, falls ? NULL : reason);
 }
 
-/* Runs the row and answers, with a row for each domino if they are listed. */
+/* Runs the row and writes the answer of fall, which lists the dominoes, or of verdict. */
 static bool row_fall(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};

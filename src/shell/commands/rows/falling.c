@@ -37,7 +37,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
     enum dom_status status =
         run->fall ? domq_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
                   : DOM_NO_MEMORY;
-    run->timeless = timed && status == DOM_NO_MARGIN; /* the row falls all the same */
+    run->timeless = timed && status == DOM_NO_MARGIN; /* the row falls nevertheless */
     if (status == DOM_OK || run->timeless)
         return true;
     row_run_free(run);
@@ -125,7 +125,8 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
         return problem_no_answer(problem,
                                  "a domino of this row leans, and rounded edges need upright ones; enter "
                                  "'effect edges off', or a row whose file has no column lean and no radius");
-    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS) /* not about the size of a domino */
+    if (status < DOM_BAD_COUNT ||
+        status > DOM_BAD_MASS) /* the other statuses are about the size or mass of a domino */
         return problem_status(problem, query->scene, status);
     if (engine)
         return problem_no_answer(problem,

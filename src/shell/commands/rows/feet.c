@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What feet need of the floor: in the train ('slip'), and in a row ('fall'). */
+/* The friction of the floor that feet need: in a train for 'slip', and in a row for 'fall'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
@@ -55,7 +55,7 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
                    (double)floor, foot_words(&n->first, hit).text, measured(n->first.needs, "", 4).text);
 }
 
-/* Says what it means that feet slip: while dominoes fall, or only in the instant of a hit. */
+/* Says what it means for the answer that feet slip, either while dominoes fall or only in a collision. */
 static void slip_matters_say(struct answer *a, bool in_motion)
 {
     answer_say(
@@ -71,7 +71,7 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
 {
     needs_say(a, &feet->motion, false, feet->floor);
     needs_say(a, &feet->hit, true, feet->floor);
-    /* When the last domino falls, the row has fallen: a slip then does not matter. */
+    /* A slip while the last domino falls does not matter, because no domino is left to be hit. */
     bool in_motion = feet->motion.first.head > 0 && feet->motion.first.head < count;
     if (!in_motion && feet->hit.first.head == 0)
         return;

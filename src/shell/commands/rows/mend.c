@@ -15,7 +15,7 @@ const struct column mend_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns true if the first domino does not tip over: no gap matters then. */
+/* Returns true if the first domino does not even tip over, so that no gap matters. */
 static bool push_lacks(const struct domq_verdict *v)
 {
     return v->end == DOM_ROW_LEANS || (v->end == DOM_ROW_STOPS && v->domino == 1);
@@ -59,7 +59,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
                measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-/* Writes the changes that were found, and says how to make the smallest one. */
+/* Writes the changes that were found, and tells people how to make the smallest change. */
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {

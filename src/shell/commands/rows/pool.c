@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The answer of a study of placement, as a whole and in parts. The results of random rows are counts, which
- * can be added up: each part writes the counts of blocks, whose row numbers do not depend on the number of
- * parts, and 'pool' reads all blocks and gives the answer of 'placement'.
+ * Studies of placement that are computed in parts, and the answer of a study. A study counts how many random
+ * rows fall, and counts can be added. Each part of a study writes the counts of some blocks of 100 rows, and
+ * 'pool' reads the blocks of all parts, adds them up and gives the answer that 'placement' would have given.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
@@ -27,8 +27,8 @@ const struct column placement_columns[] = {
 };
 
 /*
- * Returns the domino, as an index, that comes after `last` if dominoes where more rows stop come first; with
- * last = count, the domino where most rows stop. Returns count if no other row stops.
+ * Lists the dominoes at which rows stop, the most frequent first: returns the index of the domino after
+ * `last`, or the first one if `last` is count. Returns count at the end of the list.
  */
 static size_t stop_next(const size_t *stops, size_t count, size_t last)
 {
@@ -113,7 +113,7 @@ static uint32_t scene_checksum(const struct domq_row *row, const struct domq_com
     return sum;
 }
 
-/* The data of a worker, which changes only the status. */
+/* The data of a worker. Only the status differs between workers. */
 struct blocks {
     const struct scene_row *scene;
     const struct domq_placement *placement; /* the whole study */
@@ -122,7 +122,7 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes where rows stop, and how many: "5:12 6:3". */
+/* Writes how many rows stop at which domino: "5:12 6:3" for 12 rows at domino 5 and 3 at domino 6. */
 static void stops_text(const size_t *stops, size_t count, char text[STOPS_TEXT])
 {
     int n = 0;
@@ -142,7 +142,7 @@ static bool block_write(void *own, size_t block, FILE *out)
     size_t *stops = calloc(count, sizeof *stops);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* the blocks themselves are computed in parallel */
+    p.parallel = NULL; /* because whole blocks are computed in parallel */
     b->status =
         stops ? domq_placement_study(&b->scene->row, &b->scene->compute, &p, &study, stops) : DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
@@ -203,7 +203,7 @@ static const struct csv_column pool_columns[FIELDS] = {
 static const struct csv_kind pool_kind = {
     .column = pool_columns,
     .columns = FIELDS,
-    .headless = true, /* sorting the parts may move the first line */
+    .headless = true, /* a user may have sorted the lines, with the column names */
     .rows_most = COUNT_MAX,
     .item = "block",
     .items = "blocks of a study",
@@ -216,7 +216,7 @@ struct block {
 };
 
 struct pool {
-    domq_real common[FIRST]; /* what all blocks of a study have in common, from the first block */
+    domq_real common[FIRST]; /* the values that must be the same in all blocks of a study */
     const char *checksum;
     struct domq_study study;
     size_t dominoes, *stops;
@@ -233,7 +233,7 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Adds the counts of "5:12 6:3", and writes their sum. */
+/* Parses a text such as "5:12 6:3", adds its counts to p->stops, and returns their sum in *sum. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -284,7 +284,7 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes which rows are missing, or "". Returns false with a problem if a row is there twice. */
+/* Writes which rows of the study are missing, or "". Returns false with a problem if a row is there twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

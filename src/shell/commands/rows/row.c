@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about a finite row: row, place and rowmax, and the table of all. */
+/* row, place and rowmax, and the table of the commands about a row. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -35,9 +35,9 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     if (!has_leans)
         answer_leave_out(a, "lean");
     a->units = true;
-    a->style.errors = false; /* 'effect row FILE' reads these columns, and no others */
+    a->style.errors = false; /* 'effect row FILE' does not read columns of errors */
     a->extra = a->path ? query->scene->listed.others : NULL;
-    for (int writes = 0; writes < 2; writes++) /* the first pass finds the units of the columns */
+    for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
             const struct domq_domino *d = &scene.domino[k];
             const struct cell cells[] = {
@@ -58,14 +58,14 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
 
 /* ---- place ---- */
 
-/* Describes a problem if a gap without a unit is wider than both dominoes beside it are tall: 25 is meant to
- * be 25 mm, and not 25 m. */
+/* Describes a problem if a gap without a unit is wider than the dominoes on both sides are tall: whoever
+ * types 25 means 25 mm, not 25 m. */
 static bool gap_check(const struct query *query, size_t k, domq_real gap, struct problem *problem)
 {
     struct scene_row scene;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    bool is_there = k >= 2 && k <= scene.row.count; /* otherwise scene_row_place describes the problem */
+    bool is_there = k >= 2 && k <= scene.row.count; /* if it is not, scene_row_place describes the problem */
     domq_real before = is_there ? scene.domino[k - 2].height : gap,
               after = is_there ? scene.domino[k - 1].height : gap;
     free(scene.domino);
@@ -97,7 +97,7 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes the row of the scene at the growth r, with the gaps that were changed. */
+/* Writes the row that the scene has at another growth r, including the gaps that the user has changed. */
 static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct scene scene = *(const struct scene *)context;

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* placement and budget: rows with random errors; and the table of the commands about studies. */
+/* placement and budget, and the table of the commands about rows with random errors. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
 
-/* A row that is set up many times with random errors. The pool of threads is in here: do not copy it. */
+/* A row that is set up many times with random errors. Do not copy this struct: it contains a pointer to the
+ * pool inside it. */
 struct trials {
     struct scene_row scene;
     struct domq_placement placement;
     struct task_pool pool;
 };
 
-/* Makes the row and its random errors. Returns false with a problem, and then there is nothing to free. */
+/* Makes the row and its random errors. Returns false with a problem, and then nothing needs to be freed. */
 static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
                         struct trials *t)
 {
@@ -46,7 +47,8 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     size_t *stops = calloc(count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
-    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->sink; /* a sweep just ends */
+    bool interrupted =
+        status == DOM_INTERRUPTED && study.rows > 0 && !a->sink; /* an interrupted sweep has no answer here */
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, p->sigma, p->heights, &study, stops, count, interrupted ? partial : NULL);
@@ -79,7 +81,7 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 or 1000 if the share is a whole number of so many rows; 0 otherwise. */
+/* Returns 100 or 1000 if the share is a whole number of 100 or of 1000 rows, and 0 if it is neither. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -88,7 +90,7 @@ static int rows_of(domq_real share)
     return 0;
 }
 
-/* Returns "95 of 100", or "99.95 % of the" if the share is not a whole number of 1000. */
+/* Returns "95 of 100", "999 of 1000", or "99.95 % of the" if neither is exact. */
 static struct words share_words(domq_real share)
 {
     struct words words;
@@ -100,13 +102,13 @@ static struct words share_words(domq_real share)
     return words;
 }
 
-/* Returns sigma with two digits, rounded down, so that no fewer rows fall. */
+/* Rounds sigma to two digits, and down, since more rows fall with a smaller sigma. */
 static domq_real two_digits(domq_real sigma)
 {
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* Says how precisely to place the gaps, and between which shares the rows fall then. */
+/* Says how precisely to place the gaps, and how many rows then fall. */
 static enum dom_status budget_say(struct answer *a, const struct trials *t, const struct domq_budget *budget,
                                   domq_real share)
 {
@@ -125,7 +127,7 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, cons
     return DOM_OK;
 }
 
-/* Answers with what was found before ^C. */
+/* Answers with what the search had found when ^C interrupted it. */
 static void budget_partial(struct answer *a, const struct domq_budget *b, domq_real share, domq_real rows)
 {
     const bool open = !isfinite(b->high), people = answer_for_people(a);
@@ -149,7 +151,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!trials_make(query, problem, rows, false /* how many studies it takes is not known */, &t))
+    if (!trials_make(query, problem, rows, false /* nobody knows how many studies the search takes */, &t))
         return false;
     enum dom_status status =
         domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement, (double)share, &budget);

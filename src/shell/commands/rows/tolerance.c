@@ -30,9 +30,10 @@ enum { KINDS = DOM_WINDOW_PLUMB + 1 };
 
 struct windows {
     const struct scene_row *scene;
-    size_t count;                    /* of the dominoes */
-    struct domq_window *kind[KINDS]; /* for each enum dom_window_of: domino k has [k]; the friction has [0] */
-    size_t first[KINDS];             /* the number of the domino that first_find has found, or 0 */
+    size_t count; /* the number of dominoes */
+    struct domq_window
+        *kind[KINDS];    /* by enum dom_window_of, one window for each domino; friction has only [0] */
+    size_t first[KINDS]; /* the number of the domino that first_find finds, or 0 */
     bool falls;
 };
 
@@ -42,15 +43,16 @@ static void search_progress(size_t done, size_t of, void *context)
     progress_show((*search + (double)done / (double)of) / KINDS);
 }
 
-/* Returns how far the value is inside of its window; NaN without a window. */
+/* Returns how far the value is from the closer end of its window, negative if it is outside. Returns NaN if
+ * there is no window. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
 /*
- * Finds the domino with the least room: heights are compared as shares, places and leans as lengths. In a row
- * that does not fall, finds the domino whose value is closest to its window.
+ * Finds the domino whose value is closest to an end of its window: if the row falls, this domino fails first,
+ * and if the row does not, it needs the smallest change. Only heights are compared in proportion.
  */
 static void first_find(struct windows *w, enum dom_window_of kind)
 {
@@ -65,7 +67,7 @@ static void first_find(struct windows *w, enum dom_window_of kind)
     }
 }
 
-/* Changes the window of a lean into that of the top of the domino. */
+/* Converts a window of angles into one of distances of the top of the domino from plumb. */
 static void lean_to_top(struct domq_window *lean, domq_real height)
 {
     lean->now = height * quad(sin)(lean->now);
@@ -73,11 +75,11 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
     lean->high = height * quad(sin)(lean->high);
 }
 
-/* Finds all windows of the row. The caller frees w->kind[0]. */
+/* Finds all windows of the row. The caller frees w->kind[0], which holds all of them. */
 static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
     const struct domq_row *row = &scene->row;
-    const bool leans = !row->engine && row->rho == 0; /* the library knows no others */
+    const bool leans = !row->engine && row->rho == 0; /* else the library cannot compute them */
     int search = 0;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};
@@ -109,7 +111,7 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
 
 /* ---- For people: rounded inwards ---- */
 
-/* Moves both ends inwards to readable numbers, by at most a hundredth of the window's width. */
+/* Rounds both ends into the window, by at most a hundredth of its width, so that they have few digits. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
@@ -122,7 +124,7 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-enum { DIGITS = 6, DIGITS_NOW = 4 /* what is measured is as exact as a tape measure */ };
+enum { DIGITS = 6, DIGITS_NOW = 4 /* nobody reads a tape measure more precisely */ };
 
 static struct measured length(domq_real value)
 {
@@ -152,7 +154,7 @@ static void friction_say(struct answer *a, const struct windows *w)
                    now.text);
 }
 
-/* Says "1.7 mm backwards". */
+/* Returns "1.7 mm backwards" or "2 mm forwards". */
 static struct words off_plumb(domq_real value, int digits)
 {
     struct words off;
@@ -184,7 +186,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Says for how many windows of heights the search, or the model, has an end before the row has one. */
+/* Says how many windows of heights are wider than they look, because the search or the model ends there. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -233,7 +235,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 
 /* ---- The answer ---- */
 
-/* The windows of a domino in the order of the columns. */
+/* The kinds of windows in the order of the columns, of which each kind has three. */
 static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
                                                   DOM_WINDOW_PLUMB};
 enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
@@ -245,7 +247,7 @@ static void columns_choose(struct answer *a, const struct windows *w)
     for (size_t i = 0; answer_for_people(a) && i < sizeof left_out / sizeof *left_out; i++)
         answer_leave_out(a, left_out[i]);
     for (size_t k = 0; k < w->count; k++)
-        for (int i = 0; i < COLUMN_KINDS; i++) { /* both ends of a window have one unit */
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* so that both ends of a window have the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
             answer_largest(a, tolerance_columns[3 * i + 2].key, high);
             answer_largest(a, tolerance_columns[3 * i + 3].key, high);

@@ -7,7 +7,7 @@ static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ...,
 
 /* ---- Parsing ---- */
 
-/* Parses one value, whose name is for the message that it is missing. */
+/* Parses one value. `name` says in messages which value is missing. */
 static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
     bool ends = reader_ends(r);
@@ -16,7 +16,7 @@ static bool value_parse(struct reader *r, const struct parameter *p, const char 
                 : item_parse_listed(r, p, item);
 }
 
-/* Parses the list behind its first value, up to a value without a comma after it. */
+/* Parses the rest of a list, after its first value. */
 static bool list_parse(struct reader *r, struct axis_parsed *axis)
 {
     struct value_parsed **last = &axis->first->next;
@@ -94,7 +94,7 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
 bool grid_parse(struct reader *r, struct grid_parsed *grid)
 {
     const char *no_unit = r->no_unit;
-    r->no_unit = "sg"; /* after N these letters are the names of parameters */
+    r->no_unit = "sg"; /* after N, these letters are parameters and not units */
     r->stops = ":,";
     bool is_good = axes_parse(r, grid);
     r->stops = NULL;
@@ -152,7 +152,7 @@ bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const 
     const size_t most = 1000000000000;
     *grid = (struct grid){.points = 1};
     for (int i = 0; i < parsed->axes; i++) {
-        struct axis *axis = &grid->axis[grid->axes++]; /* so that grid_free frees its list after a problem */
+        struct axis *axis = &grid->axis[grid->axes++]; /* counted first, so that grid_free frees its list */
         if (!axis_bind(&parsed->axis[i], text, query, axis, problem))
             return false;
         if (axis->count > most / grid->points)
@@ -175,7 +175,7 @@ domq_real axis_value(const struct axis *axis, size_t k)
     if (axis->list)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
-    bool is_end = k == 0 || k == axis->count - 1; /* both ends are exactly as they were typed */
+    bool is_end = k == 0 || k == axis->count - 1; /* the ends are exactly as typed */
     domq_real value = axis->logarithmic && !is_end
                           ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                           : (1 - f) * axis->from + f * axis->to;

@@ -10,7 +10,7 @@ struct axis {
     const struct parameter *parameter;
     size_t count;
     domq_real from, to;
-    bool logarithmic; /* the ratio of neighbours is the same */
+    bool logarithmic; /* neighbouring values have the same ratio, not the same difference */
     domq_real *list;  /* the values of a list, or NULL */
 };
 
@@ -27,8 +27,8 @@ struct grid_parsed {
         struct value_parsed {
             struct item item;
             struct value_parsed *next;
-        } * first;    /* of the list, or FROM */
-        size_t count; /* of the list; 0 for FROM TO N */
+        } * first;    /* the first value of a list, or FROM */
+        size_t count; /* the number of values in a list, or 0 for FROM TO N */
         struct item to, steps;
         const char *log_at; /* the place of the word 'log', or NULL */
     } axis[ASSIGNED_MAX];
@@ -38,7 +38,7 @@ struct grid_parsed {
 /* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Gives a grid its values in the state of a query. Call grid_free also after a problem. */
+/* Computes the values of a grid in the state of a query. Call grid_free even after a problem. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                struct grid *grid, struct problem *problem);
 void grid_free(struct grid *grid);

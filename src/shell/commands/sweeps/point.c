@@ -16,7 +16,7 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes the columns of a list of questions: their names, with the units that they have in the scene. */
+/* Makes a column for each question of a list. The units of expressions are those in the current scene. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;
@@ -43,7 +43,7 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Returns true if an argument replaces the parameter that a column of the command repeats. */
+/* Returns true if an argument of the command replaces the parameter that one of its columns repeats. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
@@ -85,7 +85,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
 
 /* ---- Rows ---- */
 
-/* Keeps the first reason of the point. */
+/* Stores the first reason of a point. */
 static void reason_keep(struct sweeper *w, const char *reason)
 {
     if (reason && !*w->reason)
@@ -97,11 +97,11 @@ static void row_write(struct sweeper *w, const struct cell *row, const char *rea
     reason_keep(w, reason);
     if (!w->to)
         return;
-    /* A table has no column of reasons. Other formats have one in every row. */
+    /* A table has no column for reasons; the other formats have one in every row. */
     answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
     if (*w->to->late_reason)
         reason_keep(w, w->to->late_reason);
-    w->to->late_reason[0] = '\0'; /* since the sweep says it */
+    w->to->late_reason[0] = '\0'; /* the sweep reports the reason itself */
 }
 
 /* Returns the column with this key, or -1. */
@@ -113,7 +113,7 @@ static int column_find(const struct column *columns, const char *key)
     return -1;
 }
 
-/* Takes a row of the answer. Which columns the answer has, and in which units, may depend on the point. */
+/* The sink for the rows of a point. The columns and units of an answer may differ from point to point. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
@@ -145,7 +145,8 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Answers a list of questions in one row. A question without an answer leaves its cell empty. */
+/* Asks a list of questions, and writes their answers as one row. A question without an answer has an empty
+ * cell. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -165,7 +166,7 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Answers at point k, whose rows go to `to`, or nowhere if that is NULL. */
+/* Asks at point k, and writes the rows to `to`, unless that is NULL. */
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
     struct state state;
@@ -178,11 +179,11 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     problem_begin(&w->problem, w->command);
     bool is_assigned = query_with(w->query, w->assigned, w->grid->axes, &state, &at, &w->problem);
     at.means = &w->means;
-    state.settings.threads = 1; /* the points themselves are computed in parallel */
+    state.settings.threads = 1; /* because whole points are computed in parallel */
     if (w->styled) {
         struct answer_style style = state_style(&state);
-        style.digits = a.style.digits; /* a column has one width in all rows */
-        style.format = a.style.format; /* a picture chooses its own */
+        style.digits = a.style.digits; /* the width of a column must not change */
+        style.format = a.style.format; /* a plot chooses the format itself */
         a.style = style;
     }
     if (to)
@@ -218,7 +219,7 @@ bool point_write(void *sweeper, size_t k, FILE *out)
 {
     struct sweeper *w = sweeper;
     struct answer to = answer_part(&w->answer, out, k == 0);
-    to.columns = w->columns.column; /* those of this worker */
+    to.columns = w->columns.column; /* the units may differ from those of other workers */
     bool is_good = point_answer(w, k, &to);
     w->to = NULL;
     if (!is_good)

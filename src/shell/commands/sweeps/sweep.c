@@ -12,7 +12,7 @@
 struct sweep_parsed {
     struct grid_parsed grid;
     struct point_question question;
-    const char *asked; /* the answers as they were typed */
+    const char *typed; /* the answers as they were typed */
 };
 
 struct sweep {
@@ -38,7 +38,7 @@ static const char *sweepable_names(const void *context, int k)
     return NULL;
 }
 
-/* Parses a command or an expression, whose name leaves out the word 'print'. */
+/* Parses a command or an expression. The name of the question does not include the word 'print'. */
 static bool answer_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at;
@@ -88,11 +88,11 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
                              "the command after ':' is missing; for example 'sweep s 0.1 0.9 9 : rmax'");
     r->stops = ",";
     bool is_good = answer_parse(r, &s->question.question);
-    s->asked = s->question.question.name;
+    s->typed = s->question.question.name;
     if (is_good && *r->at == ',') {
         r->at = begin;
         is_good = list_parse(r, &s->question);
-        s->asked = question_name(r, begin, r->at);
+        s->typed = question_name(r, begin, r->at);
     }
     r->stops = NULL;
     return is_good;
@@ -121,12 +121,12 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
 struct sweep_shape sweep_shape(const struct arguments *given)
 {
     const struct sweep *s = given->bound;
-    return (struct sweep_shape){&s->grid, s->parsed->question.question.command, s->parsed->asked};
+    return (struct sweep_shape){&s->grid, s->parsed->question.question.command, s->parsed->typed};
 }
 
 /* ---- The answer ---- */
 
-/* Announces the values of each axis, for the units of their columns. */
+/* Announces the values of the grid, on which the units of the columns depend. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
@@ -137,7 +137,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
     }
 }
 
-/* Describes the problem of a point as that of the sweep. Returns false. */
+/* Makes the problem of a point the problem of the sweep. Returns false. */
 static bool point_failed(const struct sweeper *w, struct problem *problem)
 {
     if (dom_raised(w->query->scene->compute.interrupt))
@@ -146,8 +146,8 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. With --shard each part writes the same head, so the head is planned before
- * the first row. */
+/* Writes the rows of all points. What comes before the first row must not depend on which worker computes it,
+ * nor on the part that --shard asks for, so it is planned with a sample row. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
@@ -167,7 +167,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     return points_answer(w->query, problem, a, workers, &by_point) || (by_point && point_failed(w, problem));
 }
 
-/* Says how many points lack something, and what and why the first of them does: "s = 0.7, d = 0.1: ...". */
+/* Says at how many points something is missing, and why it is missing at the first of them. */
 static void tally_say(struct sweeper *w, struct answer *a)
 {
     const struct tally *t = &w->tally;

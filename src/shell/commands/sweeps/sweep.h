@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sweep as a question, for 'sweep' and for 'plot sweep'. */
+/* Parsing, binding and running a sweep, for 'sweep' and 'plot sweep'. */
 #ifndef SHELL_SWEEP_H
 #define SHELL_SWEEP_H
 
@@ -14,8 +14,8 @@ bool sweep_bind(const struct question *question, const struct query *query, stru
 /* What a bound sweep asks for. */
 struct sweep_shape {
     const struct grid *grid;
-    const struct command *command; /* the first one, if a list of answers is swept */
-    const char *asked;             /* the answers as they were typed */
+    const struct command *command; /* the command that is swept, or the first one of a list */
+    const char *typed;             /* the answers as they were typed */
 };
 struct sweep_shape sweep_shape(const struct arguments *given);
 

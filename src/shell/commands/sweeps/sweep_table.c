@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep: its row of the table of commands, which knows its answer (sweep.c) and its picture (plot_sweep.c).
- */
+/* The table of commands with sweep. This file is above sweep.c and plot_sweep.c, because plot_sweep.c uses
+ * sweep.c. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
 
-/* The columns follow from the arguments. */
+/* Empty, since the columns depend on the arguments. */
 static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
