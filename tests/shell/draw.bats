@@ -57,7 +57,7 @@ record="effect row \"$root/examples/record.csv\""
     [ "${#lines[@]}" -le 23 ]
     awk 'length > 79 { exit 1 }' <<<"$output"
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
-    "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the one that is pushed: 0: '
+    "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the domino that is pushed: 0: '
     same 'a safe session draws in characters' "$output" "$("$DOMINO" --safe -e 'draw 0.3')"
     # The next one is 1.5 times as tall as the head, whose width stays d/h up to a character.
     next=$(grep -c '#' <<<"$("$DOMINO" -e 'draw 0' | head -n -2)")

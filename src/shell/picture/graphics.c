@@ -13,22 +13,21 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads an answer up to its last letter; false if none comes in time. */
-static bool answer_read(int terminal, char *answer, size_t size)
+/* Reads an answer of the terminal up to its last letter, if it comes in time. */
+static void answer_read(int terminal, char *answer, size_t size)
 {
-    enum { WAIT = 1000 /* ms; over a slow line, too, an answer is there by then */ };
+    enum { WAIT = 1000 /* ms, which is enough over a slow line, too */ };
     size_t n = 0;
     struct pollfd ready = {.fd = terminal, .events = POLLIN};
     while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {
         answer[++n] = '\0';
         if (answer[n - 1] == 'c')
-            return true;
+            return;
     }
-    return false;
 }
 
-/* Returns true if attribute 4, sixel, is in "ESC [ ? 62 ; 4 ; 22 c". */
-static bool says_sixel(const char *answer)
+/* Returns true if an answer such as "ESC [ ? 62 ; 4 ; 22 c" has the attribute 4, which is sixel. */
+static bool has_sixel(const char *answer)
 {
     const char *at = strstr(answer, "[?");
     for (at = at ? at + 1 : NULL; at && *at && *at != 'c'; at = strpbrk(at, ";c")) {
@@ -39,28 +38,27 @@ static bool says_sixel(const char *answer)
     return false;
 }
 
-/* Asks the terminal for its attributes (DA1), unless a person is typing already, whose letters would be lost.
- */
-static bool asked_sixel(void)
+/* Asks the terminal for its attributes (DA1), unless a person is typing, whose letters would be lost. */
+static bool ask_sixel(void)
 {
     char answer[64] = "";
     struct termios before, quiet;
     int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
     struct pollfd typed = {.fd = terminal, .events = POLLIN};
-    bool may = terminal >= 0 && tcgetpgrp(terminal) == getpgrp() && tcgetattr(terminal, &before) == 0;
-    if (may) {
+    bool can_ask = terminal >= 0 && tcgetpgrp(terminal) == getpgrp() && tcgetattr(terminal, &before) == 0;
+    if (can_ask) {
         quiet = before;
         quiet.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
         quiet.c_cc[VMIN] = 1;
         quiet.c_cc[VTIME] = 0;
         tcsetattr(terminal, TCSANOW, &quiet);
         if (poll(&typed, 1, 0) == 0 && write(terminal, "\033[c", 3) == 3)
-            (void)answer_read(terminal, answer, sizeof answer);
+            answer_read(terminal, answer, sizeof answer);
         tcsetattr(terminal, TCSANOW, &before);
     }
     if (terminal >= 0)
         close(terminal);
-    return says_sixel(answer);
+    return has_sixel(answer);
 }
 
 static bool begins(const char *text, const char *with)
@@ -72,7 +70,7 @@ enum graphics graphics_of(FILE *stream)
 {
     static const char *const asked[] = {"xterm",   "foot", "mlterm", "wezterm",
                                         "contour", "tmux", "screen", "yaft"};
-    static int sixel = -1; /* not known yet; one answer holds for the session */
+    static int sixel = -1; /* not known yet; the terminal is asked once */
     const char *term = getenv("TERM"), *wanted = getenv("DOMINO_GRAPHICS");
     if (!terminal_colour(stream))
         return GRAPHICS_NONE;
@@ -80,7 +78,7 @@ enum graphics graphics_of(FILE *stream)
         return strcmp(wanted, "kitty") == 0   ? GRAPHICS_KITTY
                : strcmp(wanted, "sixel") == 0 ? GRAPHICS_SIXEL
                                               : GRAPHICS_NONE;
-    bool inside = begins(term, "tmux") || begins(term, "screen"); /* it passes no pictures of kitty on */
+    bool inside = begins(term, "tmux") || begins(term, "screen"); /* these do not pass on pictures of kitty */
     if (begins(term, "xterm-kitty") || begins(term, "xterm-ghostty") ||
         (getenv("KITTY_WINDOW_ID") && !inside))
         return GRAPHICS_KITTY;
@@ -88,7 +86,7 @@ enum graphics graphics_of(FILE *stream)
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
         may = may || begins(term, asked[i]);
     if (sixel < 0)
-        sixel = may && asked_sixel();
+        sixel = may && ask_sixel();
     return sixel ? GRAPHICS_SIXEL : GRAPHICS_NONE;
 }
 
@@ -116,7 +114,7 @@ void graphics_terminal(FILE *stream, int width, int height, bool stage, char *te
              stage ? 14 : 13, scale);
 }
 
-/* Writes a file as kitty takes it: base64, in pieces of 4096 letters. */
+/* Writes a file by the protocol of kitty: in base64, in pieces of 4096 letters. */
 static bool kitty_write(FILE *png, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

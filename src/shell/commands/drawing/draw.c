@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* draw: the row, or the train, to scale, at one moment. */
+/* draw: the row or the train to scale, at one moment. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
@@ -11,20 +11,20 @@
 #include <string.h>
 
 static const struct column draw_columns[] = {
-    {"i", "", "number of the domino: 0 is the head, -1 the next", 5},
-    {"height", "h", "its height, h being that of the head", 0},
-    {"x", "h", "its hinge, the lower front edge", 0},
-    {"theta", "rad", "its tilt", 0},
-    {"top_front_x", "h", "its corners: top in front", 0},
-    {"top_front_z", "h", "height of that above the ground", 0},
-    {"top_back_x", "h", "top at the back", 0},
-    {"top_back_z", "h", "height of that", 0},
-    {"foot_back_x", "h", "foot at the back", 0},
-    {"foot_back_z", "h", "height of that", 0},
-    {"contact_x", "h", "where its follower touches its back face", 0},
-    {"contact_z", "h", "height of that", 0},
-    {"force", "m g", "the push there, square to the face, m of the head", 0},
-    {"of_own", "m g", "the same, m of this domino", 0},
+    {"i", "", "number of the domino: in a train 0 is the head, and -1 the next domino", 5},
+    {"height", "h", "height of the domino; h is the height of the head", 0},
+    {"x", "h", "place of the hinge, which is the lower front edge", 0},
+    {"theta", "rad", "tilt of the domino", 0},
+    {"top_front_x", "h", "place of the upper front corner", 0},
+    {"top_front_z", "h", "height of the upper front corner", 0},
+    {"top_back_x", "h", "place of the upper back corner", 0},
+    {"top_back_z", "h", "height of the upper back corner", 0},
+    {"foot_back_x", "h", "place of the lower back corner", 0},
+    {"foot_back_z", "h", "height of the lower back corner", 0},
+    {"contact_x", "h", "place where the follower touches the back face", 0},
+    {"contact_z", "h", "height at which the follower touches the back face", 0},
+    {"force", "m g", "push at the contact, perpendicular to the face; m is the mass of the head", 0},
+    {"of_own", "m g", "the same push, where m is the mass of this domino", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -97,7 +97,7 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
                              measured((domq_real)row->end, "s", 4).text);
 }
 
-/* Shows the row at a moment, or, without one, as it is set up; with its caption. */
+/* Shows the row with its caption: at a moment, or as it is set up if moment is NULL. */
 static bool moment_show(const struct domq_moment *moment, void *context)
 {
     struct falling_row *row = context;
@@ -129,7 +129,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* which is about the train */
+    a->note = NULL; /* the note is about the train */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
@@ -156,9 +156,9 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 
 /* ---- The train ---- */
 
-enum { FORCES_MOST = 6 }; /* in a caption: the others are hardly seen */
+enum { FORCES_MOST = 6 }; /* the most forces in a caption; farther back they are hardly seen */
 
-/* Writes what the picture shows: the scene, what the marks mean, and forces that have no arrows. */
+/* Writes the caption: the scene, what the marks mean, and the forces if there are no arrows. */
 static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
 {
     const struct domq_train *t = &query->scene->train;
@@ -177,7 +177,7 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     if (!stage->forces)
         return;
     at += snprintf(stage->caption + at, CAPTION - (size_t)at, "\n%s",
-                   mark.forces ? mark.forces : "contact forces, in weights of the one that is pushed:");
+                   mark.forces ? mark.forces : "contact forces, in weights of the domino that is pushed:");
     for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
          k++) {
         const struct drawn *d = &stage->domino[k];
@@ -191,18 +191,18 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_what *what)
 {
     struct stage stage;
-    /* Without T the train is drawn where the walk has it, to the walk's own, finer tolerance. */
+    /* Without a tilt the train is drawn where the walk is, with the finer tolerance of the walk. */
     const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     if (what->train)
-        a->note = NULL; /* the user knows */
+        a->note = NULL; /* the user has asked for the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
-    /* Data has forces where there are any; the margin may be too small for them. */
+    /* Data has the forces that can be computed: with too small a margin there are none. */
     if (status == DOM_OK && (what->forces || !people))
         forces = stage_forces(&stage, train, compute, theta);
     if (status == DOM_OK && what->forces)
@@ -241,16 +241,17 @@ const struct command draw_commands[] = {
      .train = true,
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
-     .summary = "the row, or the train, to scale; at a moment, with forces",
+     .summary = "a picture of the row or the train, to scale, at a moment",
      .help =
-         "'draw' draws the row as it is set up, with the weakest domino and the one that stops it. "
-         "'draw at 2.5 s', 'draw at domino 8' (when it is hit) and 'draw at end' show the row as it "
-         "falls; a domino that has detached is shown as it was then. Without a row, or with 'draw "
-         "train', it is the endless train: at a tilt, 'draw 0.3', or else where 'step' and 'goto' "
-         "have led, or at the launch; 'draw 0.3 forces' and 'draw forces' add the contact forces. "
-         "The terminal gets characters; the ending of a file says how 'draw > row.svg' draws: .svg, .png, "
-         ".pdf (with gnuplot) or .txt. csv and json hold the corners, in m for a row, and contacts and "
-         "forces of a train.",
+         "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
+         "'draw at 2.5 s', 'draw at domino 8' (when that is hit) and 'draw at end' show the row as it "
+         "falls; a domino that has detached is shown as it was when it detached. Without a row, or with "
+         "'draw train', the endless train is drawn: at the tilt that you give, as in 'draw 0.3', or where "
+         "'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw forces' add the contact "
+         "forces. "
+         "In the terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
+         ".svg, .png or .pdf (with gnuplot), or .txt. csv and json have the corners, in m for a row, and "
+         "the contacts and forces of a train.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",
@@ -264,16 +265,16 @@ const struct command draw_commands[] = {
      .argument =
          {{.name = "FILE", .kind = ARGUMENT_FILE},
           {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
-     .summary = "the row, or cycles of the train, as they run in time, into FILE",
+     .summary = "a film of the row or the train in time, in FILE",
      .help =
-         "'animate row.gif' shows the row from the push until the last domino lies, or until it stops, in "
-         "real time and with a clock. 'speed 0.5' runs it half as fast, 'rate 20' with 20 frames in a "
-         "second. Where sizes differ by more than 30 the view follows the front and grows with it. "
-         "Without a row, or with 'animate train.gif train', N cycles of the endless train: each lasts "
+         "'animate row.gif' shows the row from the push until the last domino lies, or until the row stops, "
+         "in real time and with a clock. 'speed 0.5' shows it half as fast, and 'rate 20' takes 20 frames "
+         "for each second. Where the largest domino is more than 30 times as tall as the smallest, the view "
+         "follows the front and grows with it. Without a row, or with 'animate train.gif train', the film "
+         "shows cycles of the endless train, and 'animate train.gif train 4' four of them. Each cycle lasts "
          "sqrt(r) times as long as the one before, and is r times larger, so that at most 9 can be seen "
-         "together at r = 1.5; 'animate train.gif train 4'. Files end in .gif, or in .webm or .mp4 where "
-         "ffmpeg is "
-         "installed. It needs gnuplot; in csv and json the times and tilts of the frames come instead.",
+         "together at r = 1.5. The name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is "
+         "installed. gnuplot draws the frames. csv and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .unswept = "it draws",
