@@ -15,7 +15,7 @@ bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, .
     va_start(arguments, format);
     vsnprintf(file->problem.text, sizeof file->problem.text, format, arguments);
     va_end(arguments);
-    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1}; /* the file is empty */
+    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1}; /* an empty file has no line */
     return false;
 }
 

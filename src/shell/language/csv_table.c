@@ -30,7 +30,7 @@ static bool unit_copy(const char *text, char unit[UNIT])
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* the sign for a cube, which is as long as "^3" */
+    if (cube) { /* the sign for a cube has two bytes, as "^3" has */
         cube[0] = '^';
         cube[1] = '3';
     }
@@ -190,7 +190,7 @@ struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bo
     if (csv) {
         *csv = (struct csv_table){
             .file = {.at = {1, 1}, .blank = true, .locale_comma = locale_comma}, .path = path, .kind = kind};
-        (void)(csv_load(&csv->file, in) && head_read(csv)); /* a problem is in csv->file */
+        (void)(csv_load(&csv->file, in) && head_read(csv)); /* csv->file keeps the problem */
     }
     return csv;
 }
@@ -206,8 +206,7 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Describes that a unit is missing. No unit is assumed, since a row in millimetres would be a row of towers
- * in metres. */
+/* Describes that a unit is missing. No unit is assumed: dominoes measured in mm would be towers in m. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -306,7 +305,7 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Describes that the row has more cells than the first line, perhaps since it has a decimal comma. */
+/* Describes that the row has more cells than the first line. The reason may be a decimal comma. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;
@@ -324,7 +323,7 @@ static bool cells_many(struct csv_table *csv, int cells)
                      csv->head.cells, csv_separator_name(&csv->file), reading);
 }
 
-/* Reads the next row. Skips repeated first lines, which files have that were concatenated. */
+/* Reads the next row. Skips first lines that are repeated because files were concatenated. */
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;

@@ -32,7 +32,7 @@ static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *
     return t;
 }
 
-/* Returns a node with one child, which is NULL after an error. */
+/* Returns a node with one child, or NULL if the child is NULL. */
 static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char *at, struct tree *child)
 {
     struct tree *t = child ? make_node(p, kind, at) : NULL;
@@ -222,7 +222,7 @@ static struct tree *parse_primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* A longer operator stands before its prefix. '^' is missing here, since parse_factor handles it. */
+/* Operators stand before their prefixes: "<=" before "<". '^' is missing, since parse_factor handles it. */
 static const struct op {
     const char *text;
     enum tree_operator op;
@@ -237,9 +237,9 @@ static const struct op {
 };
 
 /*
- * Returns the operator at a place after a value and blanks, or NULL. Outside of parentheses '>' is no
- * operator, since it redirects the answer into a file. Nor is a sign that has a blank before it, but not
- * after it: "1 -2" are two values.
+ * Returns the operator at a place after a value and blanks, or NULL. Outside of parentheses '>' is not an
+ * operator, since it redirects the answer into a file. A sign with a blank before it and none after it begins
+ * another value: "1 -2" are two values.
  */
 static const struct op *op_at(const struct parse *p, const char *at)
 {

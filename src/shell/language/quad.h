@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Mathematics and text in the widest arithmetic: quad(sqrt)(x) is the square root of a domq_real.
- */
+/* Mathematics and text in the widest arithmetic: quad(sqrt)(x) is the square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 

@@ -12,7 +12,7 @@ static const struct {
     {"∞", "inf"},   {"\xc2\xa0", " "}, {"\xe2\x80\xaf", " "}, {"\xef\xbb\xbf", " "}, /* the byte order mark */
 };
 
-enum { LONGEST = 5 }; /* the length of "theta" and "omega" */
+enum { PLAIN_MOST = 5 }; /* the length of "theta" and "omega" */
 
 /* Returns the ASCII for the character at the beginning of `typed`, and the length of the character in bytes.
  * A byte that has no other form is returned as it is. */
@@ -34,7 +34,7 @@ bool text_make(struct text *text, const char *typed, size_t length)
     size_t size = length + 1, n = 0, taken;
     int column = 0;
     for (size_t i = 0; i < length; i++)
-        size += (unsigned char)typed[i] >= 0x80 ? LONGEST : 0;
+        size += (unsigned char)typed[i] >= 0x80 ? PLAIN_MOST : 0;
     *text =
         (struct text){.typed = typed, .line = malloc(size), .origin = malloc(size * sizeof *text->origin)};
     if (!text->line || !text->origin) {

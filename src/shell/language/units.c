@@ -13,7 +13,7 @@ struct unit {
     struct quantity is;
 };
 
-/* Quotients of whole numbers are exact to the last digit in any arithmetic. */
+/* A quotient of whole numbers is correctly rounded in any arithmetic. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
