@@ -180,28 +180,37 @@ all_worth() {
     done
 }
 
-# Rows of COLUMN|COMMAND|MESSAGE on stdin, all in one session: one error each, in their order, and no answer.
-all_wrong() {
-    local column command message place rows errors i
+# Checks rows of COLUMN|COMMAND|MESSAGE on stdin in one session: each command fails with one error at its place, which
+# matches the regular expression MESSAGE, and changes no parameter. At column 0 an error is about the whole command.
+all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are written
+    local column command message place way rows errors i each=()
     mapfile -t rows
-    for i in "${rows[@]}"; do
-        command=${i#*|}
-        printf '%s\nreset\nset output json; show s\n' "${command%%|*}"
-    done >"$BATS_TEST_TMPDIR/rows"
-    run --separate-stderr "$DOMINO" <"$BATS_TEST_TMPDIR/rows"
-    same 'status' 1 "$status"
-    same 'the session goes on, and nothing else is on stdout' "${#rows[@]} 0.4" \
-        "$(values value <<<"$output" | uniq -c | sed 's/^ *//')"
-    same 'lines on stdout' "${#rows[@]}" "$(bare <<<"$output" | wc -l)"
-    mapfile -t errors <<<"$stderr"
-    same 'lines on stderr' "${#rows[@]}" "${#errors[@]}"
+    "$DOMINO" -e 'set output json; show' >"$BATS_TEST_TMPDIR/shown"
+    [ "$(wc -l <"$BATS_TEST_TMPDIR/shown")" -gt 15 ] || same 'what is shown' 'all parameters' "$(cat "$BATS_TEST_TMPDIR/shown")"
     for i in "${!rows[@]}"; do
         IFS='|' read -r column command message <<<"${rows[i]}"
-        place=stdin:$((3 * i + 1)):
-        if [ "$column" -gt 0 ]; then place=$place$column:; fi
-        same "$command: place" "$place" "${errors[i]%% *}"
-        expects "$command" "$message"
-        [[ ${errors[i]#* } =~ $message ]] || same "$command" "$message" "${errors[i]}"
+        printf '%s\nset output json; show\nreset\n' "$command" >&3
+        cat "$BATS_TEST_TMPDIR/shown"
+        each+=(-e "$command" -e 'set output json; show; reset')
+    done 3>"$BATS_TEST_TMPDIR/rows" >"$BATS_TEST_TMPDIR/expected"
+    for way in "${@:-stdin}"; do
+        case $way in
+        -e) run -1 --separate-stderr "$DOMINO" --keep-going "${each[@]}" ;;
+        stdin) run -1 --separate-stderr "$DOMINO" <"$BATS_TEST_TMPDIR/rows" ;;
+        *) cp "$BATS_TEST_TMPDIR/rows" "$way" && run -1 --separate-stderr "$DOMINO" --keep-going -f "$way" ;;
+        esac
+        bare <<<"$output" | diff -u <(bare <"$BATS_TEST_TMPDIR/expected") - || same "${rows[0]} and more ($way)" 'parameters do not change' 'they do'
+        mapfile -t errors <<<"$stderr"
+        same "${rows[0]} and more ($way): lines on stderr" "${#rows[@]}" "${#errors[@]}"
+        for i in "${!rows[@]}"; do
+            IFS='|' read -r column command message <<<"${rows[i]}"
+            place=$way:$((3 * i + 1)):
+            if [ "$way" = -e ]; then place=-e:1:; fi
+            if [ "$column" -gt 0 ]; then place=$place$column:; fi
+            same "$command ($way): place" "$place" "${errors[i]%% *}"
+            expects "$command" "$message"
+            [[ ${errors[i]#* } =~ $message ]] || same "$command ($way)" "$message" "${errors[i]}"
+        done
     done
 }
 wrong_at() { all_wrong <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE

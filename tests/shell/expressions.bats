@@ -293,14 +293,6 @@ END
             "$DOMINO" | values value)"
 }
 
-@test "a NUL byte in an expression" {
-    printf 'set output json\nprint 1\0002\nprint 3\n' >nul
-    run -1 --separate-stderr "$DOMINO" --keep-going nul
-    same 'the other line' 3 "$(values value <<<"$output")"
-    same 'lines on stderr' 1 "$(wc -l <<<"$stderr")"
-    [[ $stderr =~ nul:2:.*NUL ]] || same message NUL "$stderr"
-}
-
 @test "a line that is an expression is evaluated" {
     all_print <<'END'
 2+2|4

@@ -5,43 +5,6 @@
 
 load common
 
-# The rows of a table of known values, without its head.
-reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; }
-
-@test "reference/rmax.csv: rmax with both fuels" {
-    # Once as the parameter, once as the argument.
-    mapfile -t answers < <(reference rmax | while IFS=, read -r s q d fuel _; do
-        echo "set output json; set q $q; set d $d; set fuel $fuel; set s $s; rmax; reset s; rmax $s"
-    done | "$DOMINO" | grep -F r_max)
-    same answers 84 "${#answers[@]}"
-    rows=0
-    while IFS=, read -r s q d fuel r_max ends_by; do
-        what="s $s, q $q, d $d, $fuel"
-        for answer in "${answers[@]:rows:2}"; do
-            close "$what: s" "$s" "$(values s <<<"$answer")"
-            close "$what" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
-            close "$what" "${r_max:-(nothing)}" "$(values "r_max_$fuel" <<<"$answer")"
-            same "$what" "$ends_by" "$(values ends_by <<<"$answer")"
-        done
-        rows=$((rows + 2))
-    done < <(reference rmax)
-    same rows 84 "$rows"
-}
-
-@test "reference/pair.csv: pair" {
-    mapfile -t answers < <(reference pair | while IFS=, read -r s q _; do echo "set output json; set q $q; pair $s"; done |
-        "$DOMINO" | grep -F r_max)
-    rows=0
-    while IFS=, read -r s q r_max ends_by; do
-        answer=${answers[rows]}
-        close "s $s, q $q: s" "$s" "$(values s <<<"$answer")"
-        close "s $s, q $q" "${r_max:-(nothing)}" "$(values r_max <<<"$answer")"
-        same "s $s, q $q" "$ends_by" "$(values ends_by <<<"$answer")"
-        rows=$((rows + 1))
-    done < <(reference pair)
-    same rows 18 "$rows"
-}
-
 @test "best: hollow and solid, exact and paper, to six decimals" {
     while read -r q fuel s r_max; do
         answer=$(json "set q $q; set fuel $fuel; best")

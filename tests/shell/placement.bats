@@ -39,20 +39,6 @@ wrong_line() { # COMMANDS PATTERN
     wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
 }
 
-@test "pool: an interval of two million rows" {
-    # Made by awk, as a loop of bats takes half a minute.
-    awk 'BEGIN {
-        print "sigma,heights,seed,scene,dominoes,of,first,rows,fall,unknown,stops"
-        for (i = 0; i < 20000; i++) {
-            fall = i < 13952 ? 73 : 72
-            printf "0.005,0,1,xcc917d87,4,2000000,%d,100,%d,0,2:%d\n", 100 * i + 1, fall, 100 - fall
-        }
-    }' | file blocks.csv
-    pool=$(json 'pool blocks.csv')
-    same pool '2000000 1453952 0.72635798 0.72759336' "$(printf '%.0f %.0f %.8f %.8f' "$(values rows <<<"$pool")" \
-        "$(values fall <<<"$pool")" "$(values low <<<"$pool")" "$(values high <<<"$pool")")"
-}
-
 @test "budget: finds sigma without an effect, and says how many rows fall with it" {
     said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
     grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"

@@ -41,33 +41,6 @@ END
         "$(json 'effect friction 3; effect row 5; rowmax' | values reason)"
 }
 
-@test "a row that stops lacks energy for its highest barrier, which comes after a domino has detached" {
-    file tops.csv <<'END'
-height (mm), thickness (mm), gap (mm)
-100, 30, -
-130, 80, 98
-300, 20, 100
-END
-    while read -r push kinetic short_by; do
-        fall=$(json "effect row tops.csv; effect push $push; fall" | tail -n 1)
-        same "push $push" "$kinetic 0.957745 -$short_by" "$(printf '%.6f %.6f %.6f' "$(values kinetic <<<"$fall")" \
-            "$(values barrier <<<"$fall")" "$(values margin <<<"$fall")")"
-        same "push $push" "$short_by" \
-            "$(printf %.6f "$(json "effect row tops.csv; effect push $push; verdict" | values short_by)")"
-    done <<'END'
-30 0.361154 0.596591
-37 0.524509 0.433236
-END
-}
-
-@test "rounded 1/s is the reach of a row, too" {
-    for s in $(seq 0.2 0.01 0.64); do echo "set s $s; set r 1/s; verdict"; done >all.dom
-    verdicts=$(json "set q hollow; effect row 6; source \"all.dom\"" | values verdict | sort | uniq -c | tr -s ' ')
-    same 'all rows' ' 11 all fall 34 stops' "$(paste -sd ' ' <<<"$verdicts" | sed 's/  */ /g')"
-    same 's = 0.55' 'all fall' "$(json 'set q hollow; set s 0.55; set r 1/s; effect row 6; verdict' | values verdict)"
-    same rowmax 1.6666666666666667 "$(json 'set q hollow; effect row 6; set s 0.6; rowmax' | values r_max)"
-}
-
 @test "much friction: a stop before a lock is a verdict, with mend and placement" {
     printf 'height (mm), thickness (mm), gap (mm)\n30, 3.4, -\n40, 18, 3.4\n' | file lock.csv
     scene='effect row lock.csv; effect friction 1.35'

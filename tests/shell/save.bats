@@ -103,15 +103,6 @@ END
     same '-f: lines on stderr' 1 "$(wc -l <<<"$stderr")"
 }
 
-@test "save and source keep every digit of every parameter" {
-    file=$PWD/state.dom
-    "$DOMINO" -e "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; save $file"
-    [ "$(grep -c '^set ' "$file")" -ge 6 ]
-    differ 'all of it' "$(json show)" "$(json "source $file; set output json; show")"
-    same 'all of it' "$(json "set precision quad; set d 7/48; set s 1/3; set tol 1e-33; set digits 36; set errors on; show")" \
-        "$(json "source $file; set output json; show")"
-}
-
 @test "a saved session names its csv file byte for byte, whatever its name is" {
     local name quoted
     for name in 'a b.csv' 'a"b.csv' 'a "" ";#>b.csv' 'θ − ×.csv' $'x\u00a0y.csv' $'\xff\x80.csv' 'a ~root b.csv' \

@@ -283,20 +283,6 @@ at_end() { # LINE WIDTH: is the cursor behind the line?
     see '^42$'
 }
 
-@test "a line longer than the screen" {
-    local line
-    line="print 7$(printf '+0%.0s' {1..2000})"
-    open_session 80 24
-    press -l -- "$line"
-    press Enter
-    see '^7$'
-    see_last "$prompt"
-    press Up
-    press Enter
-    until_true twice '7'
-}
-twice() { [ "$(terminal capture-pane -p -S - | grep -c "^$1 *$")" -eq 2 ]; }
-
 @test "50 lines pasted, between brackets and without" {
     for i in {1..49}; do echo "set s 0.0$((100 + i))"; done >"$BATS_TEST_TMPDIR/lines"
     echo 'print s*10000' >>"$BATS_TEST_TMPDIR/lines"
@@ -406,17 +392,6 @@ $prompt" "$(screen | tail -n 2)"
     same 'progress' '(nothing)' "$(grep -E 'left|\^C' "$BATS_TEST_TMPDIR/all")"
 }
 
-@test "the caret stands under its place" {
-    open_session 80 24
-    for line in 'set s 9' 'theta1 π/18 + x' 'set s 0.3; foo'; do
-        clear_screen
-        ask "$line"
-        case $line in *9) word=9 ;; *x) word=x ;; *) word=foo ;; esac
-        before=${line%"$word"}
-        same "$line" "$(printf '%*s^' $((8 + ${#before})) '')" "$(screen | sed -n 2p)"
-    done
-}
-
 @test "the caret stands under its place in a line that wraps" {
     open_session 80 24
     line="print 1$(printf ' + %d' {2..30}) + fooo"
@@ -447,28 +422,6 @@ $prompt" "$(screen | tail -n 2)"
     see '6.7'
     press Enter
     see '^42$'
-}
-
-@test "bold prompt and numbers, red errors, none of it with NO_COLOR or TERM=dumb" {
-    unset NO_COLOR
-    open_session 80 24
-    ask 'set s 9'
-    ask thetac
-    screen -e | grep -q $'^\033\\[1mdomino❯'
-    screen -e | grep -q $'\033\\[31mset: s = 9'
-    close_terminal
-    for setting in NO_COLOR=1 TERM=dumb; do
-        open_terminal 80 24 env "$setting" "$DOMINO"
-        see_last "$prompt"
-        press -l 'set s 9'
-        press Enter
-        see 'out of range'
-        press -l thetac
-        press Enter
-        see detaches
-        same "$setting" '(nothing)' "$(screen -e | grep $'\033')"
-        close_terminal
-    done
 }
 
 # The words of the typed line that have the colour of commands.

@@ -77,10 +77,25 @@ all_print() {
 END
 }
 
-@test "set and arguments take values with units" {
+@test "set and arguments take numbers as people write them, with units" {
     while IFS='|' read -r name text value; do
         close "set $name $text" "$value" "$(json "set $name $text; show $name" | values value)"
     done <<'END'
+s|.5|0.5
+s|5e-1|0.5
+s|5.E-1|0.5
+s|+0.5|0.5
+s|1/2/2|0.25
+s|1e-6|1e-06
+s|1/2|0.5
+s|1|1
+r|3/2|1.5
+r|1|1
+d|7/48|0.14583333333333334
+q|hollow|3
+q|solid|4
+q|massive|4
+q|3.5|3.5
 d|0.7/4.8|0.14583333333333334
 d|7 mm / 48 mm|0.14583333333333334
 d|7 mm/h|0.14583333333333334
@@ -220,7 +235,7 @@ END
     done
     same 'no radians' '(nothing)' "$(grep -w rad <<<"$answer")"
     theta_c=$(json 'set angle deg; thetac' | values theta_c)
-    wrong_at 25 'set angle deg; theta1   37; set output json' "T = 37 deg .* \[0, ${theta_c:0:15}[0-9]*\]"
+    wrong 'set angle deg; theta1   37' ":25: .*T = 37 deg .* \[0, ${theta_c:0:15}[0-9]*\]"
     same 'both ends' 2 "$(json "set angle deg; theta1 0; theta1 $theta_c" | grep -c '"theta_1":[0-9]')"
 }
 
