@@ -497,7 +497,7 @@ hinted() { # TEXT HINT
     press -l 'the'
     hint 'ta1 0.1'
     press Enter # what was only a hint is not run, and leaves nothing on the screen
-    see "'the' may be"
+    see "'the' is ambiguous"
     same 'the line above' "$prompt the" "$(screen | grep "$prompt the$" | tail -n 1)"
     press -l 'set hints off'
     press Enter
