@@ -75,15 +75,12 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
 /* Writes all buffered text of log and tee.  Returns NULL, or why one of them had to end. */
 const char *records_flush(struct output **top);
 
-/* Gives commands to the log, if there is one.  Unless `at_once`, they are written by log_decide or before the
- * next answer, whichever comes first. */
+/* Gives commands to the log, if there is one.  Unless `at_once`, they are written before the next answer or
+ * message, when it is known whether they have failed. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes the commands that the log still holds.  Commands that failed become a comment, so that the log can
- * be run as a script. */
-void log_decide(struct output **top, bool failed);
-
-/* Writes an error or a note into the log, as a comment. */
-void log_message(struct output **top, const char *text);
+/* Writes an error or a note into the log, as a comment.  If the commands that the log still holds have
+ * failed, they become a comment, too, so that the log can be run as a script. */
+void log_message(struct output **top, const char *text, bool failed);
 
 #endif

@@ -139,16 +139,11 @@ void log_commands(struct output **top, const char *commands, size_t length, bool
         commands_write(r, false);
 }
 
-void log_decide(struct output **top, bool failed)
+void log_message(struct output **top, const char *text, bool failed)
 {
     struct record *r = log_find(top);
-    if (r)
-        commands_write(r, failed);
-}
-
-void log_message(struct output **top, const char *text)
-{
-    struct record *r = log_find(top);
-    if (r)
-        fprintf(r->file, "# %s\n", text);
+    if (!r)
+        return;
+    commands_write(r, failed);
+    fprintf(r->file, "# %s\n", text);
 }

@@ -118,12 +118,11 @@ static void session_write(struct session *session, const struct problem *problem
     if (problem->command)
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
+    escape_text(line, text, sizeof text);
     /* After an error in a sourced file, its commands before the error still belong in the log. */
-    log_decide(&session->output, is_error && session->source.depth == 0);
+    log_message(&session->output, text, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);
-    escape_text(line, text, sizeof text);
-    log_message(&session->output, text);
     FILE *out = session->output->messages;
     bool colour = terminal_colour(stderr) && !session->source.name;
     fputs(!colour ? "" : !is_error ? "\033[33m" : "\033[31m", out);
