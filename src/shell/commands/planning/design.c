@@ -7,18 +7,18 @@
 #include <stdlib.h>
 
 const struct column design_columns[] = {
-    {"s", "h", "gap over height", 0},
-    {"r", "", "growth from domino to domino", 0},
+    {"s", "h", "the gap over the height", 0},
+    {"r", "", "the growth from domino to domino", 0},
     {"steps", "", "n, with h r^n = H: the row has n + 1 dominoes", 0},
-    {"feet", "m", "length, from the first domino's back to the last one's front", 0},
-    {"length", "m", "length with the last one fallen", 0},
-    {"mass", "kg", "of all dominoes, if masses are known", 0},
-    {"surface", "m^2", "with q = 3: of the walls of all dominoes", 0},
-    {"volume", "m^3", "with any other q: of the blocks of all dominoes", 0},
-    {"safety", "", "the smallest energy of a domino, over what it needs", 0},
-    {"weakest", "", "the domino that has it", 0},
-    {"train", "", "the same of the endless train", 0},
-    {"seconds", "s", "until the last lies, counted as in 'fall'", 0},
+    {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
+    {"length", "m", "the length with the last domino fallen", 0},
+    {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
+    {"surface", "m^2", "the surface of the walls of all dominoes, if q is 3", 0},
+    {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
+    {"safety", "", "the smallest energy of a domino, over the energy that it needs", 0},
+    {"weakest", "", "the domino with this safety", 0},
+    {"train", "", "the safety of the endless train", 0},
+    {"seconds", "s", "the time until the last domino lies, on the clock of 'fall'", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -23,12 +23,12 @@ const char *fit_names(const void *context, int k)
 }
 
 const struct column fit_columns[] = {
-    {"gap", "m", "free, between equal dominoes", 0},
-    {"measured", "m/s", "speed", 0},
-    {"fitted", "m/s", "speed with the fitted friction", 0},
-    {"residual", "share", "measured over fitted, less 1", 0},
+    {"gap", "m", "the free gap between equal dominoes", 0},
+    {"measured", "m/s", "the measured speed", 0},
+    {"fitted", "m/s", "the speed with the fitted friction", 0},
+    {"residual", "share", "measured / fitted - 1", 0},
     {"mu", "", "the fitted friction, in every row", 0},
-    {"uncertainty", "", "its standard deviation, in every row", 0},
+    {"uncertainty", "", "the standard deviation of mu, in every row", 0},
     {NULL, NULL, NULL, 0},
 };
 

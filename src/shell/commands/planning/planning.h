@@ -49,8 +49,8 @@ struct scan {
     struct point {
         domq_real x, f;                /* f is the answer minus the value, or NaN without an answer */
     } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
-    size_t answers; /* the number of points with an answer */ /* the number of points with an answer */
-    char no_answer[PROBLEM_TEXT / 2]; /* why the first point without an answer has none */
+    size_t answers;                    /* the number of points with an answer */
+    char no_answer[PROBLEM_TEXT / 2];  /* why the first point without an answer has none */
 };
 
 /* Searches the whole range. Returns false if probe_report has to describe a problem or an interrupt. */

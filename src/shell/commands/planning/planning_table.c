@@ -70,9 +70,9 @@ const struct command design_commands[] = {
                    .parse = sensitivity_parse,
                    .choices = question_names}},
      .summary = "how much each parameter changes the number of COMMAND",
-     .help = "Makes each parameter of the model smaller and larger, by 1 %; friction by 0.01 and slope by 1 "
-             "degree, even if they are off. Answers with the change of the number in percent, the largest "
-             "first. COMMAND may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity "
+     .help = "Makes each parameter of the model smaller and larger by 1 %, or by 0.01 for friction and 1 "
+             "degree for slope, even if these are off. Answers with the change of the number in percent, the "
+             "largest first. COMMAND may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity "
              "barrier.margin', or be an expression, 'sensitivity h*r^10'.",
      .example = "effect friction 0.2; sensitivity rmax",
      .see = "solve sweep",
@@ -85,8 +85,8 @@ const struct command design_commands[] = {
      .summary = "the friction that explains measured speeds best",
      .help = "FILE is csv with the columns 'gap (mm)' and 'speed (m/s)', and 'error (m/s)' if errors are "
              "known. Each line is about one row of equal dominoes, with the h and d of the scene. Finds the "
-             "friction for which the sum of the squared residuals is smallest, each over its error, or over "
-             "the speed if no errors are known. Answers with its standard deviation and the residuals.",
+             "friction with the least sum of squared residuals, each divided by its error, or by the speed "
+             "if errors are not known. Also gives the standard deviation of the friction, and the residuals.",
      .see = "solve duration",
      .files = true,
      .rows = true,

@@ -7,7 +7,7 @@
 #include <string.h>
 
 const struct column sensitivity_columns[] = {
-    {"parameter", "", "what is changed", 9},
+    {"parameter", "", "the parameter that is changed", 9},
     {"value", "", "its value now; 0 for an effect that is off", 0},
     {"step", "", "by how much it is changed", 8},
     {"less", "share", "change of the answer with a smaller value", 0},

@@ -160,8 +160,8 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
 /* ---- The answer ---- */
 
 const struct column solve_columns[] = {
-    {"value", "", "of the parameter", 0},
-    {"answer", "", "at that value; for a verdict, 1 is true", 0},
+    {"value", "", "the value of the parameter", 0},
+    {"answer", "", "the answer at this value; for a verdict, 1 is true", 0},
     {"branch", "", "whether the answer rises or falls with the parameter", 15},
     {NULL, NULL, NULL, 0},
 };

@@ -11,12 +11,12 @@ const struct column fall_columns[] = {
     {"hit", "s", "when it is hit; the clock starts with the push, or with the first hit", 7},
     {"falls", "s", "when it hits the next domino, or lies on the floor", 7},
     {"omega", "rad/s", "its angular velocity just after it is hit", 6},
-    {"kinetic", "mgh/2", "energy of all dominoes that move then; in J if masses are known", 9},
+    {"kinetic", "mgh/2", "the energy of all dominoes that move then; in J if masses are known", 9},
     {"barrier", "mgh/2", "the energy that it needs to go on", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
     {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
-    {"floor", "", "friction that feet need while it falls; with 'effect floor'", 5},
-    {"floor_hit", "", "the same in the instant when it is hit; no foot has to hold for longer", 9},
+    {"floor", "", "the friction that feet need while it falls; with 'effect floor'", 5},
+    {"floor_hit", "", "the friction that feet need only in the instant when it is hit", 9},
     {"slid", "m", "how far its foot has slid, backwards if negative; with 'effect feet'", 7},
     {NULL, NULL, NULL, 0},
 };
@@ -24,10 +24,10 @@ const struct column fall_columns[] = {
 const struct column verdict_columns[] = {
     {"verdict", "", "all fall, stops, or another end of the row", 12},
     {"domino", "", "the last domino that is hit", 0},
-    {"short_by", "mgh/2", "energy that it lacks; in J if masses are known", 0},
-    {"seconds", "s", "until the last domino lies; the clock is that of 'fall'", 0},
-    {"weakest", "", "of the dominoes that go on, the one with the least to spare", 0},
-    {"spare", "share", "energy that it has to spare, over the energy that it needs", 0},
+    {"short_by", "mgh/2", "the energy that this domino lacks; in J if masses are known", 0},
+    {"seconds", "s", "the time until the last domino lies, on the clock of 'fall'", 0},
+    {"weakest", "", "the domino with the least energy to spare, of those that go on", 0},
+    {"spare", "share", "its spare energy, as a share of the energy that it needs", 0},
     {NULL, NULL, NULL, 0},
 };
 

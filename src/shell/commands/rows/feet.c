@@ -85,13 +85,13 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
 /* ---- slip ---- */
 
 const struct column slip_columns[] = {
-    {"motion", "", "friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
-    {"theta", "rad", "tilt of the head at that moment", 0},
+    {"motion", "", "the friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
+    {"theta", "rad", "the tilt of the head when they need it", 0},
     {"domino", "", "the domino whose foot needs it: 0 = head, 1, 2, ... its followers", 0},
-    {"hit", "", "friction that feet need in the instant of a hit: the largest ratio of impulses", 0},
+    {"hit", "", "the friction that feet need in a collision: the largest ratio of impulses", 0},
     {"hit_domino", "", "the domino whose foot needs it", 0},
     {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
-    {"slips_hit", "", "yes if a foot slips in the instant of a hit on that floor", 0},
+    {"slips_hit", "", "yes if a foot slips in a collision, on that floor", 0},
     {NULL, NULL, NULL, 0},
 };
 

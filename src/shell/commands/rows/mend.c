@@ -9,7 +9,7 @@ const struct column mend_columns[] = {
     {"domino", "", "the gap is the one before this domino", 6},
     {"gap", "m", "the gap as it is", 12},
     {"to", "m", "the nearest gap with which all fall", 12},
-    {"until", "m", "all fall with gaps from 'to' up to this one", 12},
+    {"until", "m", "all fall with gaps from 'to' to this one", 12},
     {"change", "m", "to - gap", 12},
     {"relative", "share", "change / gap", 10},
     {NULL, NULL, NULL, 0},

@@ -16,13 +16,13 @@
 const struct column placement_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
     {"heights", "share", "relative standard deviation of every height", 0},
-    {"rows", "", "number of rows that were set up", 0},
-    {"fall", "", "number of them that fall completely", 0},
+    {"rows", "", "the number of rows that were set up", 0},
+    {"fall", "", "the number of rows that fall completely", 0},
     {"probability", "share", "fall / rows", 0},
-    {"low", "share", "95 % interval of the probability, from here ...", 0},
-    {"high", "share", "... to here", 0},
-    {"unknown", "", "rows that the model cannot follow; they widen the interval", 0},
-    {"stops_most", "", "the domino at which most of the others stop", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"high", "share", "the upper end of this interval", 0},
+    {"unknown", "", "the number of rows that the model cannot follow, which widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the other rows stop", 0},
     {NULL, NULL, NULL, 0},
 };
 

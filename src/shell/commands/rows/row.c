@@ -14,7 +14,7 @@ static const struct column row_columns[] = {
     {"gap", "m", "free distance to the domino before it", 0},
     {"mass", "kg", "its mass, if masses are known", 0},
     {"relative", "", "its mass over that of the first, if masses are not known", 0},
-    {"radius", "m", "of its edges, if the file of the row has radii; with 'effect edges'", 0},
+    {"radius", "m", "the radius of its edges, if the file has radii; with 'effect edges'", 0},
     {"lean", "m", "how far its top is off plumb, if the file has leans; negative: backwards", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -90,10 +90,10 @@ static bool run_place(const struct query *query, struct answer *a, struct proble
 /* ---- rowmax ---- */
 
 static const struct column rowmax_columns[] = {
-    {"s", "h", "separation", 0},
-    {"count", "", "dominoes in the row", 0},
-    {"r_max", "", "largest growth at which all of them fall", 0},
-    {"r_train", "", "largest growth of the endless train", 0},
+    {"s", "h", "the separation", 0},
+    {"count", "", "the number of dominoes in the row", 0},
+    {"r_max", "", "the largest growth at which all of them fall", 0},
+    {"r_train", "", "the largest growth of the endless train", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -140,8 +140,8 @@ const struct command row_commands[] = {
     {.name = "fall",
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
-     .help = "Says for each domino that is hit when it is hit, when it hits the next one, how fast it "
-             "starts, and how much it has of the energy that it needs to go on. 'effect row' enters a row.",
+     .help = "For each domino that is hit, says when it is hit, when it hits the next one, how fast it "
+             "starts, and how its energy compares with the energy that it needs. 'effect row' enters a row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,

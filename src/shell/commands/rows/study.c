@@ -73,11 +73,11 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 /* ---- budget ---- */
 
 static const struct column budget_columns[] = {
-    {"probability", "share", "share of the rows that fall completely", 0},
-    {"sigma", "m", "standard deviation of the gaps that allows this", 0},
-    {"low", "m", "95 % interval of sigma, from here ...", 0},
-    {"high", "m", "... to here: more rows make it narrower", 0},
-    {"rows", "", "number of rows that were set up at each sigma", 0},
+    {"probability", "share", "the share of the rows that fall completely", 0},
+    {"sigma", "m", "the standard deviation of the gaps with which this share falls", 0},
+    {"low", "m", "the lower end of the 95 % interval of sigma", 0},
+    {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
+    {"rows", "", "the number of rows that were set up at each sigma", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -160,10 +160,11 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
         status = budget_say(a, &t, &budget, share);
     free(t.scene.domino);
     if (status == DOM_STOPS)
-        return problem_no_answer(problem, t.placement.heights > 0
-                                              ? "even with exact gaps fewer rows fall; enter a smaller P"
-                                              : "even with exact gaps the row does not fall; 'mend' finds a "
-                                                "change that saves it");
+        return problem_no_answer(problem,
+                                 t.placement.heights > 0
+                                     ? "even with exact gaps fewer rows than that fall; enter a smaller P"
+                                     : "even with exact gaps the row does not fall; 'mend' finds a "
+                                       "change that saves it");
     if (status == DOM_INTERRUPTED && budget.sigma > 0 && !any)
         budget_partial(a, &budget, share, rows);
     if (status != DOM_OK)
@@ -172,7 +173,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                       ROW(cell_real(share), cell_bound(budget.sigma, DOMQ_NAN),
                           cell_bound(budget.low, DOMQ_NAN), cell_bound(budget.high, DOMQ_NAN),
                           cell_count(rows)),
-                      any ? "even with errors as large as the largest gap more rows fall" : NULL);
+                      any ? "more rows than that fall even if errors are as large as the largest gap" : NULL);
 }
 
 /* ---- The table of commands ---- */
