@@ -65,6 +65,13 @@ print an|ans
 0.9*rm|0.9*rmax
 r = 0.9*rm|0.9*rmax
 rmax.r_max_e|rmax.r_max_exact
+solve d 0.05 |d m mm cm in ft yd
+rmax with q ho|hollow
+q = |hollow solid
+print 4 cm to f|ft
+2*(rmax with fri|friction
+sweep s 0.1 0.3 3 q hollow, s|solid
+animate a.gif speed 2; set ou|output
 foo |(nothing)
 fuel |(nothing)
 END

@@ -224,8 +224,8 @@ END
 7|print sin()|^print:.*sin takes 1 value
 7|print sin(1,2)|^print:.*sin takes 1 value
 7|print atan2(1)|^print:.*atan2 takes 2 values
-7|print rmax(1,2)|^print:.*2 values for 'rmax \[S\]'
-7|print theta1|^print:.*0 values for 'theta1 T'
+7|print rmax(1,2)|^print:.*'rmax \[S\]' does not take 2 values
+7|print theta1|^print:.*'theta1 T' does not take 0 values
 12|print rmax(foo)|^print:.*'foo' has no value
 7|print output|^print:.*'output' has no value
 7|print set|^print:.*'set' has no value
@@ -356,7 +356,7 @@ END
     wrong 'rmax with digits 3' "'digits' is a setting of the calculator"
     wrong 'rmax with push 3' "'effect push' needs a row"
     wrong 'rmax with s 2' 's = 2 is out of range'
-    wrong 'set s 0.3 with r 2' "'with' goes behind a command that only answers"
+    wrong 'set s 0.3 with r 2' "'with' follows a command that only answers"
 }
 
 @test "each command with a principal column stands for that column, each other one for nothing" {

@@ -138,8 +138,8 @@ END
     echo draw >s.dom
     for what in rmax 'source s.dom' show help; do
         for name in a.svg a.PNG a.pdf; do
-            wrong "$what > $name" "'$name' is the name of a picture, and '${what%% *}' draws none; 'draw' and 'plot' do"
-            wrong "$what >> $name" "'$name' is the name of a picture"
+            wrong "$what > $name" "'$name' is a picture, but '${what%% *}' draws none; 'draw' and 'plot' do"
+            wrong "$what >> $name" "'$name' is a picture"
         done
     done
     same 'nothing is left' s.dom "$(ls)"
@@ -201,14 +201,14 @@ END
 
 @test "an ending that does not fit is one line, before anything is computed, and no file is left" {
     for name in a.jpg a.gif a.xlsx a.foo v.dat; do
-        wrong "rmax > $name" "no format has the ending of '$name'; use .csv, .json or .txt"
-        wrong "draw > $name" "no format has the ending of '$name'; use .svg, .png, .pdf or .txt"
+        wrong "rmax > $name" "the ending of '$name' means no format; use .csv, .json or .txt"
+        wrong "draw > $name" "the ending of '$name' means no format; use .svg, .png, .pdf or .txt"
     done
-    wrong 'plot growth > a.b' "no format has the ending of 'a.b'; use .svg, .png, .pdf or .txt, or .csv or .json for its data"
+    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf or .txt, or .csv or .json for its data"
     for what in 'set s 0.3' reset; do
-        wrong "$what > a.csv" "'a.csv' is the name of data, and '${what%% *}' answers with none"
+        wrong "$what > a.csv" "'a.csv' is a data file, but '${what%% *}' has no data"
     done
-    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is the name of a picture, and 'placement' draws none"
+    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is a picture, but 'placement' draws none"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

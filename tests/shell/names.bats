@@ -55,7 +55,7 @@ END
 8|effect mu 0.2|^effect: unknown effect 'mu'; did you mean 'friction'\?$
 7|sweep mu 0 0.3 4 : rmax|^sweep: unknown parameter 'mu'; did you mean 'friction'\?$
 7|solve growth : verdict|^solve: unknown parameter 'growth'; did you mean 'r'\?$
-1|mu = 0.2|^'mu' is no parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
+1|mu = 0.2|^'mu' is not a parameter; did you mean 'friction'\? 'let mu = VALUE' defines a variable$
 7|print gravity|'gravity' has no value; did you mean 'g'\?$
 41|echo x > /dev/null; animate a.gif speed 2 rad|animate: the speed is a plain number
 12|set output jsno|^set: .*'jsno'; did you mean 'json'\?

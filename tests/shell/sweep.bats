@@ -277,7 +277,7 @@ END
     same 'threads' "$("$DOMINO" -n -e "set threads 1; $csv q 3, 4 : rmax, best.s")" "$("$DOMINO" -n -e "set threads 4; $csv q 3, 4 : rmax, best.s")"
     same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
         "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
-    wrong 'sweep r 1 2 3 : rmax, fall' "which number of 'fall'"
+    wrong 'sweep r 1 2 3 : rmax, fall' "'fall' has several numbers"
     wrong 'sweep r 1 2 3 : rmax,' "an answer after ',' is missing"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }

@@ -124,11 +124,11 @@ static const struct command *assignment_read(struct reader *r, const struct vari
         problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
     else if (v->count == 0 && (p = parameter_by_synonym(v->name, &usual)) != NULL)
         problem_error(r->problem,
-                      "'%s' is no parameter; did you mean '%s'? 'let %s = VALUE' defines a variable", v->name,
-                      p->name, v->name);
+                      "'%s' is not a parameter; did you mean '%s'? 'let %s = VALUE' defines a variable",
+                      v->name, p->name, v->name);
     else
-        problem_error(r->problem, "'%s' is no parameter; 'let %s%s = VALUE' defines a %s", v->name, v->name,
-                      v->count ? "(...)" : "", v->count ? "function" : "variable");
+        problem_error(r->problem, "'%s' is not a parameter; 'let %s%s = VALUE' defines a %s", v->name,
+                      v->name, v->count ? "(...)" : "", v->count ? "function" : "variable");
     return NULL;
 }
 

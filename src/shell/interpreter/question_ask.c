@@ -77,7 +77,7 @@ bool question_needs_number(const struct question *q, struct problem *problem)
     for (int n = 0, k = 0; c->columns[k].key && n < (int)sizeof keys; k++)
         n +=
             snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, c->columns[k].key);
-    return problem_error(problem, "which number of '%s'? One of %s", c->name, keys);
+    return problem_error(problem, "'%s' has several numbers; use one of %s", c->name, keys);
 }
 
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,

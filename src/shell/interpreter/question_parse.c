@@ -182,7 +182,7 @@ static bool with_parse(struct reader *r, struct question *q)
     reader_place(r, r->at);
     if (!q->command->columns || q->command->act || q->command->changes)
         return problem_error(
-            r->problem, "'with' goes behind a command that only answers, such as 'rmax', and '%s' %s",
+            r->problem, "'with' follows a command that only answers, such as 'rmax'; '%s' %s",
             q->command->name, q->command->changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
     r->last = false;
@@ -311,7 +311,7 @@ bool question_parse_any(struct reader *r, struct question *q, bool is_number)
         r->at = begin + length;
         reader_named(r, begin, r->at);
         if (c->unswept)
-            return problem_error(r->problem, "'%s' is not varied: %s", c->name, c->unswept);
+            return problem_error(r->problem, "'%s' cannot be varied: %s", c->name, c->unswept);
         if ((is_number || !c->holds) && !question_needs_number(q, r->problem))
             return false;
     }

@@ -121,7 +121,8 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
         return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",
                     command_usage(c, usage));
     if (t->count < fewest || t->count > most)
-        return fail(r, t, "%d value%s for '%s'", t->count, t->count == 1 ? "" : "s", command_usage(c, usage));
+        return fail(r, t, "'%s' does not take %d value%s", command_usage(c, usage), t->count,
+                    t->count == 1 ? "" : "s");
     int index = column_resolve(r, t, c);
     if (index < 0)
         return -1;

@@ -122,17 +122,15 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     switch (ending_of(path)->kind) {
     case ENDING_PICTURE:
         return c->draws || c->picture ||
-               problem_error(problem,
-                             "'%s' is the name of a picture, and '%s' draws none; 'draw' and 'plot' do",
-                             shown, c->name);
+               problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do", shown,
+                             c->name);
     case ENDING_DATA:
         return c->columns || c->runs || c->pages ||
                problem_error(problem,
-                             "'%s' is the name of data, and '%s' answers with none; '%s > FILE.txt' "
-                             "writes what it says",
+                             "'%s' is a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);
     case ENDING_OTHER:
-        return problem_error(problem, "no format has the ending of '%s'; use %s", shown,
+        return problem_error(problem, "the ending of '%s' means no format; use %s", shown,
                              c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
                              : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
                              : c->columns || c->runs ? ".csv, .json or .txt"

@@ -83,30 +83,25 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The number of candidates so far, and the last one. */
-struct counted {
-    int count;
-    char last[64];
-};
-
-static void count(const char *candidate, void *context)
+/* Keeps the candidate if it is the first one and a command, else "". */
+static void keep_only(const char *candidate, void *context)
 {
-    struct counted *counted = context;
-    counted->count++;
-    snprintf(counted->last, sizeof counted->last, "%s", candidate);
+    const char **only = context;
+    const struct command *command = command_find(candidate);
+    *only = !*only && command ? command->name : "";
 }
 
 /* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. A key
  * would insert the command, which nobody has asked for. */
 static bool is_unasked(const struct completion *c)
 {
-    struct counted counted = {.count = 0};
+    const char *only = NULL;
     struct completion dry = *c;
-    dry.emit = count;
-    dry.context = &counted;
+    dry.emit = keep_only;
+    dry.context = &only;
     if (!*c->word)
         emit_values(&dry);
-    return counted.count == 1 && command_find(counted.last);
+    return only && *only;
 }
 
 /* Emits the units that a number may have, but no s or g where these are parameters. */

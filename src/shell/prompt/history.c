@@ -82,16 +82,12 @@ void history_load(struct session *session)
     /* Opening a device or a FIFO has effects, so the kind of the file is found out first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
-    int file = io_open(history_file, O_RDONLY, 0, interrupt), locked = file >= 0 ? dup(file) : -1;
-    FILE *in = file >= 0 ? io_stream(file, "r", interrupt) : NULL;
-    /* The copy of the descriptor holds the lock until the file has been replaced, so that no line of another
-     * session gets lost in between. */
-    bool is_locked = in && locked >= 0 && io_lock(locked, LOCK_SECONDS, interrupt);
+    FILE *in = fopen(history_file, "re");
+    /* The lock is held until the file has been replaced, so that no line of another session gets lost. */
+    bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)
         fclose(in);
-    if (locked >= 0)
-        close(locked);
     if (wrong)
         history_fails(session, wrong);
 }

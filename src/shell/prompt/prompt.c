@@ -116,10 +116,8 @@ static void leave_warn(struct session *session)
         return;
     has_warned = true;
     session->quit = false;
-    session_note(
-        session,
-        "gaps of the row were changed and are in no file: 'save FILE' or 'row > FILE.csv' keeps them, "
-        "'quit' or ^D again leaves without them");
+    session_note(session, "gaps of the row have changed and are not saved: 'save FILE' or 'row > FILE.csv' "
+                          "saves them, 'quit' or ^D again leaves without");
 }
 
 static void on_line(char *text)

@@ -49,9 +49,10 @@ struct solve_parsed {
 
 static bool bound_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
-    if (reader_ends(r))
-        return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
+    bool is_missing = reader_ends(r);
     reader_place(r, r->at);
+    if (is_missing)
+        return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
     return item_parse_value(r, p, 0, p->value->name, item) &&
            (item->value || isfinite(item->number) ||
             problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
