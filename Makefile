@@ -71,7 +71,7 @@ DEPS_sanitize := $(DEPS_test)
 DEPS_race     := $(DEPS_test)
 DEPS_valgrind := valgrind libc6-dbg
 DEPS_fuzz     := clang libclang-rt-dev
-DEPS_bench    := bc octave python3-scipy gnuplot-nox valgrind binutils
+DEPS_bench    := bc python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
 DEPS_atlas    := python3
@@ -324,7 +324,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
-# Measures ratios of times in one run. Octave and SciPy take part if they are installed.
+# Measures ratios of times in one run. SciPy takes part if it is installed.
 BENCH := bench compare curve floor front growth lengths lines measure record rows start
 bench: all $(B)/bench $(B)/answers
 	@$(B)/bench $(B)

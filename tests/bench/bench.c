@@ -238,19 +238,18 @@ int main(int argc, char **argv)
     compare("r_max to 1e-12, mean of 178: s = 0.02, 0.03 ... 0.9, hollow and massive", many, MANY, 1e-12,
             WHO(OURS) | WHO(GSL), 1, all);
     compare("r_max to 1e-12, mean of 18: s = 0.02, 0.13 ... 0.9, hollow and massive", few, FEW, 1e-12,
-            WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), 1, fine);
-    compare("r_max to 1e-6, the same 18", few, FEW, 1e-6,
-            WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(OCTAVE) | WHO(SCIPY), 1, coarse);
+            WHO(OURS) | WHO(GSL) | WHO(SCIPY), 1, fine);
+    compare("r_max to 1e-6, the same 18", few, FEW, 1e-6, WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(SCIPY), 1,
+            coarse);
     compare("One whole cycle, its duration to 1e-12, mean of 10: s = 0.1 ... 0.5, both q, 0.8 of the way to "
             "r_max",
-            cycles, duration_questions(cycles), 1e-12, WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), 1,
-            cycle);
+            cycles, duration_questions(cycles), 1e-12, WHO(OURS) | WHO(GSL) | WHO(SCIPY), 1, cycle);
     compare("The same to 1e-6", cycles, duration_questions(cycles), 1e-6,
-            WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
+            WHO(OURS) | WHO(GSL) | WHO(PAPER) | WHO(SCIPY), 1, other);
     compare("A finite row: when the last of 20 dominoes lies, to 1e-10, mean of 3: r = 1, 1.05, 1.1", rows,
-            row_questions(rows), 1e-10, WHO(OURS) | WHO(NEWTON) | WHO(OCTAVE) | WHO(SCIPY), 1, other);
+            row_questions(rows), 1e-10, WHO(OURS) | WHO(NEWTON) | WHO(SCIPY), 1, other);
     compare("The curve of 10,000 points to 1e-12, by 10 of them", points, SAMPLED, 1e-12,
-            WHO(OURS) | WHO(GSL) | WHO(OCTAVE) | WHO(SCIPY), POINTS, other);
+            WHO(OURS) | WHO(GSL) | WHO(SCIPY), POINTS, other);
     struct curve_goals curve = curve_print(domino);
     struct record_goals record = record_print(domino);
     struct rows_goals row = rows_print();

@@ -54,11 +54,9 @@ struct question {
     double push;        /* of ROW, rad/s */
 };
 
-enum contender { OURS, GSL, PAPER, NEWTON, OCTAVE, SCIPY, CONTENDERS };
+enum contender { OURS, GSL, PAPER, NEWTON, SCIPY, CONTENDERS };
 
-extern const char *const contender_name[CONTENDERS];
-
-/* Starts the contenders that are programs of their own; prints which are missing. */
+/* Starts SciPy, or prints that it is missing. */
 void contenders_start(void);
 void contenders_end(void);
 
@@ -84,10 +82,10 @@ void compare(const char *title, const struct question *question, size_t n, doubl
 domq_real ask_ours(const struct question *question, double tol, enum dom_precision precision,
                    struct dom_work *work);
 
-/* Writes questions for separations lo ... hi with q = 3 and, after them, q = 4; n in all, an even number. */
 /* Returns the least time in which a contender answers one question at this tolerance; NaN if it does not. */
 double contender_seconds(enum contender contender, const struct question *question, double tol);
 
+/* Writes questions for separations lo ... hi with q = 3 and, after them, q = 4; n in all, an even number. */
 void rmax_questions(struct question *question, size_t n, double lo, double hi);
 
 /* ---- curve.c: on one core and on several ---- */

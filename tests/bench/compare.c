@@ -9,22 +9,12 @@ enum { QUESTIONS_MAX = 256, DOMINOES_MAX = 64, ROUNDS = 9 };
 #define SECONDS_EACH 1.5 /* seconds for the rounds of one contender in one table */
 #define PATIENCE     0.3 /* seconds for the repeats of one question */
 
-const char *const contender_name[CONTENDERS] = {
-    [OURS] = "ours",     [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
-    [OCTAVE] = "Octave", [SCIPY] = "SciPy",
+static const char *const contender_name[CONTENDERS] = {
+    [OURS] = "ours",   [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
+    [SCIPY] = "SciPy",
 };
 
-/* The library or program of each contender; some need python3 with a package, which is checked as well. */
-static const struct {
-    enum contender contender;
-    const char *argv[4];
-} programs[] = {
-    {OCTAVE, {"octave-cli", "-qf", "tests/bench/train_octave.m", NULL}},
-    {SCIPY, {"python3", "tests/bench/train_scipy.py", NULL}},
-    {SCIPY, {"/usr/bin/python3", "tests/bench/train_scipy.py", NULL}},
-};
-
-static struct coprocess coprocess[CONTENDERS];
+static struct coprocess scipy; /* its pid is 0 if SciPy is not installed */
 
 /* ---- One answer ---- */
 
@@ -90,8 +80,7 @@ domq_real ask_ours(const struct question *q, double tol, enum dom_precision prec
     return ask_train(q, &train);
 }
 
-static bool ask_program(enum contender contender, const struct question *q, double tol, double *seconds,
-                        double *value)
+static bool ask_scipy(const struct question *q, double tol, double *seconds, double *value)
 {
     static const char *const name[] = {[RMAX] = "rmax", [DURATION] = "duration", [ROW] = "row"};
     const struct asked *t = &q->train;
@@ -103,7 +92,7 @@ static bool ask_program(enum contender contender, const struct question *q, doub
     else
         snprintf(line, sizeof line, "%s %.17g %.17g %.17g %.17g %.17g", name[q->task], tol, (double)t->s,
                  (double)t->r, (double)t->d, (double)t->q);
-    return coprocess_ask(&coprocess[contender], line, seconds, value);
+    return coprocess_ask(&scipy, line, seconds, value);
 }
 
 /* Asks all questions one after the other. Returns the time, and writes the values. */
@@ -113,8 +102,8 @@ static double sweep(enum contender contender, const struct question *q, size_t n
         [OURS] = DOM_METHOD_OURS, [GSL] = DOM_METHOD_GSL, [PAPER] = DOM_METHOD_PAPER};
     double begun = seconds_now(), total = 0, seconds;
     for (size_t i = 0; i < n; i++) {
-        if (coprocess[contender].pid > 0) {
-            if (!ask_program(contender, &q[i], tol, &seconds, &value[i]))
+        if (contender == SCIPY) {
+            if (!ask_scipy(&q[i], tol, &seconds, &value[i]))
                 return NAN;
             total += seconds;
         } else if (contender == NEWTON) {
@@ -128,7 +117,7 @@ static double sweep(enum contender contender, const struct question *q, size_t n
             value[i] = (double)ask_train(&q[i], &train);
         }
     }
-    return coprocess[contender].pid > 0 ? total : seconds_now() - begun;
+    return contender == SCIPY ? total : seconds_now() - begun;
 }
 
 /* ---- To the same error ---- */
@@ -202,9 +191,8 @@ void compare(const char *title, const struct question *question, size_t n, doubl
     for (size_t i = 0; i < n; i++)
         truth[i] = (double)ask_ours(&question[i], finest == DOM_QUAD ? 1e-18 : 1e-15, finest, NULL);
     for (enum contender w = OURS; w < CONTENDERS; w++) {
-        bool program = w == OCTAVE || w == SCIPY;
         result[w] = (struct result){.asked = false};
-        if ((contender & 1U << w) && (!program || coprocess[w].pid > 0))
+        if ((contender & 1U << w) && (w != SCIPY || scipy.pid > 0))
             calibrate(w, question, n, target, truth, &result[w]);
     }
     for (int round = 0; round < ROUNDS; round++)
@@ -226,7 +214,7 @@ double contender_seconds(enum contender contender, const struct question *questi
 {
     enum { TIMES = 3 };
     double value, least = NONE, spent = 0;
-    if ((contender == OCTAVE || contender == SCIPY) && coprocess[contender].pid <= 0)
+    if (contender == SCIPY && scipy.pid <= 0)
         return NONE;
     for (int k = 0; k < TIMES && spent < PATIENCE; k++) {
         double seconds = sweep(contender, question, 1, tol, &value);
@@ -249,30 +237,24 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
     }
 }
 
-/* ---- Programs of others ---- */
+/* ---- SciPy ---- */
 
 void contenders_start(void)
 {
+    static const char *const interpreters[] = {"python3", "/usr/bin/python3"}; /* one may lack the package */
     const struct question first = {.task = RMAX, .train = asked_default()};
     double seconds, value;
-    for (size_t i = 0; i < sizeof programs / sizeof *programs; i++) {
-        enum contender contender = programs[i].contender;
-        if (coprocess[contender].pid > 0)
-            continue;
-        if (coprocess_start(&coprocess[contender], programs[i].argv) &&
-            ask_program(contender, &first, 1e-3, &seconds, &value))
-            continue;
-        coprocess_end(&coprocess[contender]);
-        coprocess[contender].pid = 0;
+    for (int i = 0; i < 2; i++) {
+        const char *const argv[] = {interpreters[i], "tests/bench/train_scipy.py", NULL};
+        if (coprocess_start(&scipy, argv) && ask_scipy(&first, 1e-3, &seconds, &value))
+            return;
+        coprocess_end(&scipy);
+        scipy.pid = 0;
     }
-    for (enum contender contender = OCTAVE; contender <= SCIPY; contender++)
-        if (coprocess[contender].pid == 0)
-            printf("%s is not installed: no comparison with it ('make deps bench' installs it)\n",
-                   contender_name[contender]);
+    puts("SciPy is not installed: no comparison with it ('make deps bench' installs it)");
 }
 
 void contenders_end(void)
 {
-    for (enum contender contender = OURS; contender < CONTENDERS; contender++)
-        coprocess_end(&coprocess[contender]);
+    coprocess_end(&scipy);
 }

@@ -54,7 +54,7 @@ static double energy_seconds(double s, double r, struct dom_work *work)
 
 /* Other programs, in their tables, and the least separation that they are asked about: they take seconds
  * below. */
-static const enum contender peers[] = {GSL, SCIPY, OCTAVE};
+static const enum contender peers[] = {GSL, SCIPY};
 #define PEERS_FROM 0.02
 
 /* ---- The four tables; each writes the same numbers for the picture ---- */
@@ -64,8 +64,8 @@ static void with_dominoes(FILE *data)
     static const double separations[] = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.4, 0.9};
     puts("\nTime against the dominoes that matter, tol 1e-12");
     puts("  one pass is the fuel of equal dominoes, r = 1; thin dominoes have d = 0.005, thick ones 7/48");
-    printf("  %-8s %10s %12s %10s %16s %16s %10s %10s %10s\n", "s", "dominoes", "a pass, us", "ns each",
-           "r_max thick, us", "r_max thin, us", "GSL", "SciPy", "Octave");
+    printf("  %-8s %10s %12s %10s %16s %16s %10s %10s\n", "s", "dominoes", "a pass, us", "ns each",
+           "r_max thick, us", "r_max thin, us", "GSL", "SciPy");
     for (size_t i = 0; i < sizeof separations / sizeof *separations; i++) {
         double s = separations[i], us[2];
         struct dom_work work = {.longest = 0}, of_thin = {.longest = 0};
@@ -101,8 +101,8 @@ static void with_digits(FILE *data)
     struct question q = {.task = RMAX, .train = asked_default()};
     puts("\nTime against digits: r_max at s = 0.4, massive, us; '-': no such arithmetic, or too slow to wait "
          "for");
-    printf("  %-8s %12s %12s %12s %12s %14s %10s %10s\n", "tol", "float", "double", "quad", "GSL, nested",
-           "paper's recipe", "SciPy", "Octave");
+    printf("  %-8s %12s %12s %12s %12s %14s %10s\n", "tol", "float", "double", "quad", "GSL, nested",
+           "paper's recipe", "SciPy");
     for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
         static const struct {
             enum dom_method method;

@@ -88,8 +88,7 @@ bool coprocess_start(struct coprocess *process, const char *const *argv)
 bool coprocess_ask(struct coprocess *process, const char *question, double *seconds, double *value)
 {
     char line[128], *end;
-    /* A blank line after the question, since Octave holds a line back until it has read the next one. */
-    if (fprintf(process->to, "%s\n\n", question) < 0 || fflush(process->to) != 0 ||
+    if (fprintf(process->to, "%s\n", question) < 0 || fflush(process->to) != 0 ||
         !fgets(line, sizeof line, process->from))
         return false;
     *seconds = strtod(line, &end);

@@ -21,9 +21,6 @@ double start_print(const char *domino)
     } programs[] = {
         {"domino -e 'count 112'", {domino, "-e", quiz, NULL}, ""},
         {"echo 'l(112/0.048)/l(1.5)' | bc -l", {"bc", "-l", NULL}, logarithms},
-        {"octave-cli --eval 'log (112 / 0.048) / log (1.5)'",
-         {"octave-cli", "-qf", "--eval", "log (112 / 0.048) / log (1.5)", NULL},
-         ""},
         {"python3 -c 'import scipy.optimize; ...'",
          {"/usr/bin/python3", "-c",
           "import math, scipy.optimize; print(math.log(112 / 0.048) / math.log(1.5))", NULL},

@@ -2,8 +2,7 @@
 """The questions of the benchmark, as a user of SciPy would solve them: energies in plain Python, maxima, roots and
 integrals from scipy.optimize and scipy.integrate.
 
-Reads questions, one a line and blank ones between (see ask() at the end), and answers each with the seconds that it
-took and a number.
+Reads questions, one a line (see ask() at the end), and answers each with the seconds that it took and a number.
 """
 
 import math
@@ -181,5 +180,4 @@ def ask(line):
 
 
 for request in sys.stdin:
-    if request.strip():
-        ask(request)
+    ask(request)
