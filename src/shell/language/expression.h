@@ -80,9 +80,6 @@ struct parse {
 /* Parses the longest expression at parse->text. Returns NULL after an error, with parse->message. */
 struct tree *expression_parse(struct parse *parse);
 
-/* Sets the message of a syntax error. Returns NULL. */
-struct tree *parse_fail(struct parse *parse, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
 /* The state of an evaluation. */
 struct evaluation {
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. The message is then empty if the

@@ -11,7 +11,8 @@
 
 enum { DEPTH_MAX = 100, NODES_MAX = 1000000, NAME_SIZE = 32 };
 
-struct tree *parse_fail(struct parse *p, const char *format, ...)
+/* Sets the message of a syntax error. Returns NULL. */
+static __attribute__((format(printf, 2, 3))) struct tree *parse_fail(struct parse *p, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);

@@ -28,10 +28,10 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
     return setting;
 }
 
-/* Returns true if effect k needs the row. */
-static bool needs_row(int k)
+/* Returns true if an effect needs another one. */
+static bool needs(int name, int other)
 {
-    return effect_at(k)->needs >> DOM_EFFECT_row & 1;
+    return effect_at(name)->needs >> other & 1;
 }
 
 /* Writes the effects that are on and need the row: ", with push and placement". */
@@ -40,7 +40,7 @@ static void row_needed(const struct scene *scene, char *text, size_t size)
     int n = 0;
     text[0] = '\0';
     for (int k = 0; k < EFFECT_COUNT && n < (int)size; k++)
-        if (scene->effect[k].on && needs_row(k))
+        if (scene->effect[k].on && needs(k, DOM_EFFECT_row))
             n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
 }
 
@@ -48,7 +48,7 @@ static void row_needed(const struct scene *scene, char *text, size_t size)
 static void row_drop(struct scene *scene)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (k == DOM_EFFECT_row || needs_row(k))
+        if (k == DOM_EFFECT_row || needs(k, DOM_EFFECT_row))
             scene->effect[k] = (struct effect_state){.on = false};
     listed_free(&scene->listed);
     effects_apply(scene);
@@ -105,7 +105,7 @@ bool scene_row_load(struct scene *scene, const char *name, const struct means *m
 bool effect_needs(const struct scene *scene, int name, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (effect_at(name)->needs >> k & 1 && !scene->effect[k].on)
+        if (needs(name, k) && !scene->effect[k].on)
             return problem_error(problem, "'effect %s' needs a %s; first enter 'effect %s %s'",
                                  effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
                                  effect_at(k)->argument[0].name);
@@ -144,7 +144,7 @@ static bool turn_on(struct scene *scene, int name, const domq_real *value, int g
 static bool turn_off(struct scene *scene, int name, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
-        if (scene->effect[k].on && effect_at(k)->needs >> name & 1)
+        if (scene->effect[k].on && needs(k, name))
             return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
                                  effect_at(k)->name, effect_at(name)->name, effect_at(k)->name);
     return effect_store(scene, name, (struct effect_state){.on = false});
@@ -260,16 +260,12 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     const struct listed_row *listed = &scene->listed;
     const struct effect_state *effect = scene->effect;
     row->domino = NULL;
-    if (!effect[DOM_EFFECT_row].on) {
-        problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
-        return false;
-    }
+    if (!effect[DOM_EFFECT_row].on)
+        return problem_error(problem, "there is no row; first enter 'effect row N' or 'effect row FILE'");
     size_t count = listed->domino ? listed->count : (size_t)effect[DOM_EFFECT_row].value[0];
     row->domino = malloc(count * sizeof *row->domino);
-    if (!row->domino) {
-        problem_status(problem, scene, DOM_NO_MEMORY);
-        return false;
-    }
+    if (!row->domino)
+        return problem_status(problem, scene, DOM_NO_MEMORY);
     scene_row_fill(scene, row->domino, count);
     if (scene->train.walls > 0 && !walls_fit(scene, row->domino, count, problem)) {
         free(row->domino);
@@ -291,6 +287,23 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     return true;
 }
 
+/* Returns true if all dominoes of a row stand by themselves. Otherwise describes the problem. */
+static bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem)
+{
+    for (size_t k = 0; k < row->count; k++) {
+        const struct domq_domino *domino = &row->domino[k];
+        const bool listed = scene->listed.domino;
+        char message[LEAN_MESSAGE];
+        domq_real level[2];
+        domq_lean_limits(domino, 0, row->rho, level);
+        if (row->alpha != 0 && !(quad(fabs)(row->alpha) < level[1]))
+            return problem_no_stand(problem, scene, listed ? k + 1 : 0, level[1]);
+        if (row->rho == 0 && !lean_stands(domino, row->alpha, message))
+            return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
+    }
+    return true;
+}
+
 /* The relative tolerance of searches that run the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 
@@ -298,19 +311,15 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 {
     if (!scene_row_list(scene, row, problem))
         return false;
-    if (!row_stands(scene, &row->row, problem)) {
-        free(row->domino);
-        return false;
+    bool good = row_stands(scene, &row->row, problem);
+    if (good && scene_has_engine(scene)) {
+        good = scene_engine_make(scene, row->row.count, &row->engine, problem);
+        row->row.engine = &row->engine.engine;
+        row->compute.tol = quad_larger(row->compute.tol, ENGINE_TOL);
     }
-    if (!scene_has_engine(scene))
-        return true;
-    if (!scene_engine_make(scene, row->row.count, &row->engine, problem)) {
+    if (!good)
         free(row->domino);
-        return false;
-    }
-    row->row.engine = &row->engine.engine;
-    row->compute.tol = quad_larger(row->compute.tol, ENGINE_TOL);
-    return true;
+    return good;
 }
 
 bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct problem *problem)

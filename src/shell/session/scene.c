@@ -94,9 +94,7 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
                              measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
 }
 
-/* Describes that domino k, or any domino of the train if k is 0, cannot stand upright on the slope, since it
- * is steeper than the limit. Returns false. */
-static bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
+bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit)
 {
     const double degree = (double)QUAD_PI / 180, alpha = (double)scene->train.alpha / degree;
     char which[32] = "no domino", example[32] = "off";
@@ -165,20 +163,4 @@ bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message
         measured(domino->height * quad(sin)(domino->lean), "m", 4).text, alpha != 0 ? " on this slope" : "",
         measured(domino->height * quad(sin)(limit), "m", 4).text);
     return false;
-}
-
-bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem)
-{
-    for (size_t k = 0; k < row->count; k++) {
-        const struct domq_domino *domino = &row->domino[k];
-        const bool listed = scene->listed.domino;
-        char message[LEAN_MESSAGE];
-        domq_real level[2];
-        domq_lean_limits(domino, 0, row->rho, level);
-        if (row->alpha != 0 && !(quad(fabs)(row->alpha) < level[1]))
-            return problem_no_stand(problem, scene, listed ? k + 1 : 0, level[1]);
-        if (row->rho == 0 && !lean_stands(domino, row->alpha, message))
-            return problem_no_answer(problem, "domino %zu: %s", k + 1, message);
-    }
-    return true;
 }

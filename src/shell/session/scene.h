@@ -112,12 +112,13 @@ domq_real scene_mass(const struct scene *scene);
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Returns true if all dominoes of a row stand by themselves. Otherwise describes the problem. */
-bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem);
-
 /* Describes that the walls do not fit into domino k, or into a domino of the train if k is 0. Returns false.
  */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
+
+/* Describes that domino k, or any domino of the train if k is 0, cannot stand upright on the slope, which is
+ * steeper than the limit. Returns false. */
+bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
 /* Describes a status of the library that is not DOM_OK. Returns false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
