@@ -178,23 +178,62 @@ static void readline_begin(void)
     rl_completer_quote_characters = "\"";
     rl_filename_quote_characters = " \t;#>";
     rl_variable_bind("enable-bracketed-paste", "on");
-    rl_initialize(); /* reads the inputrc, whose keys overlay_begin finds */
+    rl_initialize(); /* This reads the inputrc, whose keys overlay_begin needs. */
     overlay_begin();
+}
+
+struct signals {
+    struct sigaction before[WATCHED], ttou; /* the actions that signals had before the prompt */
+    sigset_t blocked, awake;                /* the masks while keys are handled, and while a command runs */
+};
+
+static void signals_begin(struct signals *s)
+{
+    /* SA_RESTART: a write that ^C interrupts goes on, since a stream that has failed once stays failed. */
+    const struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
+                           ignore = {.sa_handler = SIG_IGN};
+    sigemptyset(&s->blocked);
+    for (int i = 0; i < WATCHED; i++) {
+        sigaddset(&s->blocked, watched[i]);
+        sigaction(watched[i], &action, &s->before[i]);
+    }
+    sigaction(SIGTTOU, &ignore, &s->ttou);
+}
+
+static void signals_end(const struct signals *s)
+{
+    for (int i = 0; i < WATCHED; i++)
+        sigaction(watched[i], &s->before[i], NULL);
+    sigaction(SIGTTOU, &s->ttou, NULL);
+    sigprocmask(SIG_SETMASK, &s->awake, NULL);
+}
+
+/* Waits for a key and lets Readline handle it, which may run a line. Returns false if the terminal fails. */
+static bool key_read(struct session *session, const struct signals *s)
+{
+    fd_set input;
+    FD_ZERO(&input);
+    FD_SET(STDIN_FILENO, &input);
+    overlay_show(session);
+    int ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &s->awake);
+    overlay_remove();
+    if (ready < 0 && errno != EINTR) {
+        session_error(session, "cannot read the terminal: %s", strerror(errno));
+        return false;
+    }
+    if (ready > 0) {
+        sigprocmask(SIG_SETMASK, &s->awake, NULL); /* ^C must reach a computation. */
+        rl_callback_read_char();
+        sigprocmask(SIG_BLOCK, &s->blocked, NULL);
+    }
+    return true;
 }
 
 void line_prompt(struct session *session)
 {
-    /* What is being written when ^C comes is written to its end: a stream that fails stays failed. */
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
-                     ignore = {.sa_handler = SIG_IGN}, before[WATCHED], ttou;
-    sigset_t blocked, awake;
+    struct signals signals;
     char prompt[64];
-    sigemptyset(&blocked);
-    for (int i = 0; i < WATCHED; i++) {
-        sigaddset(&blocked, watched[i]);
-        sigaction(watched[i], &action, &before[i]);
-    }
-    sigaction(SIGTTOU, &ignore, &ttou);
+    signals_begin(&signals);
     prompt_session = complete_session = session;
     session->source.name = NULL;
     session->state.scene.compute.interrupt = &interrupted;
@@ -204,10 +243,9 @@ void line_prompt(struct session *session)
             "domino " DOM_VERSION ": how far can a domino train grow?  Try 'count 112', or 'help'.\n");
     fflush(session->output->out);
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
-
-    sigprocmask(SIG_BLOCK, &blocked, &awake);
-    while (!session->quit && !ended) {
-        /* Signals that came while a line ran count now, not at the next key. */
+    sigprocmask(SIG_BLOCK, &signals.blocked, &signals.awake);
+    for (bool is_open = true; is_open && !session->quit && !ended; is_open = key_read(session, &signals)) {
+        /* Signals that came while a line ran count now, and not at the next key. */
         if (interrupted)
             prompt_interrupt();
         if (resized) {
@@ -215,33 +253,16 @@ void line_prompt(struct session *session)
             rl_resize_terminal();
         }
         if (suspended)
-            prompt_suspend(&awake);
-        overlay_show(session);
-        fd_set input;
-        FD_ZERO(&input);
-        FD_SET(STDIN_FILENO, &input);
-        int ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &awake);
-        overlay_remove();
-        if (ready > 0) {
-            sigprocmask(SIG_SETMASK, &awake, NULL); /* ^C must reach a computation */
-            rl_callback_read_char();
-            sigprocmask(SIG_BLOCK, &blocked, NULL);
-        } else if (ready < 0 && errno != EINTR) {
-            session_error(session, "cannot read the terminal: %s", strerror(errno));
-            break;
-        }
+            prompt_suspend(&signals.awake);
     }
     rl_callback_handler_remove();
     free(begun);
     begun = NULL;
     session->state.scene.compute.interrupt = NULL;
     session->source.prompt_width = 0;
-    for (int i = 0; i < WATCHED; i++)
-        sigaction(watched[i], &before[i], NULL);
-    sigaction(SIGTTOU, &ttou, NULL);
-    sigprocmask(SIG_SETMASK, &awake, NULL);
+    signals_end(&signals);
     if (ended) {
         fflush(session->output->out);
-        raise(ended); /* all is in order: it may end the program now */
+        raise(ended); /* Now that the terminal is restored, the signal may end the program. */
     }
 }
