@@ -9,39 +9,38 @@
 static const struct column plot_columns[] = {
     {"theta", "rad", "energy, omega, inertia, chain: tilt of the head", 0},
     {"dH", "mgh/2", "energy: potential energy of the train, H(theta) - H(0) (19; c1)", 0},
-    {"kinetic", "mgh/2", "energy: J tau^2 omega^2, up to a stop (21; c3); fall: in J where a mass is known",
-     0},
+    {"kinetic", "mgh/2", "energy: J tau^2 omega^2 (21; c3); fall: energy with which the domino is hit", 0},
     {"J", "", "energy, inertia: inertia of the train (20; c2)", 0},
     {"omegasq", "", "omega: tau^2 omega(theta)^2 (21; c3)", 0},
     {"omega", "rad/s", "omega: angular velocity of the head", 0},
-    {"i", "", "chain: number of the domino, 0 is the head", 5},
-    {"theta_i", "rad", "chain: its tilt (27; A2)", 0},
+    {"i", "", "chain: number of the domino, where 0 is the head", 5},
+    {"theta_i", "rad", "chain: tilt of the domino (27; A2)", 0},
     {"event", "", "energy, omega, inertia, chain: launch, top, fall, stop or hit", 6},
     {"s", "h", "growth, marginal: separation", 0},
     {"solid", "", "growth: r_max of solid dominoes, q = 4", 0},
     {"hollow", "", "growth: r_max of hollow dominoes, q = 3", 0},
-    {"solid_paper", "", "growth paper: the same with the paper's fuel", 0},
-    {"hollow_paper", "", "growth paper: the same with the paper's fuel", 0},
+    {"solid_paper", "", "growth paper: r_max of solid dominoes with the paper's fuel", 0},
+    {"hollow_paper", "", "growth paper: r_max of hollow dominoes with the paper's fuel", 0},
     {"solid_pair", "", "marginal: r_max of two solid dominoes", 0},
-    {"solid_train", "", "marginal: that of their train", 0},
+    {"solid_train", "", "marginal: r_max of a train of solid dominoes", 0},
     {"hollow_pair", "", "marginal: r_max of two hollow dominoes", 0},
-    {"hollow_train", "", "marginal: that of their train", 0},
-    {"reach", "", "growth, marginal: 1/s, less with rounded edges", 0},
-    {"domino", "", "fall, speed, gaps: its number, from 1", 6},
-    {"barrier", "mgh/2", "fall: the energy that it needs to go on", 0},
+    {"hollow_train", "", "marginal: r_max of a train of hollow dominoes", 0},
+    {"reach", "", "growth, marginal: 1/s, or less with rounded edges", 0},
+    {"domino", "", "fall, speed, gaps: number of the domino, from 1", 6},
+    {"barrier", "mgh/2", "fall: energy that the domino needs to go on", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
-    {"spare", "", "fall: margin over barrier; nothing where it needs no energy", 0},
-    {"place", "m", "speed: of its front foot, from that of the first", 0},
-    {"speed", "m/s", "speed: of the front, from its hit to the next hit", 0},
-    {"gap", "m", "gaps: before it, as planned", 0},
-    {"low", "m", "gaps: the narrowest with which all fall", 0},
-    {"high", "m", "gaps: the widest with which all fall", 0},
-    {"others", "", "gaps: whether all fall also with gaps outside these", 6},
+    {"spare", "", "fall: margin over barrier, or nothing where the barrier is not above 0", 0},
+    {"place", "m", "speed: distance from the front foot of the first domino to that of this one", 0},
+    {"speed", "m/s", "speed: speed of the front from the hit of this domino to the next hit", 0},
+    {"gap", "m", "gaps: gap before the domino, as planned", 0},
+    {"low", "m", "gaps: the narrowest gap with which all fall", 0},
+    {"high", "m", "gaps: the widest gap with which all fall", 0},
+    {"others", "", "gaps: whether all also fall with some gaps outside these", 6},
     {"sigma", "m", "placement: standard deviation of every gap", 0},
-    {"probability", "", "placement: that the whole row falls", 0},
-    {"low", "", "placement: lower end of its 95 % interval", 0},
-    {"high", "", "placement: upper end", 0},
-    {"rows", "", "placement: that were set up at each sigma", 0},
+    {"probability", "", "placement: probability that the whole row falls", 0},
+    {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
+    {"high", "", "placement: upper end of this interval", 0},
+    {"rows", "", "placement: number of rows that were set up at each sigma", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -109,7 +108,7 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* ---- What follows the name ---- */
+/* ---- Arguments ---- */
 
 static const char *paper_names(const void *context, int k)
 {
@@ -117,7 +116,7 @@ static const char *paper_names(const void *context, int k)
     return k == 0 ? "paper" : NULL;
 }
 
-/* Parses what the picture takes after its name. */
+/* Parses the arguments of a plot. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -148,7 +147,7 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return !q->parsed || sweep_bind(q, query, given, problem);
 }
 
-/* Chooses the columns of one picture, whose meanings name it, in the order of its keys. */
+/* Chooses the columns of a plot, in the order of its keys. The meaning of a column names its plots. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;
@@ -183,18 +182,17 @@ const struct command plot_commands[] = {
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
-     .summary = "a picture of the row, of limits, of a cycle, of any sweep",
+     .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =
-         "Of a row: 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
-         "front runs, 'plot gaps' how far each gap may be off, 'plot placement 400' how likely the whole row "
-         "falls, from so many random rows at each error of the gaps. Of trains: 'plot growth' shows the "
-         "largest growth, with 'plot growth paper' also for the "
-         "paper's fuel, 'plot marginal' that of two dominoes; 'plot energy', 'plot omega', 'plot inertia' "
-         "and "
-         "'plot chain' one cycle; 'plot cost rmax' what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
-         "shows any sweep over one or two parameters. In the terminal it is drawn at once; "
-         "'plot fall > fall.svg' makes a file, .svg, .png or .pdf, by gnuplot. Programs get the data: "
-         "'> FILE.csv', '> FILE.json'.",
+         "Of a row, 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
+         "front runs, and 'plot gaps' how far each gap may be off. 'plot placement 400' shows how likely the "
+         "whole row falls, from 400 random rows at each error of the gaps. Of trains, 'plot growth' shows "
+         "the largest growth, which 'plot growth paper' compares with that of the paper's fuel, and 'plot "
+         "marginal' with that of two dominoes. 'plot energy', 'plot omega', 'plot inertia' and 'plot chain' "
+         "show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
+         "shows any sweep over one or two parameters. In the terminal the picture is drawn at once. "
+         "'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; the endings "
+         ".csv and .json give the data.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve draw",
