@@ -51,10 +51,9 @@ static void film_frame(struct film *f, const struct stage *stage)
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-#define FOLLOWED                                                                                             \
-    30         /* the view follows the front where the largest domino is this many times the smallest        \
-                */
-#define HELD 1 /* s, for which the last frame is shown */
+/* The view follows the front where the largest domino is this many times as tall as the smallest. */
+#define FOLLOWED 30
+#define HELD     1 /* seconds for which the last frame is shown */
 
 struct row_film {
     struct film film;
@@ -63,8 +62,8 @@ struct row_film {
     bool follows;
 };
 
-/* Shows the front and what it has just felled. On its way to the next domino the view grows as steadily as
- * the dominoes do. */
+/* Shows the front and the dominoes that have just fallen. On its way to the next domino the view grows as
+ * steadily as the dominoes do. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *own = &f->row.stage.domino[head - 1];
@@ -98,7 +97,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
     else
         falling_row_summary(&f->row, more);
     if (!over && pace != 1)
-        snprintf(speed, sizeof speed, " (%.30s times as fast as it is)", measured(pace, "", 3).text);
+        snprintf(speed, sizeof speed, " (shown at %.30s times the speed)", measured(pace, "", 3).text);
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
@@ -120,8 +119,8 @@ static bool row_times(struct row_film *f)
     if (moving + held > FRAMES_MOST)
         return problem_no_answer(
             film->problem,
-            "that would be %.0f frames, and at most %d are drawn; a larger speed, 'speed "
-            "%s', or a smaller rate makes fewer",
+            "that would be %.0f frames, and at most %d are drawn; 'speed %s', or a smaller rate, "
+            "makes fewer",
             moving, FRAMES_MOST,
             measured(speed * (domq_real)(1.05 * (moving + held) / FRAMES_MOST), "", 3).text);
     film->frames = (size_t)(moving + 1 + (film->answer ? 0 : held));
@@ -148,7 +147,7 @@ static bool animate_row(const struct film *film)
         return false;
     if (film->answer)
         answer_columns(film->answer, film->answer->columns)[1] =
-            (struct column){"domino", "", "the last that was hit", 0};
+            (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
     stage->row = NULL; /* the sizes of the dominoes are not written */
     snprintf(stage->caption, CAPTION, "1\n2");
@@ -162,8 +161,9 @@ static bool animate_row(const struct film *film)
 /* ---- The train ---- */
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-#define GROWN_MOST 40 /* the most that the last head is as large as the first, which would else be a dot */
-#define FILM_TOL   ((domq_real)1 / 1000000000) /* more than an eye can see */
+#define GROWN_MOST 40 /* the largest ratio of the last head to the first, which would else be seen as a dot  \
+                       */
+#define FILM_TOL ((domq_real)1 / 1000000000) /* more than an eye can see */
 
 /* The cycles one after the other. Lengths are in heights of the first head, and times in its tau. */
 struct train_film {
@@ -339,9 +339,9 @@ static bool animate_train(const struct film *film)
 /* ---- The command ---- */
 
 const struct column animate_columns[] = {
-    {"time", "s", "of the frame, since the first head was hit", 0},
-    {"cycle", "", "from 1; each is r times larger", 0},
-    {"theta", "rad", "tilt of its head", 0},
+    {"time", "s", "time of the frame, since the first head was hit", 0},
+    {"cycle", "", "number of the cycle, from 1", 0},
+    {"theta", "rad", "tilt of the head", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -356,9 +356,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
                              "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
                              "'effect row 10'");
     if (a->path && !film.answer)
-        return problem_error(
-            problem,
-            "the animation is written into FILE, so that '>' has no answer to write; leave out the '>'");
+        return problem_error(problem, "the animation is written into FILE, and nothing is left for the file "
+                                      "after '>'; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train)

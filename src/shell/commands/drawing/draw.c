@@ -33,7 +33,7 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Returns a coordinate without what rounding errors leave of a 0. */
+/* Returns the cell of a coordinate, in which a rounding error near 0 becomes 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);

@@ -25,7 +25,7 @@ static const char draw_usage[] =
 static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
 
-/* Returns true where a word begins that cannot be a value: it was meant as one of the words. */
+/* Returns true if the next word cannot be a value, so that it was meant as one of the words. */
 static bool is_stray(const struct reader *r)
 {
     char word[64];

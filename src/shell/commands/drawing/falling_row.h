@@ -45,16 +45,16 @@ double falling_row_smallest(const struct falling_row *row);
 
 enum { SENTENCE = 256 };
 
-/* "7 dominoes, 4.8 cm to 54.7 cm tall" */
+/* Writes how many dominoes there are: "7 dominoes, 4.8 cm to 54.7 cm tall". */
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 
-/* How the row ends. */
+/* Writes how the row ends. */
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
-/* Which domino is the weakest, and how much energy it has; "" if there is none. */
+/* Writes which domino is the weakest, and how much energy it has, or "". */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
-/* "2.500 s after the push: domino 3 falls, 7 still stand." */
+/* Writes what happens at a moment: "2.500 s after the push: domino 3 falls, 7 still stand." */
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the rows of a plot to its chart. */
+/* Makes the chart of a plot from its rows. */
 #include "answer/format.h"
 #include "commands/plots/plots.h"
 #include "io/io.h"
@@ -9,7 +9,7 @@
 
 /* ---- The rows as numbers ---- */
 
-/* A format of answers that writes the keys, and then each row, as they are in memory. */
+/* A format of answers: the keys of the columns, and then each row as a struct plot_row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     char key[ANSWER_COLUMNS][sizeof((struct plot_rows *)0)->key[0]] = {{""}};
@@ -43,7 +43,7 @@ int plot_column(const struct plot_rows *rows, const char *key)
     return -1;
 }
 
-/* Runs a plot, and reads its rows. *text is to be freed; the rows are in it. */
+/* Runs a plot, and reads its rows, which are in *text. The caller frees *text. */
 static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
                       struct chart *chart, struct problem *problem, char **text, struct plot_rows *rows)
 {
@@ -67,7 +67,7 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis with its unit, and returns by how much numbers are larger in base units. */
+/* Writes the label of an axis with its unit. Returns the size of this unit in that of the column. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {

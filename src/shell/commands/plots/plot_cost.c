@@ -30,7 +30,7 @@ static void cost_chart(const struct query *query, const char *name, const struct
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
-        /* A logarithm has no 0, and below the unit roundoff of its precision an error is not known. */
+        /* 0 has no logarithm, and an error below the unit roundoff of its precision is not known. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));

@@ -8,7 +8,8 @@
 
 enum { STEPS = 160 };
 
-/* A train that stops is shown up to this many times the tilt at which it stops: its barrier is there. */
+/* For a train that stops the picture ends at this multiple of the tilt where it stops, to show the barrier.
+ */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
@@ -80,7 +81,7 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     return status;
 }
 
-/* Writes a row with those of these cells that the plot has columns for. */
+/* Writes a row with the cells for which the plot has columns. */
 struct keyed {
     const char *key;
     struct cell cell;
@@ -95,7 +96,7 @@ static void keyed_write(struct answer *a, const struct keyed *cells, int count)
     answer_row(a, row, NULL);
 }
 
-/* Writes the rows at one tilt, at which there may be an event: as many as there are lines. */
+/* Writes the rows at one tilt, one for each line. `event` is what happens at this tilt, or NULL. */
 static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
                                     int lines, struct answer *a)
 {

@@ -8,7 +8,7 @@ enum { SAMPLES = 193, LIMITS = 4 };
 #define S_LOW  ((domq_real)2 / 100)
 #define S_STEP ((domq_real)5 / 1000)
 
-/* What a column of the picture is the limit of. */
+/* The train, or the pair, whose largest growth is in a column. */
 struct limit {
     double q;
     bool pair;
@@ -21,7 +21,7 @@ static const struct limit growth_limits[LIMITS] = {
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth, which is NaN where a train stops even with r = 1. */
+/* Finds the largest growth. It is NaN if the train stops even with r = 1. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {
@@ -48,7 +48,7 @@ static domq_real reach_at(struct domq_train train, domq_real s)
     return domq_train_reach(&train);
 }
 
-/* Completes the chart, with the point of the session if it is not far above all curves. */
+/* Completes the chart. Its top includes the growth of the session, unless that is far above all curves. */
 static void limits_chart(const struct domq_train *t, double top, struct chart *chart)
 {
     double r = (double)t->r;

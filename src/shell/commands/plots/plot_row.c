@@ -25,15 +25,15 @@ static void end_note(const struct row_run *run, struct chart *chart)
 
 /* ---- Energy to spare ---- */
 
-/* Returns the energy that a domino does not need, as a share of its barrier. NaN: it needs none, or it is the
- * first one, which is tipped over its edge and has just what it needs. */
+/* Returns the energy that a domino has to spare, as a share of its barrier. Returns NaN for a domino that
+ * needs no energy, and for a first one that is tipped over its edge, and so has just what it needs. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];
     return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
 }
 
-/* Sets the ends of the axes: that of energies begins at a power of ten below the least one. */
+/* Sets the ends of the axes. The axis of energies begins at a power of ten below the least energy. */
 static void fall_axes(const struct row_run *run, struct chart *chart)
 {
     double least = HUGE_VAL, most = 0;
@@ -64,7 +64,7 @@ static void fall_marks(const struct row_run *run, struct chart *chart)
     }
     if (v->end != DOM_ROW_FALLS) {
         struct chart_curve *end =
-            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "here it ends, domino %zu", v->domino);
+            chart_curve(chart, CHART_POINTS, INK_TEXT, 0, "the row ends at domino %zu", v->domino);
         chart_point(chart, end, (double)v->domino, chart->y.low);
     }
 }
@@ -114,7 +114,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 /* Returns the speed from the hit of a domino to the hit of the next one, or NaN for the last. */
 static double speed_of(const struct row_run *run, size_t i)
 {
-    size_t next = run->fall[i].domino; /* as an index */
+    size_t next = run->fall[i].domino; /* the index of the next domino */
     if (next >= run->scene.row.count || i + 1 >= run->hits)
         return (double)NAN;
     const struct domq_domino *d = &run->scene.domino[next];
@@ -186,7 +186,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
                  "The row does not fall, and no change of a single gap saves it.");
     else if (falls)
         snprintf(chart->note, sizeof chart->note,
-                 "The tightest: the gap before domino %zu, %.30s, may be %.30s narrower or %.30s wider.",
+                 "The gap before domino %zu is the tightest: %.30s, and at most %.30s less or %.30s more.",
                  t->domino, measured(t->now, "m", 3).text, measured(t->now - t->low, "m", 3).text,
                  measured(t->high - t->now, "m", 3).text);
     else

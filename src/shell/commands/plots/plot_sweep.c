@@ -22,7 +22,8 @@ static double value_at(const struct points *p, size_t k)
     return p->rows->row[k].number[p->column];
 }
 
-/* Returns the column that is shown: the number for which the command stands in expressions, or its first. */
+/* Returns the column that is shown: the value that the command has in expressions, or else its first number.
+ */
 static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;
@@ -38,7 +39,7 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The meaning of a parameter in heights says that it is over the height. */
+    /* The unit h is not named: the meaning of such a parameter says that it is a ratio. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");

@@ -37,8 +37,8 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    const char *key;   /* the column that has x, and the unit of the axis; NULL for a pure number */
-    const char *label; /* followed by "in" and the unit */
+    const char *key;   /* the column with the unit of the axis, and with x; NULL for a pure number */
+    const char *label; /* to which "in" and the unit are added */
     bool percent;
 };
 
