@@ -11,7 +11,7 @@
 static const struct {
     int rgb;
     int of_8;    /* the nearest of eight colours, as its escape sequence has it; 0 for that of text */
-    char letter; /* of a curve, without braille */
+    char letter; /* draws curves where there is no braille */
 } inks[INKS] = {
     [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
     [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
@@ -102,7 +102,7 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if a dot of a dashed line is drawn. Letters, which differ from curve to curve, all are. */
+/* Returns true if a dot of a dashed line is drawn. No letter is left out, since each curve has its own. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
@@ -128,7 +128,7 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
     }
 }
 
-/* Writes dots as a character, which is a letter without braille. */
+/* Writes the character of some dots, or of their ink where there is no braille. */
 static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
     if (!c->look.braille)
@@ -170,7 +170,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    if (!c->look.braille || c->look.colours < COLOURS_256) /* a shade is a letter, the darker the more */
+    if (!c->look.braille || c->look.colours < COLOURS_256) /* characters stand for shades */
         canvas_text(c, column, row,
                     shade < 0         ? " "
                     : c->look.braille ? blocks[shade * 4 / 256]
@@ -185,7 +185,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
 
 enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
 
-/* Writes the escape sequence of a colour, -1 for the colour of the terminal. */
+/* Writes the escape sequence of a colour; -1 is the colour of the terminal. */
 static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
 {
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
@@ -225,7 +225,7 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. Returns the ink that is set then: `now` is the one that is set before. */
+/* Writes a cell while the ink `now` is set. Returns the ink that is set afterwards. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

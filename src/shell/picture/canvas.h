@@ -75,7 +75,7 @@ void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sam
 /* Writes text from a cell on. What is outside the canvas is left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Puts two shades in 0 .. 1, one above the other, into a cell; NaN for none. */
+/* Puts two shades in 0 .. 1, one above the other, into a cell. A shade that is NaN is left out. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
 /* Returns true if a cell shows nothing, or is outside the canvas. */

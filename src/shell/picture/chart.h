@@ -93,7 +93,8 @@ void chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Returns the place of a value on its axis, 0 for the lower end and 1 for the upper; and the reverse. */
+/* Return the place of a value on its axis, from 0 at the lower end to 1 at the upper end, and the value at a
+ * place. */
 double axis_place(const struct chart_axis *axis, double value);
 double axis_number(const struct chart_axis *axis, double place);
 

@@ -89,7 +89,7 @@ static void events_script(const struct chart *c, FILE *out)
     }
 }
 
-/* Writes a number of a row of data, as gnuplot reads one that is missing, too. */
+/* Writes a number in a row of data, in which gnuplot reads NaN as a missing number. */
 static void number_script(double value, FILE *out)
 {
     if (isfinite(value))
@@ -150,7 +150,7 @@ static void curve_script(const struct chart_curve *curve, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        double width, size; /* width: 0 for that of lines; size: of points, 0 if there are none */
+        double width, size; /* the width is 0 for that of all lines, and the size 0 if there are no points */
         bool dashed;
     } styles[] = {
         [CHART_LINE] = {"1:2 with lines", .dashed = true},

@@ -224,8 +224,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves from a row on, or only counts the rows if that is negative. Returns how
- * many rows there are. */
+/* Writes the titles of the curves from a row on. Returns how many rows they take. If the row is negative, the
+ * rows are only counted. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;
@@ -256,8 +256,8 @@ static int legend(const struct frame *f, int row)
     return rows;
 }
 
-/* Does the same with the shades of a map and the values at their ends, below what they mean if there is no
- * room beside it. */
+/* Writes the shades of a map between the values at their ends, below their label if there is no room beside
+ * it. Returns and counts rows as legend does. */
 static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };

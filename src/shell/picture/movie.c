@@ -82,7 +82,7 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     snprintf(what, sizeof what, "make '%s'", m->shown);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    /* In a file, unlike a pipe, ffmpeg goes back to write how long the film is. A NULL follows. */
+    /* In a file, unlike a pipe, ffmpeg goes back to write how long the film is. The rest of argv is NULL. */
     argv[n] = "file:/proc/self/fd/1";
     return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
 }

@@ -16,8 +16,8 @@ struct movie {
     char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 
-/* Describes a problem and returns false unless the file can be made here: it needs a known ending, and maybe
- * ffmpeg. */
+/* Describes a problem and returns false if the ending of the file is unknown, or needs ffmpeg, which is not
+ * installed. */
 bool movie_named(const char *path, struct problem *problem);
 
 /* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart. */

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and room for others */
-#define SMALLEST 0.01               /* of the head; smaller dominoes would be dots */
-#define WIDEST   2.4                /* of the height of a picture; dominoes farther back are left out */
-#define TALLEST  2.5                /* of the head; the picture of a taller next domino is cut off */
+#define SMALLEST 0.01               /* height, over that of the head, below which a domino would be a dot */
+#define WIDEST   2.4 /* width of a picture over its height; dominoes farther back are left out */
+#define TALLEST  2.5 /* height of a picture, over that of the head; a taller next domino is cut off */
 
 /* ---- One domino ---- */
 

@@ -32,11 +32,11 @@ struct drawn {
     enum part part;
     double height, thickness, theta;
     double foot;                  /* the place of its hinge: where its lower front edge is while it stands */
-    double radius;                /* of its edges */
+    double radius;                /* radius of its rounded edges; 0 for sharp ones */
     struct point corner[CORNERS]; /* front foot, front top, back top, back foot, as if edges were sharp */
     bool touched;                 /* its follower touches it at `contact`, which else is NaN */
     struct point contact;
-    double force, of_own; /* of that contact, in m g of the head and of this domino; NaN if not known */
+    double force, of_own; /* push at the contact in m g of the head, and of this domino; NaN if unknown */
 };
 
 enum { CAPTION = 1024 };
@@ -49,7 +49,7 @@ struct stage {
     const char *ruler;             /* what the ruler measures */
     const struct domq_domino *row; /* unless NULL, sizes that are written where there is room */
     bool forces;                   /* the forces that are known are shown */
-    char caption[CAPTION];         /* lines */
+    char caption[CAPTION];         /* one or more lines */
 };
 
 /* How a painter marks dominoes, for captions. */

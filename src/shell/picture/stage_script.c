@@ -10,8 +10,8 @@
 /* ---- The sheet, in dots ---- */
 
 enum {
-    FONT = 14, /* of the caption */
-    SMALL = 11,
+    FONT = 14,  /* of the caption */
+    SMALL = 11, /* font of labels */
     LINE = 19,  /* height of a line of the caption */
     STRIP = 17, /* below the ground, for numbers */
     MARGIN_LEFT = 52,
@@ -21,7 +21,7 @@ enum {
     ACROSS = SHEET_WIDTH - MARGIN_LEFT - MARGIN_RIGHT
 };
 #define LETTER (0.62 * SMALL) /* the most that a letter is wide */
-#define EDGE   0.02           /* of the width of what is seen, at both sides */
+#define EDGE   0.02           /* margin at both sides, over the width of what is seen */
 
 const struct marks script_marks = {
     .theta = "\u03b8",
@@ -42,7 +42,7 @@ static int caption_lines(const char *text)
 /* Returns the sheet with so many dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* see labels_missing */
+    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* a line for labels_missing */
     struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);
