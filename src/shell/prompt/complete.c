@@ -217,7 +217,7 @@ void complete_line(struct session *session, const char *line, bool files, void (
 
 /* ---- Readline ---- */
 
-struct session *complete_session;
+struct session *prompt_session;
 
 static struct {
     char **word;
@@ -249,7 +249,7 @@ char **complete_word(const char *text, int start, int end)
     rl_attempted_completion_over = 1; /* Readline must not fall back to paths. */
     candidates.count = 0;
     if (line)
-        complete_line(complete_session, line, true, candidate_add, NULL);
+        complete_line(prompt_session, line, true, candidate_add, NULL);
     free(line);
     const char *first = candidates.count ? candidates.word[0] : "";
     rl_completion_suppress_append =

@@ -14,8 +14,8 @@
 
 #include <readline/history.h>
 
-/* The history keeps HISTORY_LINES. The file is shortened to that number when it has twice as many lines, not
- * at every start. */
+/* The number of lines that are kept, and the number at which the file is shortened. They differ so that it is
+ * not rewritten at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
 /* How long to wait for the lock of another session. Without the lock, a line is still appended whole. */
@@ -79,7 +79,7 @@ void history_load(struct session *session)
                         : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
     if (!known)
         *history_file = '\0';
-    /* Opening a device or a FIFO has effects, so the kind of the file is found out first. */
+    /* Opening a device or a FIFO can have effects, so that the kind of the file is checked first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     FILE *in = fopen(history_file, "re");

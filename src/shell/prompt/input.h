@@ -15,8 +15,8 @@ void line_prompt(struct session *session);
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
-/* Completes a word for Readline, whose callbacks have no context: complete_session is set before. */
-extern struct session *complete_session;
+/* Completes a word for Readline. Its callbacks have no context, so that the session is set before. */
+extern struct session *prompt_session;
 char **complete_word(const char *text, int start, int end);
 
 /*
@@ -36,7 +36,7 @@ void history_keep(struct session *session, const char *text);
 /* Binds the keys that accept a hint, after rl_initialize. */
 void overlay_begin(void);
 
-/* Draws colours and a hint over the line; overlay_remove clears the hint before a key is read. */
+/* Draws colours and a hint over the line, and clears the hint again before a key is handled. */
 void overlay_show(struct session *session);
 void overlay_remove(void);
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What is drawn over the line while Readline waits for a key: names of commands in colour, and after the
- * cursor a faint hint, the rest of an earlier line or of the command's usage. The cursor returns to its place
- * each time, so that the screen stays as Readline knows it.
- */
+/* Draws over the typed line while Readline waits for a key: the names of commands get a colour, and a faint
+ * hint after the cursor shows the rest of an earlier line, or of the command's usage. The cursor always
+ * returns to its place, so that the screen stays as Readline knows it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -16,7 +14,7 @@
 
 enum { HINT = 256, COLOURED_MOST = 2000 };
 
-#define SAVE_CURSOR    "\0337\033[?7l" /* also turns wrapping off */
+#define SAVE_CURSOR    "\0337\033[?7l" /* This also turns wrapping off. */
 #define TO_CURSOR      "\0338"
 #define RESTORE_CURSOR "\033[?7h" TO_CURSOR
 
@@ -25,8 +23,7 @@ static bool is_coloured, is_hinted;
 /* The rest of an earlier line, which keys accept as if it were typed; "" if there is none. */
 static char rest[HINT];
 
-/* Returns true if Readline shows the line that is typed, and nothing else, on a terminal that can be drawn
- * on. */
+/* Returns true if Readline shows just the typed line, on a terminal with colours. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -57,7 +54,7 @@ static bool is_mapped(const struct session *session, int width, int height)
            (begin + rl_point) % width != 0; /* At the right edge the cursor may be in either of two rows. */
 }
 
-/* Writes a part of the line again that is in one row and has one colour. */
+/* Rewrites a part of the line that lies in one row and has one colour. */
 static void part_write(int begin, int width, int from, int length, bool is_command)
 {
     int at = begin + from, up = (begin + rl_point) / width - at / width;
@@ -108,7 +105,7 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow. */
+/* Writes the arguments that may still follow, as the usage of the command shows them. */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};
@@ -164,7 +161,7 @@ static void hint_show(struct session *session)
 void overlay_show(struct session *session)
 {
     bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    if (!RL_ISSTATE(RL_STATE_MULTIKEY)) /* The key that is half read may accept the hint. */
+    if (!RL_ISSTATE(RL_STATE_MULTIKEY)) /* A key that has been half read may accept the hint. */
         *rest = '\0';
     if (!is_plain(session))
         return;

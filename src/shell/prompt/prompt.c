@@ -19,7 +19,7 @@
 
 /* ---- Signals ---- */
 
-/* Set by the signal handler. A computation ends when `interrupted` is set. */
+/* The signal handler sets these; `interrupted` also ends a computation. */
 static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
@@ -40,14 +40,11 @@ static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SI
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The session of the prompt, since Readline's callbacks have no context. */
-static struct session *prompt_session;
-
 /* The lines so far of a command that continues after a backslash, or NULL. */
 static char *begun;
 
 static bool is_joined;  /* The command that runs was typed in several lines. */
-static bool has_warned; /* The last line was told that unsaved changes would be lost. */
+static bool has_warned; /* The person has been warned that unsaved changes will be lost. */
 
 static void prompt_set(struct session *session);
 
@@ -76,8 +73,8 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* If the shell has taken the terminal already, SIGTTOU is sent, which is ignored: else the program would
-     * stop twice. */
+    /* If the shell has already taken the terminal, SIGTTOU comes here. It is ignored, or the program would
+     * stop a second time. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);
@@ -109,7 +106,7 @@ static char *line_whole(struct session *session, char *text)
     return begun ? NULL : whole;
 }
 
-/* Lets the session go on once if it would end with changes of the row that are in no file. */
+/* Warns if the session would end with unsaved changes of the row, and lets it go on, but only once. */
 static void leave_warn(struct session *session)
 {
     if (has_warned || !row_unsaved(&session->state.scene))
@@ -152,7 +149,7 @@ static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
     if (begun) {
-        session->source.prompt_width = 0; /* A column of the joined line is none of this line. */
+        session->source.prompt_width = 0; /* The caret of a problem cannot point into several lines. */
         snprintf(text, size, "  ...%s ", mark);
         return text;
     }
@@ -170,7 +167,7 @@ static void prompt_set(struct session *session)
 
 static void readline_begin(void)
 {
-    rl_readline_name = "Domino"; /* $if Domino in inputrc */
+    rl_readline_name = "Domino"; /* the name for $if in an inputrc */
     rl_catch_signals = 0;
     rl_catch_sigwinch = 0;
     rl_attempted_completion_function = complete_word;
@@ -234,7 +231,7 @@ void line_prompt(struct session *session)
     struct signals signals;
     char prompt[64];
     signals_begin(&signals);
-    prompt_session = complete_session = session;
+    prompt_session = session;
     session->source.name = NULL;
     session->state.scene.compute.interrupt = &interrupted;
     history_load(session);
