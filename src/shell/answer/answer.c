@@ -63,12 +63,12 @@ void answer_largest(struct answer *a, const char *key, domq_real number)
 {
     for (int i = 0; a->columns[i].key && isfinite(number); i++)
         if (strcmp(a->columns[i].key, key) == 0)
-            a->largest[i] = fmax(a->largest[i], fabs((double)number));
+            a->layout.largest[i] = fmax(a->layout.largest[i], fabs((double)number));
 }
 
 bool answer_bounded(const struct answer *a, int i)
 {
-    return (a->bounded >> i & 1) != 0;
+    return (a->layout.bounded >> i & 1) != 0;
 }
 
 /* ---- Before the first row ---- */
@@ -76,29 +76,29 @@ bool answer_bounded(const struct answer *a, int i)
 /* Finds out what the terminal can show. */
 static void terminal_look(struct answer *a)
 {
-    a->on_terminal = terminal_shows(a->out);
-    a->width = terminal_width(a->out);
-    a->letters = a->width && terminal_utf8();
-    a->bold = terminal_colour(a->out);
+    a->layout.on_terminal = terminal_shows(a->out);
+    a->layout.width = terminal_width(a->out);
+    a->layout.letters = a->layout.width && terminal_utf8();
+    a->layout.bold = terminal_colour(a->out);
     errno = 0; /* looking at what is no terminal sets it */
 }
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    if (a->is_planned || !a->out || a->sink) /* the sweep plans the rows of its points */
+    if (a->layout.is_planned || !a->out || a->sink) /* the sweep plans the rows of its points */
         return;
-    a->is_planned = true;
+    a->layout.is_planned = true;
     terminal_look(a);
     for (int i = 0; a->columns[i].key; i++) {
         bool is_real = sample && sample[i].kind == CELL_REAL;
         if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
-            a->bounded |= 1u << i;
+            a->layout.bounded |= 1u << i;
         /* A column of which nothing is known gets its largest unit. */
-        domq_real most = (domq_real)a->largest[i];
+        domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
                : most > 0 ? most
                           : (domq_real)DBL_MAX;
-        a->measure[i] = measure_of(a->columns[i].unit, most);
+        a->layout.measure[i] = measure_of(a->columns[i].unit, most);
     }
 }
 
@@ -108,9 +108,9 @@ static void answer_open(struct answer *a)
     if (a->is_open)
         return;
     a->is_open = true;
-    if (!a->is_planned)
+    if (!a->layout.is_planned)
         terminal_look(a);
-    if (a->on_terminal)
+    if (a->layout.on_terminal)
         progress_end();
     if (a->blank_above && a->style.format->for_people)
         putc('\n', a->out);

@@ -22,6 +22,26 @@ struct column {
     int width;           /* the width of words, or of few digits, in a table of rows; 0 for a number */
 };
 
+/* How the rows look, which is known before the first one is written. */
+struct layout {
+    bool is_planned;  /* the layout is known */
+    bool on_terminal; /* the answer goes to a terminal */
+    bool letters;     /* the terminal has the letters of the field */
+    bool bold;        /* the terminal has colours */
+    int width;        /* the columns of the terminal, or 0 without one */
+    unsigned bounded; /* bit i: column i has error bounds, which programs get in a column of their own */
+    double largest[ANSWER_COLUMNS];         /* see answer_largest */
+    struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
+    const struct cell *sample; /* a row with the usual kinds of cells if the first row has others, or NULL */
+};
+
+struct csv_layout {
+    bool units;        /* the head names the units, because the file can be read back */
+    bool has_reasons;  /* there is a column for reasons */
+    char *last_head;   /* the last head that was written to this file, or NULL */
+    const char *extra; /* what is added to the head, then to each row, each with a NUL; may be NULL */
+};
+
 struct answer {
     FILE *out;        /* NULL if the answer is only kept */
     const char *path; /* the name of the file after '>', or NULL */
@@ -33,23 +53,11 @@ struct answer {
     struct column copy[ANSWER_COLUMNS]; /* room for columns that differ from those of the command */
     unsigned left_out;                  /* bit i: cell i of each row has no column (see answer_leave_out) */
     bool rows;                          /* the answer is a table of rows, rather than a single row */
-    bool units;                         /* csv names the units, because the file can be read back */
-    bool has_reasons;                   /* csv has a column for reasons */
-    char *head;        /* the last line of column names that csv wrote to this file, or NULL */
-    const char *extra; /* what csv adds to its head, then to each row, each with a NUL; may be NULL */
-
-    /* What people see. */
+    struct csv_layout csv;
     bool blank_above; /* a blank line separates the answer from the one before */
     bool is_open;     /* that blank line is written */
     bool has_rows;    /* the first row is written, with what comes before it */
-    bool is_planned;  /* the rest of this paragraph is known */
-    bool on_terminal, letters,
-        bold;         /* whether `out` is a terminal, with the letters of the field, with colours */
-    int width;        /* the columns of the terminal, or 0 without one */
-    unsigned bounded; /* bit i: column i has error bounds, which programs get in a column of their own */
-    double largest[ANSWER_COLUMNS];         /* see answer_largest */
-    struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
-    const struct cell *sample; /* a row with the usual kinds of cells if the first row has others, or NULL */
+    struct layout layout;
 
     /* What the session keeps. */
     bool is_value; /* the answer is this value of an expression */

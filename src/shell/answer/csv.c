@@ -17,8 +17,8 @@ static void cell_write(const struct answer *a, struct cell cell)
 /* Returns what is to be added to the head or to the next row. */
 static const char *extra_next(struct answer *a)
 {
-    const char *extra = a->extra ? a->extra : "";
-    a->extra = a->extra ? extra + strlen(extra) + 1 : NULL;
+    const char *extra = a->csv.extra ? a->csv.extra : "";
+    a->csv.extra = a->csv.extra ? extra + strlen(extra) + 1 : NULL;
     return extra;
 }
 
@@ -28,22 +28,23 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
     (void)cells;
     char head[ANSWER_HEAD];
     size_t n = 0;
-    a->has_reasons = a->has_reasons || reason;
+    a->csv.has_reasons = a->csv.has_reasons || reason;
     for (int i = 0; a->columns[i].key && n < sizeof head; i++) {
         const struct column *c = &a->columns[i];
-        n += (size_t)snprintf(head + n, sizeof head - n, a->units && *c->unit ? "%s%s (%s)" : "%s%s",
+        n += (size_t)snprintf(head + n, sizeof head - n, a->csv.units && *c->unit ? "%s%s (%s)" : "%s%s",
                               i ? "," : "", c->key, c->unit);
         if (answer_bounded(a, i) && n < sizeof head)
             n += (size_t)snprintf(head + n, sizeof head - n, ",%s_error", c->key);
     }
     if (n < sizeof head)
-        snprintf(head + n, sizeof head - n, "%s%s", a->has_reasons ? ",reason" : "", a->note ? ",note" : "");
+        snprintf(head + n, sizeof head - n, "%s%s", a->csv.has_reasons ? ",reason" : "",
+                 a->note ? ",note" : "");
     const char *extra = extra_next(a);
-    bool is_same = a->head && !*extra && strcmp(a->head, head) == 0;
+    bool is_same = a->csv.last_head && !*extra && strcmp(a->csv.last_head, head) == 0;
     if (a->style.header && !is_same)
         fprintf(a->out, "%s%s\n", head, extra);
-    if (a->head)
-        memcpy(a->head, *extra ? "" : head, *extra ? 1 : sizeof head);
+    if (a->csv.last_head)
+        memcpy(a->csv.last_head, *extra ? "" : head, *extra ? 1 : sizeof head);
 }
 
 /* A line is a head if each of its cells begins with a letter. */
@@ -65,7 +66,7 @@ static void csv_row(struct answer *a, const struct cell *cells, const char *reas
         if (answer_bounded(a, i))
             fprintf(a->out, ",%s", cell_plain_bound(&a->style, cells[i], "", text));
     }
-    if (a->has_reasons) {
+    if (a->csv.has_reasons) {
         putc_unlocked(',', a->out);
         cell_write(a, cell_word(reason));
     } else if (reason && !*a->late_reason)

@@ -66,7 +66,7 @@ static const char *pretty(const struct answer *a, const char *text, char line[TE
     enum { LETTERS = 7, LETTER = 4 /* bytes of a letter with its NUL */ };
     static const char *const letters[LETTERS][2] = {
         {"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"}, {">=", "≥"}, {"<=", "≤"}, {"+/-", "±"}};
-    if (!a->letters || strlen(text) >= TEXT_LINE)
+    if (!a->layout.letters || strlen(text) >= TEXT_LINE)
         return text;
     char *end = line;
     while (*text && end < line + TEXT_LINE - LETTER) {
@@ -97,9 +97,9 @@ static void field(FILE *out, const char *text, int width)
 /* Writes the key of a column, in colour if the terminal has colours. */
 static void key_field(const struct answer *a, const char *key, int width)
 {
-    fputs(a->bold ? "\033[36m" : "", a->out);
+    fputs(a->layout.bold ? "\033[36m" : "", a->out);
     field(a->out, key, width);
-    fputs(a->bold ? "\033[m" : "", a->out);
+    fputs(a->layout.bold ? "\033[m" : "", a->out);
 }
 
 /* ---- A table of rows ---- */
@@ -119,8 +119,8 @@ static int row_digits(const struct answer *a)
         fixed += c->width + (c > a->columns ? 2 : 0);
         numbers += c->width == 0;
     }
-    int room = numbers ? (a->width - fixed) / numbers - number_width(a, 0) : digits;
-    return a->width == 0 || room >= digits ? digits : room < DIGITS_LEAST ? DIGITS_LEAST : room;
+    int room = numbers ? (a->layout.width - fixed) / numbers - number_width(a, 0) : digits;
+    return a->layout.width == 0 || room >= digits ? digits : room < DIGITS_LEAST ? DIGITS_LEAST : room;
 }
 
 /* Returns where the last column begins, if it contains words, or -1 if they go below their row because there
@@ -132,7 +132,7 @@ static int row_words(const struct answer *a, int digits)
     for (; c[1].key; c++)
         at += column_width(a, c, digits) + 2;
     int least = c->width && c->width <= WORDS_SHORT ? c->width : WORDS_LEAST;
-    return a->width && a->width - at < least ? -1 : at;
+    return a->layout.width && a->layout.width - at < least ? -1 : at;
 }
 
 /* Returns true if the columns fit into the terminal, without long words in the last column. */
@@ -142,7 +142,7 @@ static bool rows_fit(const struct answer *a)
     for (const struct column *c = a->columns; c->key; c++)
         if (c[1].key || c->width <= WORDS_SHORT)
             width += column_width(a, c, digits) + 2;
-    return a->width == 0 || width <= a->width;
+    return a->layout.width == 0 || width <= a->layout.width;
 }
 
 /* Writes a row as a line for each column, because the terminal is too narrow for the table. */
@@ -158,13 +158,13 @@ static void row_stacked(struct answer *a, const struct cell *cells)
         putc('\n', a->out);
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
-        const char *value = table_text(a, a->measure[i], cells[i], table_digits(a), text);
+        const char *value = table_text(a, a->layout.measure[i], cells[i], table_digits(a), text);
         if (*value == '\0')
             continue;
         key_field(a, c->key, -key_width);
         fputs("  ", a->out);
-        write_wrapped(a->out, pretty(a, value, letters), key_width + 2, a->width);
-        const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->measure[i], text);
+        write_wrapped(a->out, pretty(a, value, letters), key_width + 2, a->layout.width);
+        const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, a->layout.measure[i], text);
         fprintf(a->out, "%s%s\n", *unit ? " " : "", unit);
     }
 }
@@ -180,8 +180,8 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         shown[i] = line == KEYS    ? c->key
-                   : line == UNITS ? column_unit(a, c, a->measure[i], text[i])
-                                   : table_text(a, a->measure[i], cells[i], digits, text[i]);
+                   : line == UNITS ? column_unit(a, c, a->layout.measure[i], text[i])
+                                   : table_text(a, a->layout.measure[i], cells[i], digits, text[i]);
         end = *shown[i] ? i + 1 : end; /* no blanks follow the last unit */
     }
     if (line == UNITS && end == 0)
@@ -195,7 +195,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
                 fprintf(a->out, "\n%*s", WORDS_INDENT - 2, "");
             if (words >= 0 || line == VALUES) {
                 fputs("  ", a->out);
-                write_wrapped(a->out, value, words >= 0 ? words : WORDS_INDENT, a->width);
+                write_wrapped(a->out, value, words >= 0 ? words : WORDS_INDENT, a->layout.width);
             }
             continue;
         }
@@ -217,7 +217,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
 {
     char text[CELL_TEXT], line[TEXT_LINE];
     int key_width = 0, unit_width = 0, digits = table_digits(a), number = number_width(a, digits);
-    const char *bold = a->bold ? "\033[1m" : "", *end = a->bold ? "\033[m" : "";
+    const char *bold = a->layout.bold ? "\033[1m" : "", *end = a->layout.bold ? "\033[m" : "";
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         int key = terminal_columns(pretty(a, c->key, line));
@@ -225,16 +225,16 @@ static void row_lines(struct answer *a, const struct cell *cells)
         key_width = key > key_width ? key : key_width;
         unit_width = unit > unit_width ? unit : unit_width;
     }
-    if (a->width && key_width + number + unit_width + 4 > a->width)
-        number = a->width - key_width - unit_width - 4;
+    if (a->layout.width && key_width + number + unit_width + 4 > a->layout.width)
+        number = a->layout.width - key_width - unit_width - 4;
     int left = key_width + number + unit_width + 5;
-    bool meaning_below = a->width && a->width - left < MEANING_LEAST;
+    bool meaning_below = a->layout.width && a->layout.width - left < MEANING_LEAST;
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         struct measure measure = measure_of(c->unit, cells[i].number);
         key_field(a, pretty(a, c->key, line), -key_width);
         const char *value = table_text(a, measure, cells[i], digits, text);
-        bool value_below = a->width && terminal_columns(value) > number;
+        bool value_below = a->layout.width && terminal_columns(value) > number;
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
         const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, text);
@@ -246,7 +246,8 @@ static void row_lines(struct answer *a, const struct cell *cells)
         }
         if (meaning_below && *c->meaning)
             fprintf(a->out, "\n%*s", VALUE_INDENT, "");
-        write_wrapped(a->out, pretty(a, c->meaning, line), meaning_below ? VALUE_INDENT : left, a->width);
+        write_wrapped(a->out, pretty(a, c->meaning, line), meaning_below ? VALUE_INDENT : left,
+                      a->layout.width);
         putc('\n', a->out);
     }
 }
@@ -257,7 +258,7 @@ static void table_begin(struct answer *a, const struct cell *cells, const char *
 {
     (void)reason;
     for (enum line line = KEYS; a->rows && rows_fit(a) && line <= UNITS; line++)
-        row_line(a, a->sample ? a->sample : cells, line);
+        row_line(a, a->layout.sample ? a->layout.sample : cells, line);
 }
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
@@ -284,7 +285,7 @@ static void table_sentence(struct answer *a, const char *format, va_list argumen
     escape_text(text + above, shown, sizeof shown);
     int indent = (int)strspn(shown, " ");
     fprintf(a->out, "%s%*s", above ? "\n" : "", indent, "");
-    write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->width);
+    write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->layout.width);
     fputs(below ? "\n\n" : "\n", a->out);
 }
 

@@ -55,7 +55,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         .style = state_style(query->state),
         .command = c->name,
         .note = is_not_row ? TRAIN_NOTE : NULL,
-        .head = end->head,
+        .csv.last_head = end->head,
         .columns = c->columns,
         .rows = c->rows,
         .blank_above = end->answered && session->source.name,

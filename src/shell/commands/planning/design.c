@@ -70,7 +70,7 @@ static void plan_write(struct answer *a, const struct plan *p, bool file)
     domq_real at = 0;
     a->columns = columns;
     a->rows = true;
-    a->units = file;
+    a->csv.units = file;
     a->style.errors = false;
     answer_leave_out(a, p->has_masses ? "relative" : "mass");
     if (file)

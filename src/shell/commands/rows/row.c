@@ -34,9 +34,9 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
         answer_leave_out(a, "radius");
     if (!has_leans)
         answer_leave_out(a, "lean");
-    a->units = true;
+    a->csv.units = true;
     a->style.errors = false; /* 'effect row FILE' does not read columns of errors */
-    a->extra = a->path ? query->scene->listed.others : NULL;
+    a->csv.extra = a->path ? query->scene->listed.others : NULL;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {
             const struct domq_domino *d = &scene.domino[k];

@@ -154,8 +154,8 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     if ((a->style.errors || a->style.format->for_people) && !point_probe(w))
         return point_failed(w, problem);
     a->columns = w->columns.column;
-    a->has_reasons = true;
-    a->sample = w->answered ? w->sample : NULL;
+    a->csv.has_reasons = true;
+    a->layout.sample = w->answered ? w->sample : NULL;
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
     w->answer = *a;
@@ -202,7 +202,7 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     bool done = sweeper_columns(w, problem) && rows_write(w, a, problem);
     if (done && w->tally.with_reason > 0)
         tally_say(w, a);
-    a->sample = NULL;
+    a->layout.sample = NULL;
     free(w);
     return done;
 }
