@@ -172,19 +172,13 @@ TEST(growth)
 
 enum { KEPT = 64 };
 
-/* What the visitors of either header get. */
+/* What the visitors of <domino.h> get, which those of <domino_quad.h> compare with what they get. */
 struct seen {
     struct dom_link link[KEPT];
     struct dom_state state[KEPT];
     struct dom_force force[KEPT];
-    int event[KEPT], count;
-};
-
-struct seenq {
-    struct domq_link link[KEPT];
-    struct domq_state state[KEPT];
-    struct domq_force force[KEPT];
-    int event[KEPT], count;
+    int event[KEPT], count, compared;
+    bool has_bounds, has_friction;
 };
 
 static bool link_seen(const struct dom_link *link, void *context)
@@ -194,11 +188,17 @@ static bool link_seen(const struct dom_link *link, void *context)
     return seen->count < KEPT;
 }
 
-static bool link_seenq(const struct domq_link *link, void *context)
+static bool link_same(const struct domq_link *link, void *context)
 {
-    struct seenq *seen = context;
-    seen->link[seen->count++] = *link;
-    return seen->count < KEPT;
+    struct seen *seen = context;
+    const struct dom_link d = seen->link[seen->compared++];
+    const struct domq_link q = *link;
+    SAME(i)
+    SAME(theta)
+    SAME(slope) SAME(arm_a) SAME(arm_b) SAME(weight) SAME(error.theta) SAME(error.slope) SAME(error.weight)
+        /* Geometry has bounds even with friction. */
+        assert_true(seen->has_bounds == !isnan(d.error.theta) && seen->has_bounds == !isnan(d.error.weight));
+    return seen->compared < KEPT;
 }
 
 static bool state_seen(const struct dom_state *state, const struct dom_event *event, void *context)
@@ -209,12 +209,16 @@ static bool state_seen(const struct dom_state *state, const struct dom_event *ev
     return seen->count < KEPT;
 }
 
-static bool state_seenq(const struct domq_state *state, const struct domq_event *event, void *context)
+static bool state_same(const struct domq_state *state, const struct domq_event *event, void *context)
 {
-    struct seenq *seen = context;
-    seen->event[seen->count] = event ? (int)event->kind : -1;
-    seen->state[seen->count++] = *state;
-    return seen->count < KEPT;
+    struct seen *seen = context;
+    assert_int_equal(seen->event[seen->compared], event ? (int)event->kind : -1);
+    const struct dom_state d = seen->state[seen->compared++];
+    const struct domq_state q = *state;
+    STATE(SAME)
+    assert_true(seen->has_bounds ? d.error.climbed >= 0 || seen->has_friction : isnan(d.error.climbed));
+    assert_int_equal(isnan(d.error.climbed), isnan((double)q.error.climbed));
+    return seen->compared < KEPT;
 }
 
 static bool force_seen(const struct dom_force *force, void *context)
@@ -224,62 +228,31 @@ static bool force_seen(const struct dom_force *force, void *context)
     return seen->count < KEPT;
 }
 
-static bool force_seenq(const struct domq_force *force, void *context)
+static bool force_same(const struct domq_force *force, void *context)
 {
-    struct seenq *seen = context;
-    seen->force[seen->count++] = *force;
-    return seen->count < KEPT;
+    struct seen *seen = context;
+    const struct dom_force d = seen->force[seen->compared++];
+    const struct domq_force q = *force;
+    SAME(i) SAME(force) SAME(of_own) SAME(impulse) return seen->compared < KEPT;
 }
 
-static void check_chain(const struct both *b)
-{
-    static struct seen seen;
-    static struct seenq seenq;
-    seen.count = seenq.count = 0;
-    assert_status(dom_chain_walk(&b->train, &b->compute, 0, link_seen, &seen), DOM_OK);
-    assert_status(domq_chain_walk(&b->trainq, &b->computeq, 0, link_seenq, &seenq), DOM_OK);
-    assert_int_equal(seen.count, seenq.count);
-    for (int k = 0; k < seen.count; k++) {
-        struct dom_link d = seen.link[k];
-        struct domq_link q = seenq.link[k];
-        assert_int_equal(d.i, q.i);
-        bool bounds = b->compute.errors; /* geometry has bounds even with friction */
-        SAME(theta)
-        SAME(slope)
-        SAME(arm_a)
-        SAME(arm_b)
-        SAME(weight)
-        SAME(error.theta)
-        SAME(error.slope)
-        SAME(error.weight) assert_true(bounds == !isnan(d.error.theta) && bounds == !isnan(d.error.weight));
-    }
-}
+/* Checks that a walk of either header has the same steps. */
+#define WALK_SAME(walk, visitor, ...)                                                                        \
+    do {                                                                                                     \
+        static struct seen seen;                                                                             \
+        seen.count = seen.compared = 0;                                                                      \
+        seen.has_bounds = b->compute.errors;                                                                 \
+        seen.has_friction = b->train.mu > 0;                                                                 \
+        enum dom_status status = dom_##walk(&b->train, &b->compute, __VA_ARGS__, visitor##_seen, &seen);     \
+        assert_status(domq_##walk(&b->trainq, &b->computeq, __VA_ARGS__, visitor##_same, &seen), status);    \
+        assert_int_equal(seen.count, seen.compared);                                                         \
+    } while (0)
 
-static void check_walk(const struct both *b)
+static void check_walks(const struct both *b)
 {
-    static struct seen seen;
-    static struct seenq seenq;
-    seen.count = seenq.count = 0;
-    enum dom_status status = dom_cycle_walk(&b->train, &b->compute, 6, DOM_BY_TILT, state_seen, &seen);
-    assert_status(domq_cycle_walk(&b->trainq, &b->computeq, 6, DOM_BY_TILT, state_seenq, &seenq), status);
-    assert_int_equal(seen.count, seenq.count);
-    for (int k = 0; k < seen.count; k++) {
-        struct dom_state d = seen.state[k];
-        struct domq_state q = seenq.state[k];
-        STATE(SAME)
-        assert_int_equal(seen.event[k], seenq.event[k]);
-        assert_true(b->compute.errors ? d.error.climbed >= 0 || b->train.mu > 0 : isnan(d.error.climbed));
-        assert_int_equal(isnan(d.error.climbed), isnan((double)q.error.climbed));
-    }
-    seen.count = seenq.count = 0;
-    status = dom_cycle_forces(&b->train, &b->compute, 0, force_seen, &seen);
-    assert_status(domq_cycle_forces(&b->trainq, &b->computeq, 0, force_seenq, &seenq), status);
-    assert_int_equal(seen.count, seenq.count);
-    for (int k = 0; k < seen.count; k++) {
-        struct dom_force d = seen.force[k];
-        struct domq_force q = seenq.force[k];
-        SAME(i) SAME(force) SAME(of_own) SAME(impulse)
-    }
+    WALK_SAME(chain_walk, link, 0);
+    WALK_SAME(cycle_walk, state, 6, DOM_BY_TILT);
+    WALK_SAME(cycle_forces, force, 0);
 }
 
 static void check_events(const struct both *b)
@@ -322,8 +295,7 @@ static void check_forces(const struct both *b)
 
 TEST(walks)
 {
-    for_all(check_chain);
-    for_all(check_walk);
+    for_all(check_walks);
     for_all(check_events);
     for_all(check_forces);
 }
