@@ -72,6 +72,33 @@ print 4 cm to f|ft
 2*(rmax with fri|friction
 sweep s 0.1 0.3 3 q hollow, s|solid
 animate a.gif speed 2; set ou|output
+draw |at train forces
+draw f|forces
+draw 0.3 f|forces
+draw 0.3 forces |(nothing)
+draw at |domino end
+draw forces |(nothing)
+draw train |forces
+animate a.gif |speed rate train
+animate a.gif speed 2 r|rate
+plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost
+plot fall |(nothing)
+plot placement |(nothing)
+plot growth |paper
+plot growth paper |(nothing)
+plot sweep fr|friction
+plot sweep s 0.1 0.3 3 : rm|rmax
+plot energy |(nothing)
+plot energy r|(nothing)
+plot co|cost
+plot co r|rmax
+plot cost rmax |(nothing)
+cost |fuel launch barrier duration rmax pair
+plot cost |fuel launch barrier duration rmax pair
+set precision |float double quad
+set s |(nothing)
+set s b|best
+reset s |(nothing)
 foo |(nothing)
 fuel |(nothing)
 END
@@ -129,49 +156,8 @@ END
     same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
 
-@test "completion: what draw takes" {
-    same draw forces "$("$DOMINO" -e 'complete draw f')"
-    same 'draw T' forces "$("$DOMINO" -e 'complete draw 0.3 f')"
-}
-
-@test "completion and help: the words of draw and animate, and no word twice" {
-    complete() { "$DOMINO" -e "complete $1" | sort | paste -sd ' ' -; }
-    same draw 'at forces train' "$(complete 'draw ')"
-    same 'draw at' 'domino end' "$(complete 'draw at ')"
-    same 'draw forces' '(nothing)' "$(complete 'draw forces ')"
-    same 'draw train' forces "$(complete 'draw train ')"
-    same 'animate a.gif' 'rate speed train' "$(complete 'animate a.gif ')"
-    same 'animate a.gif speed 2' 'rate' "$(complete 'animate a.gif speed 2 r')"
-    "$DOMINO" -e 'help animate' | tr '\n' ' ' | grep -q 'at most 9 can be seen *together at r = 1.5'
-    one_line 'N is an integer in 1 .. 9, ' 'animate a.gif 10'
-}
-
-@test "completion: what plot takes" {
-    same plot 'chain cost energy fall gaps growth inertia marginal omega placement speed sweep' \
-        "$("$DOMINO" -e 'complete plot ' | sort | paste -sd ' ' -)"
-    same 'plot growth' paper "$("$DOMINO" -e 'complete plot growth ')"
-    same 'plot sweep' friction "$("$DOMINO" -e 'complete plot sweep fr')"
-    same 'plot sweep :' rmax "$("$DOMINO" -e 'complete plot sweep s 0.1 0.3 3 : rm')"
-    for line in 'plot fall ' 'plot growth paper ' 'plot cost rmax ' 'plot placement '; do
-        same "$line" '(nothing)' "$("$DOMINO" -e "complete $line")"
-    done
-}
-
-@test "completion: what cost and plot take" {
-    same cost 'barrier duration fuel launch pair rmax' "$("$DOMINO" -e 'complete cost ' | sort | paste -sd ' ' -)"
-    same plot cost "$("$DOMINO" -e 'complete plot co')"
-    same 'plot cost' rmax "$("$DOMINO" -e 'complete plot cost r')"
-    same precision 'double float quad' "$("$DOMINO" -e 'complete set precision ' | sort | paste -sd ' ' -)"
-}
-
 @test "what completion offers after a word is no error there" {
     local line word refused=''
-    same 'draw' 'at train forces' "$("$DOMINO" -e 'complete draw ' | paste -sd ' ' -)"
-    same 'a lone answer is not written for s' '(nothing)' "$("$DOMINO" -e 'complete set s ')"
-    same 'but for a beginning' best "$("$DOMINO" -e 'complete set s b')"
-    same 'after a plain number' rate "$("$DOMINO" -e 'complete animate a.gif speed 2 r')"
-    same 'plot cost' 'fuel launch barrier duration rmax pair' "$("$DOMINO" -e 'complete plot cost ' | paste -sd ' ' -)"
-    same 'an abbreviation' 'rmax' "$("$DOMINO" -e 'complete plot co r')"
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
         'plot gr' 'plot sweep' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \
         'effect friction 0.2' 'effect row 5' 'set q' 'set output' 'set output csv' reset 'reset s' show; do
@@ -183,7 +169,4 @@ END
         done
     done
     same 'offered, then refused' '(nothing)' "$refused"
-    for line in 'draw forces' 'draw 0.3 forces' 'plot growth paper' 'plot energy' 'plot energy r' 'reset s'; do
-        same "complete $line" '(nothing)' "$("$DOMINO" -e "complete $line ")"
-    done
 }

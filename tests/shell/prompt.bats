@@ -53,8 +53,7 @@ same_at_the_prompt() { # FORMAT
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
 @test "SIGHUP ends the session during a long computation" { prompt terminate HUP; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
-@test "^Z suspends, and fg resumes with the half-typed line" { prompt suspend "set s 0.4; " "0.4; \$"; }
-@test "^Z during a computation suspends when it is done" { prompt suspend $'curve 0.1 0.9 200\r' '\n +0.1 '; }
+@test "^Z during a computation suspends when it is done" { prompt suspend; }
 @test "watch: keys move the point, and every way out puts the terminal in order" { prompt watch; }
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
@@ -63,8 +62,6 @@ same_at_the_prompt() { # FORMAT
 @test "a line goes on below after a backslash" { prompt backslash; }
 @test "the arrow keys bring lines back" { prompt history; }
 @test "several lines pasted at once run one after the other" { prompt paste; }
-@test "a bracketed paste of several lines runs them all" { prompt paste_bracketed; }
-@test "hundreds of lines typed ahead" { prompt many; }
 @test "no prompt unless input and output are terminals" { prompt no_prompt; }
 
 @test "start-up file: it runs, -n skips it" { prompt init_file; }

@@ -283,15 +283,16 @@ at_end() { # LINE WIDTH: is the cursor behind the line?
     see '^42$'
 }
 
-@test "50 lines pasted, between brackets and without" {
-    for i in {1..49}; do echo "set s 0.0$((100 + i))"; done >"$BATS_TEST_TMPDIR/lines"
+@test "300 lines pasted, between brackets and without" {
+    echo foo >"$BATS_TEST_TMPDIR/lines" # an error; what follows is run
+    for i in {1..299}; do echo "set s 0.0$((100 + i))"; done >>"$BATS_TEST_TMPDIR/lines"
     echo 'print s*10000' >>"$BATS_TEST_TMPDIR/lines"
     for option in -p -d; do # -p: as terminals of today paste
         open_session 80 24
         terminal load-buffer "$BATS_TEST_TMPDIR/lines"
         terminal paste-buffer "$option"
         [ "$option" = -d ] || press Enter
-        see '^149$'
+        see '^399$'
         see_last "$prompt"
         ask 'print 6*7'
         see '^42$'
