@@ -3,7 +3,8 @@
 #   make deps run     install what is missing (Debian), build, open the calculator
 #   make deps test    also run the tests; with -j2 suites run in parallel; make quick: a selection
 #   make              .build/domino, .build/libdomino.a and .build/libdomino.so
-#   make install      program, library, man pages, examples; PREFIX= and DESTDIR= as usual; make uninstall
+#   make install      program, library, Python module, man pages, examples; PREFIX, LIBDIR, DESTDIR ... as usual; make uninstall
+#   make deb          Debian packages in .build/deb
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
@@ -55,7 +56,7 @@ SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
 .PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify fuzz bench guard deps lint format \
-        install uninstall dist clean
+        install uninstall deb dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
 # ---- Dependencies: only what the goals of this call need ----
@@ -75,6 +76,7 @@ DEPS_bench    := bc python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
 DEPS_atlas    := python3
+DEPS_deb      := dpkg-dev binutils
 DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
@@ -158,20 +160,23 @@ $(B)/$(SONAME): $(LIB_OBJ)
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-$(B)/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
+$(B)/shared/domino: PROGRAM := $(GSL) -lreadline
+$(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
+	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -o $@
 
 # Programs find a shared library in /usr/lib; in other places only one whose folder they name.
-PC_PREFIX = printf '%s\n' "prefix=$$(printf %s "$(PREFIX)" | sed 's/[[:blank:]]/\\&/g')" 'libdir=$${prefix}/lib' \
-  'rpath=$(if $(filter-out /usr,$(PREFIX)),-Wl$(,)-rpath$(,)$${libdir})' ''
+PC_PATH = "$(1)=$$(printf %s "$(2)" | sed 's/[[:blank:]]/\\&/g')"
+PC_TEXT = printf '%s\n' $(call PC_PATH,libdir,$(LIBDIR)) $(call PC_PATH,includedir,$(INCLUDEDIR)) \
+  'rpath=$(if $(filter-out /usr/lib /usr/lib/%,$(LIBDIR)),-Wl$(,)-rpath$(,)$${libdir})' '' \
+  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
+  'Libs: -L$${libdir} $${rpath} -ldomino' 'Libs.private: -lm -pthread' \
+  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))'
 , := ,
 $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
-	@{ $(PC_PREFIX); printf '%s\n' 'includedir=$${prefix}/include' '' \
-	  'Name: domino' 'Description: How far can a domino train grow?' 'Version: $(VERSION)' 'Requires.private: gsl' \
-	  'Libs: -L$${libdir} $${rpath} -ldomino' 'Libs.private: -lm -pthread' \
-	  'Cflags: -I$${includedir}$(patsubst %, %,$(filter -DDOM_NO_FLOAT128,$(CFLAGS)))'; } > $@
+	@$(PC_TEXT) > $@
 
 # The Python module, with the declarations that are made of the headers.
 PYTHON3   ?= python3
@@ -373,7 +378,7 @@ lint: $(HEADERS) | $(FIRST)
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
 	shellcheck tests/run tests/layers tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
-	  src/shell/prompt/domino.bash
+	  src/shell/prompt/domino.bash .packaging/install .packaging/deb
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
@@ -385,42 +390,46 @@ PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
   print(next((d[len(sys.argv[1]) + 1:] for d in sys.path if d.startswith(sys.argv[1] + "/lib") and d.endswith("-packages")), \
              "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null)
 
-# The installed files and their folders under PREFIX: file:folder.
+# Folders, as GNU names them.
+BINDIR     ?= $(PREFIX)/bin
+LIBDIR     ?= $(PREFIX)/lib
+INCLUDEDIR ?= $(PREFIX)/include
+DATADIR    ?= $(PREFIX)/share
+MANDIR     ?= $(DATADIR)/man
+DOCDIR     ?= $(DATADIR)/doc/domino
+
+# Each installed file and its folder, as words of the shell.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
-INSTALLED  = $(B)/domino:bin $(B)/libdomino.a:lib $(B)/$(SONAME):lib $(B)/libdomino.so:lib include/domino.h:include include/domino_row.h:include include/domino_proof.h:include \
-  $(B)/include/domino_quad.h:include $(B)/domino.pc:lib/pkgconfig \
-  $(foreach page,$(PAGES),$(page):share/man/man$(subst .,,$(suffix $(page)))) \
-  $(B)/completion/domino:share/bash-completion/completions README.md:share/doc/domino \
-  $(foreach f,$(EXAMPLES),$(f):share/doc/domino/$(patsubst %/,%,$(dir $(f)))) \
-  $(if $(PYTHONDIR),$(foreach f,$(notdir $(PYTHON_PY)) _api.py,$(B)/python/domino/$(f):$(PYTHONDIR)/domino))
-# The list of files and folders that 'make install' made, so that uninstall keeps those that existed before.
-MANIFEST = "$(DESTDIR)$(PREFIX)/share/doc/domino/installed"
+COMPLETIONS := $(addprefix $(B)/completion/,domino _domino domino.fish)
+IN         = $(foreach file,$(1),'$(file)' "$(2)")
+INSTALLED  = $(call IN,$(B)/domino,$(BINDIR)) $(call IN,$(B)/libdomino.a $(B)/$(SONAME) $(B)/libdomino.so,$(LIBDIR)) \
+  $(call IN,$(wildcard include/*.h) $(B)/include/domino_quad.h,$(INCLUDEDIR)) \
+  $(call IN,$(B)/domino.pc,$(LIBDIR)/pkgconfig) \
+  $(foreach page,$(PAGES),$(call IN,$(page),$(MANDIR)/man$(subst .,,$(suffix $(page))))) \
+  $(call IN,$(B)/completion/domino,$(DATADIR)/bash-completion/completions) \
+  $(call IN,$(B)/completion/_domino,$(DATADIR)/zsh/site-functions) \
+  $(call IN,$(B)/completion/domino.fish,$(DATADIR)/fish/vendor_completions.d) \
+  $(call IN,README.md,$(DOCDIR)) $(foreach file,$(EXAMPLES),$(call IN,$(file),$(DOCDIR)/$(patsubst %/,%,$(dir $(file))))) \
+  $(if $(PYTHONDIR),$(call IN,$(addprefix $(B)/python/domino/,$(notdir $(PYTHON_PY)) _api.py),$(PREFIX)/$(PYTHONDIR)/domino))
+MANIFEST   = "$(DOCDIR)/installed"
 
 $(B)/completion/domino: src/shell/prompt/domino.bash
+$(B)/completion/_domino: src/shell/prompt/domino.zsh
+$(B)/completion/domino.fish: src/shell/prompt/domino.fish
+$(COMPLETIONS):
 	@mkdir -p $(@D) && cp $< $@
 
-# The list comes first, so that an install that fails half way can be uninstalled.
-install: all $(B)/completion/domino $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
-	@list=$$(mktemp) && trap 'rm -f "$$list"' EXIT && \
-	folders() { [ -z "$$1" ] || [ -d "$(DESTDIR)$$1" ] || { folders "$${1%/*}" $$2 && $$2 "$$1"; }; } && \
-	name() { echo "$$1/"; } && create() { mkdir -m 755 "$(DESTDIR)$$1"; } && \
-	{ cat $(MANIFEST) 2>/dev/null; for entry in "$(B)/installed:share/doc/domino" $(INSTALLED); do \
-	  folders "$(PREFIX)/$${entry##*:}" name; file=$${entry%:*}; echo "$(PREFIX)/$${entry##*:}/$${file##*/}"; \
-	done; } | LC_ALL=C sort -u > "$$list" && \
-	mkdir -p "$(DESTDIR)/" && folders "$(PREFIX)/share/doc/domino" create && install -m 644 "$$list" $(MANIFEST) && \
-	for entry in $(INSTALLED); do \
-	  file=$${entry%:*} to="$(DESTDIR)$(PREFIX)/$${entry##*:}" mode=644 && if [ -x "$$file" ]; then mode=755; fi && \
-	  echo "  INSTALL  $$to/$${file##*/}" && folders "$(PREFIX)/$${entry##*:}" create && \
-	  if [ -h "$$file" ]; then cp -P "$$file" "$$to/"; else install -m $$mode "$$file" "$$to/"; fi || exit 1; \
-	done && \
-	{ $(PC_PREFIX); sed '1,/^$$/d' $(B)/domino.pc; } > "$(DESTDIR)$(PREFIX)/lib/pkgconfig/domino.pc"
+# domino.pc is written anew for the folders of this installation.
+install: all $(COMPLETIONS) $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
+	@printf '%s\t%s\n' $(INSTALLED) | DESTDIR="$(DESTDIR)" .packaging/install $(MANIFEST)
+	@$(PC_TEXT) > "$(DESTDIR)$(LIBDIR)/pkgconfig/domino.pc"
 
-# Files that others have put into a folder since then stay, and so does the folder.
 uninstall:
-	@[ -f $(MANIFEST) ] || { echo 'domino is not installed in $(DESTDIR)$(PREFIX)' >&2; exit 1; }
-	@LC_ALL=C sort -r $(MANIFEST) | while IFS= read -r path; do \
-	  case $$path in */) rmdir "$(DESTDIR)$$path" 2>/dev/null || : ;; \
-	  *) echo "  REMOVE  $(DESTDIR)$$path"; rm -f "$(DESTDIR)$$path" ;; esac; done
+	@DESTDIR="$(DESTDIR)" .packaging/install --remove $(MANIFEST)
+
+# Debian packages in .build/deb. Their program takes GSL and Readline from shared libraries.
+deb: $(B)/shared/domino
+	+@MAKE='$(MAKE)' .packaging/deb $(VERSION) $(SONAME) '$(abspath $(B))'
 
 # The tracked files; in a tree that came from such an archive, all files.  Equal files make equal
 # bytes: the archive of an unpacked archive is that archive.

@@ -280,3 +280,40 @@ END
     [ -n "$expected" ]
     [ "$(./both)" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
 }
+
+@test "Debian packages: they install into a root of their own, and answer there; lintian finds no error" {
+    command -v dpkg-shlibdeps >/dev/null || skip 'dpkg-dev is not installed'
+    if [ -n "$(checked "$build/libdomino.a")" ]; then skip 'packages are not made of a build with sanitizers'; fi
+    plain_make -C "$root" B="$build" deb >deb.log
+    local fresh=$PWD/root
+    mkdir -p "$fresh"/var/lib/dpkg/{info,updates,triggers}
+    touch "$fresh/var/lib/dpkg/status"
+    # What the packages depend on is in no root but the machine's.
+    if [ "$(id -u)" -eq 0 ]; then
+        dpkg --root="$fresh" --force-depends --force-script-chrootless -i "$build"/deb/*.deb >dpkg.log 2>&1
+    else
+        for package in "$build"/deb/*.deb; do dpkg-deb -x "$package" "$fresh"; done
+    fi
+    same packages 'domino libdomino libdomino-dev python3-domino' \
+        "$(basename -a "$build"/deb/*.deb | sed -E 's/_.*//; s/^(libdomino)[0-9].*/\1/' | LC_ALL=C sort | tr '\n' ' ' | sed 's/ $//')"
+
+    local lib
+    lib=$(dirname "$fresh"/usr/lib/*/libdomino.a)
+    same quiz '20' "$("$fresh/usr/bin/domino" -n -e 'set output json; count 112 m' | values dominoes)"
+    PKG_CONFIG_SYSROOT_DIR=$fresh PKG_CONFIG_PATH=$lib/pkgconfig
+    export PKG_CONFIG_SYSROOT_DIR PKG_CONFIG_PATH
+    # shellcheck disable=SC2046
+    cc "$fresh/usr/share/doc/domino/examples/rmax.c" -o rmax $(pkg-config --cflags --libs domino)
+    same C '1.64422903954, ends by barrier' "$(LD_LIBRARY_PATH=$lib ./rmax 0.4)"
+    same Python 20 "$(LD_LIBRARY_PATH=$lib PYTHONPATH=$fresh/usr/lib/python3/dist-packages python3 -B -c \
+        'import domino; print(domino.count(112).dominoes)')"
+    for package in "$build"/deb/*.deb; do
+        if [[ $package != *python3* ]]; then expects_depends "$package"; fi
+    done
+    if command -v lintian >/dev/null; then run -0 lintian --fail-on error "$build"/deb/*.deb; fi
+}
+
+# The tools have found the library of C, or the package of the library itself.
+expects_depends() { # PACKAGE
+    [[ $(dpkg-deb -f "$1" Depends) =~ libc6|libdomino ]]
+}

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completion of domino's command line in fish; what may stand in -e comes from domino itself.
+
+# Prints the commands typed so far after -e, each with a completion in the place of its last word.
+function __domino_commands
+    set -l typed (string trim --left --chars='"\'' -- (commandline --current-token))
+    set -l head (string replace --regex '[^ ;]*$' '' -- $typed)
+    for word in (domino --safe -e "complete $typed" 2>/dev/null)
+        echo $head$word
+    end
+end
+
+complete -c domino -s e -l execute -x -a '(__domino_commands)' -d 'Run commands'
+complete -c domino -s f -l file -r -d 'Run a file of commands'
+complete -c domino -s n -l no-init -d 'Read no start-up file'
+complete -c domino -l bail -d 'End after the first error'
+complete -c domino -l keep-going -d 'Go on after an error'
+complete -c domino -l safe -d 'Touch no files'
+complete -c domino -l interruptible -d 'An interrupt ends the command, not the program'
+complete -c domino -l shard -x -d 'Compute a part of sweeps and studies, such as 2/7'
+complete -c domino -l help -d 'Show how the program is called'
+complete -c domino -l version -d 'Show the version'
