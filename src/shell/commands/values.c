@@ -76,11 +76,9 @@ bool conversion_bind(const struct question *question, const struct query *query,
     struct quantity *q = &given->quantity[0];
     const char *name = question->item[1].word;
     char units[96], is[48], wanted[48];
-    struct conversion *c = malloc(sizeof *c);
+    struct conversion *c = arguments_take(given, sizeof *c, query, problem);
     if (!c)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->bound = c;
-    given->bound_free = free;
+        return false;
     problem->place = given->column[1];
     units_list(*q, units, sizeof units);
     if (!*name)
@@ -245,13 +243,11 @@ bool definition_bind(const struct question *q, const struct query *query, struct
     const struct definition *d = q->parsed;
     if (!d)
         return true;
-    struct variable *v = malloc(sizeof *v);
-    if (!v)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    *v = d->variable;
-    given->bound = v;
-    given->bound_free = free;
+    struct variable *v = arguments_take(given, sizeof *v, query, problem);
     domq_real number;
+    if (!v)
+        return false;
+    *v = d->variable;
     if (!v->body && !item_bind(&d->value, q->text, query, &v->value, &number, problem))
         return false;
     const int power[] = {v->value.length, v->value.time, v->value.angle, v->value.mass};

@@ -69,7 +69,7 @@ struct arguments {
     const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
     const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
     void *bound;                       /* the result of argument.bind */
-    void (*bound_free)(void *bound);   /* frees that result, or is NULL */
+    void *memory;                      /* of that result, see arguments_take */
 };
 
 /* A command. Strings and pointers that do not apply to it are NULL. */

@@ -48,6 +48,11 @@ bool question_bind(const struct question *question, const struct query *query, s
                    struct problem *problem);
 void call_free(struct call *call);
 
+/* Returns memory for the result of argument.bind, zeroed, which call_free frees. Returns NULL with a problem
+ * if there is none. */
+void *arguments_take(struct arguments *given, size_t size, const struct query *query,
+                     struct problem *problem);
+
 /* Binds a question and runs its command. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);

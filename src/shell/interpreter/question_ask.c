@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/question.h"
+#include <stdlib.h>
 #include <string.h>
 
 bool question_is_expression(const struct question *q)
@@ -46,8 +47,15 @@ bool question_bind(const struct question *q, const struct query *query, struct c
 
 void call_free(struct call *call)
 {
-    if (call->given.bound_free)
-        call->given.bound_free(call->given.bound);
+    free(call->given.memory);
+}
+
+void *arguments_take(struct arguments *given, size_t size, const struct query *query, struct problem *problem)
+{
+    given->bound = given->memory = calloc(1, size);
+    if (!given->memory)
+        problem_status(problem, query->scene, DOM_NO_MEMORY);
+    return given->memory;
 }
 
 bool question_ask(const struct question *q, const struct query *query, struct answer *answer,

@@ -170,11 +170,9 @@ bool draw_bind(const struct question *q, const struct query *query, struct argum
                struct problem *problem)
 {
     const struct draw_parsed *p = q->parsed;
-    struct draw_what *what = malloc(sizeof *what);
+    struct draw_what *what = arguments_take(given, sizeof *what, query, problem);
     if (!what)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->bound = what;
-    given->bound_free = free;
+        return false;
     *what = p->what;
     memcpy(what->value, usual.value, sizeof what->value);
     for (int k = 0; k < DRAW_VALUES; k++) {

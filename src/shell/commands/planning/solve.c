@@ -70,9 +70,9 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
     size_t length = strcspn(r->at, " \t:;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
     int k = names_find(solve_names, NULL, "parameter", name, message);
-    const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
-    if (meant)
-        return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
+    const struct parameter *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
+    if (suggested)
+        return problem_error(r->problem, "%s; did you mean '%s'?", message, suggested->name);
     if (k < 0)
         return problem_error(r->problem, "%s; the form is %s", message, form_of(r->problem));
     s->usual = &usual_ranges[k];
@@ -138,12 +138,10 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
                 struct problem *problem)
 {
     const struct solve_parsed *parsed = q->parsed;
-    struct solve *s = malloc(sizeof *s);
+    struct solve *s = arguments_take(given, sizeof *s, query, problem);
     domq_real number;
     if (!s)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->bound = s;
-    given->bound_free = free;
+        return false;
     *s = (struct solve){.parameter = parsed->parameter,
                         .from = (domq_real)parsed->usual->from,
                         .to = (domq_real)parsed->usual->to,

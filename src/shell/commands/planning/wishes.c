@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The wishes of 'design', such as 'safety 2 hall 20 m minimise length', in any order. */
 #include "commands/planning/planning.h"
-#include <stdlib.h>
 
 enum wish { SAFETY, HALL, MINIMISE };
 
@@ -76,11 +75,9 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
     const struct wishes_parsed *parsed = q->parsed;
     const struct item *safety = &parsed->value[SAFETY], *hall = &parsed->value[HALL];
     struct quantity unit = {.value = 0};
-    struct wishes *w = malloc(sizeof *w);
+    struct wishes *w = arguments_take(given, sizeof *w, query, problem);
     if (!w)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->bound = w;
-    given->bound_free = free;
+        return false;
     *w = usual_wishes;
     w->least = parsed->least;
     if ((safety->argument && !item_bind(safety, q->text, query, &unit, &w->safety, problem)) ||

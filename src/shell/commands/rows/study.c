@@ -127,18 +127,14 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, cons
     return DOM_OK;
 }
 
-/* Answers with what the search had found when ^C interrupted it. */
-static void budget_partial(struct answer *a, const struct domq_budget *b, domq_real share, domq_real rows)
+/* Says what the search had found when ^C interrupted it. */
+static void interrupted_say(struct answer *a, const struct domq_budget *b, domq_real share)
 {
-    const bool open = !isfinite(b->high), people = answer_for_people(a);
+    const bool open = !isfinite(b->high);
     answer_say(a, "Interrupted: with gaps placed within %s at least %s rows fall%s%s.",
                measured(two_digits(b->sigma), "m", 2).text, share_words(share).text,
                open ? "; how many fall with larger errors is not known" : ", and fewer with ",
                open ? "" : measured(b->high, "m", 2).text);
-    answer_row(a,
-               ROW(cell_real(share), cell_narrow(b->sigma, 4), cell_narrow(b->low, 4),
-                   cell_narrow(b->high, 4), cell_count(rows)),
-               people ? NULL : "interrupted: the answer is between low and high");
 }
 
 static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
@@ -165,15 +161,19 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                                      ? "even with exact gaps fewer rows than that fall; enter a smaller P"
                                      : "even with exact gaps the row does not fall; 'mend' finds a "
                                        "change that saves it");
-    if (status == DOM_INTERRUPTED && budget.sigma > 0 && !any)
-        budget_partial(a, &budget, share, rows);
-    if (status != DOM_OK)
+    const bool interrupted = status == DOM_INTERRUPTED && budget.sigma > 0 && !any;
+    if (status != DOM_OK && !interrupted)
         return row_status(query, problem, status);
-    return answer_row(a,
-                      ROW(cell_real(share), cell_bound(budget.sigma, DOMQ_NAN),
-                          cell_bound(budget.low, DOMQ_NAN), cell_bound(budget.high, DOMQ_NAN),
-                          cell_count(rows)),
-                      any ? "more rows than that fall even if errors are as large as the largest gap" : NULL);
+    if (interrupted)
+        interrupted_say(a, &budget, share);
+    const int digits = interrupted ? 4 : 0;
+    answer_row(a,
+               ROW(cell_real(share), cell_narrow(budget.sigma, digits), cell_narrow(budget.low, digits),
+                   cell_narrow(budget.high, digits), cell_count(rows)),
+               any ? "more rows than that fall even if errors are as large as the largest gap"
+               : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
+                                                      : NULL);
+    return !interrupted || row_status(query, problem, status);
 }
 
 /* ---- The table of commands ---- */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/sweeps/grid.h"
 #include "language/quad.h"
-#include <stdlib.h>
 
 static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ..., for each parameter";
 
@@ -83,6 +82,7 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
         axis->parameter = p;
         if (!axis_parse(r, axis))
             return false;
+        grid->listed += axis->count;
     }
     reader_place(r, r->at);
     if (grid->axes == 0)
@@ -104,28 +104,21 @@ bool grid_parse(struct reader *r, struct grid_parsed *grid)
 
 /* ---- Binding ---- */
 
-static bool list_bind(const struct axis_parsed *parsed, const struct text *text, const struct query *query,
-                      struct axis *axis, struct problem *problem)
-{
-    const struct value_parsed *value = parsed->first;
-    axis->count = parsed->count;
-    axis->list = malloc(axis->count * sizeof *axis->list);
-    if (!axis->list)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    for (size_t k = 0; k < axis->count; k++, value = value->next)
-        if (!item_bind(&value->item, text, query, NULL, &axis->list[k], problem))
-            return false;
-    return true;
-}
-
 static bool axis_bind(const struct axis_parsed *parsed, const struct text *text, const struct query *query,
-                      struct axis *axis, struct problem *problem)
+                      domq_real *list, struct axis *axis, struct problem *problem)
 {
     domq_real n;
     const char *name = parsed->parameter->name;
-    *axis = (struct axis){.parameter = parsed->parameter, .logarithmic = parsed->log_at != NULL};
+    const struct value_parsed *value = parsed->first;
+    *axis = (struct axis){.parameter = parsed->parameter,
+                          .count = parsed->count,
+                          .logarithmic = parsed->log_at != NULL,
+                          .list = parsed->count > 0 ? list : NULL};
+    for (size_t k = 0; k < parsed->count; k++, value = value->next)
+        if (!item_bind(&value->item, text, query, NULL, &list[k], problem))
+            return false;
     if (parsed->count > 0)
-        return list_bind(parsed, text, query, axis, problem);
+        return true;
     if (!item_bind(&parsed->first->item, text, query, NULL, &axis->from, problem) ||
         !item_bind(&parsed->to, text, query, NULL, &axis->to, problem) ||
         !item_bind(&parsed->steps, text, query, NULL, &n, problem))
@@ -147,25 +140,20 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
 }
 
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
-               struct grid *grid, struct problem *problem)
+               domq_real *listed, struct grid *grid, struct problem *problem)
 {
     const size_t most = 1000000000000;
     *grid = (struct grid){.points = 1};
     for (int i = 0; i < parsed->axes; i++) {
-        struct axis *axis = &grid->axis[grid->axes++]; /* counted first, so that grid_free frees its list */
-        if (!axis_bind(&parsed->axis[i], text, query, axis, problem))
+        struct axis *axis = &grid->axis[grid->axes++];
+        if (!axis_bind(&parsed->axis[i], text, query, listed, axis, problem))
             return false;
+        listed += parsed->axis[i].count;
         if (axis->count > most / grid->points)
             return problem_error(problem, "the grid has more than %zu points; enter smaller N", most);
         grid->points *= axis->count;
     }
     return true;
-}
-
-void grid_free(struct grid *grid)
-{
-    for (int i = 0; i < grid->axes; i++)
-        free(grid->axis[i].list);
 }
 
 /* ---- Values ---- */

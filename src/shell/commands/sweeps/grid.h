@@ -10,8 +10,8 @@ struct axis {
     const struct parameter *parameter;
     size_t count;
     domq_real from, to;
-    bool logarithmic; /* neighbouring values have the same ratio, not the same difference */
-    domq_real *list;  /* the values of a list, or NULL */
+    bool logarithmic;      /* neighbouring values have the same ratio, not the same difference */
+    const domq_real *list; /* the values of a list, or NULL */
 };
 
 struct grid {
@@ -33,15 +33,15 @@ struct grid_parsed {
         const char *log_at; /* the place of the word 'log', or NULL */
     } axis[ASSIGNED_MAX];
     int axes;
+    size_t listed; /* the number of values in all lists */
 };
 
 /* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Computes the values of a grid in the state of a query. Call grid_free even after a problem. */
+/* Computes the values of a grid in the state of a query. `listed` has room for the values of all lists. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
-               struct grid *grid, struct problem *problem);
-void grid_free(struct grid *grid);
+               domq_real *listed, struct grid *grid, struct problem *problem);
 
 /* Returns value k of an axis, counted from 0. */
 domq_real axis_value(const struct axis *axis, size_t k);

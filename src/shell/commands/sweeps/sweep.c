@@ -18,6 +18,7 @@ struct sweep_parsed {
 struct sweep {
     struct grid grid;
     const struct sweep_parsed *parsed;
+    domq_real listed[]; /* the values of all lists of the grid */
 };
 
 /* ---- Parsing ---- */
@@ -98,24 +99,16 @@ bool sweep_parse_answers(struct reader *r, struct question *q)
     return is_good;
 }
 
-static void sweep_free(void *own)
-{
-    struct sweep *s = own;
-    grid_free(&s->grid);
-    free(s);
-}
-
 bool sweep_bind(const struct question *q, const struct query *query, struct arguments *given,
                 struct problem *problem)
 {
     const struct sweep_parsed *parsed = q->parsed;
-    struct sweep *s = calloc(1, sizeof *s);
+    struct sweep *s =
+        arguments_take(given, sizeof *s + parsed->grid.listed * sizeof *s->listed, query, problem);
     if (!s)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    given->bound = s;
-    given->bound_free = sweep_free;
+        return false;
     s->parsed = parsed;
-    return grid_bind(&parsed->grid, q->text, query, &s->grid, problem);
+    return grid_bind(&parsed->grid, q->text, query, s->listed, &s->grid, problem);
 }
 
 struct sweep_shape sweep_shape(const struct arguments *given)
