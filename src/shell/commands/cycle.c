@@ -161,8 +161,8 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
  * Returns true if a command can answer, and sets *why to the reason why numbers are missing in the answer, or
  * to NULL if the cycle comes to its end. Otherwise describes the problem.
  */
-static bool cycle_ends(const struct query *query, enum dom_status status, struct problem *problem,
-                       char reason[ANSWER_REASON], const char **why)
+static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
+                            char reason[ANSWER_REASON], const char **why)
 {
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
@@ -194,7 +194,7 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_launch_find(&query->scene->train, &compute, &l);
-    if (!cycle_ends(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
@@ -218,7 +218,7 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_cycle_omegasq(&query->scene->train, &compute, theta, &omegasq);
-    if (!cycle_ends(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     return answer_row(a,
@@ -244,7 +244,7 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_barrier_find(&query->scene->train, &compute, &b);
-    if (!cycle_ends(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, reason, &why))
         return false;
     const char *verdict = status == DOM_OK      ? "goes on"
                           : status == DOM_STOPS ? "stops"
@@ -275,7 +275,7 @@ static bool run_duration(const struct query *query, struct answer *a, struct pro
     char reason[ANSWER_REASON];
     const char *why;
     enum dom_status status = domq_cycle_duration(&query->scene->train, &compute, &duration);
-    if (!cycle_ends(query, status, problem, reason, &why))
+    if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real speed =
         why ? DOMQ_NAN : domq_scale_speed(&query->scene->scale, &query->scene->train, duration.value);

@@ -39,7 +39,7 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 }
 
 static const struct column rmax_columns[] = {
-    {"s", "h", "separation: the gap over the height", 0},
+    {"s", "h", "the gap divided by the height", 0},
     {"r_max", "", "largest growth with which the train goes on", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {"r_max_exact", "", "r_max with the fuel from the balance of energy", 0},
@@ -95,7 +95,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column pair_columns[] = {
-    {"s", "h", "separation: the gap over the height", 0},
+    {"s", "h", "the gap divided by the height", 0},
     {"r_max", "", "largest growth with which the first domino topples the second", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {NULL, NULL, NULL, 0},
@@ -122,7 +122,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column best_columns[] = {
-    {"s", "h", "the separation that allows the largest growth", 0},
+    {"s", "h", "the gap with which dominoes can grow most, divided by the height", 0},
     {"r_max", "", "the largest growth", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -146,7 +146,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column curve_columns[] = {
-    {"s", "h", "separation: the gap over the height", 0},
+    {"s", "h", "the gap divided by the height", 0},
     {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
@@ -160,7 +160,7 @@ struct curve {
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool gaps;
+    bool has_missing;       /* there was no growth at a point */
     enum dom_status status; /* of the last point */
 };
 
@@ -178,14 +178,14 @@ static bool curve_point(void *own, size_t k, FILE *out)
         return false;
     answer_cells(&a, cell_real(c->train.s), CELL_OF(exact, r_max), CELL_OF(paper, r_max),
                  CELL_OF(pair, r_max), cell_real(domq_train_reach(&c->train)));
-    c->gaps = c->gaps || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
+    c->has_missing = c->has_missing || exact.ends == DOM_END_NONE || pair.ends == DOM_END_NONE;
     return true;
 }
 
 static void curve_gather(void *own, const void *worker)
 {
     struct curve *c = own;
-    c->gaps = c->gaps || ((const struct curve *)worker)->gaps;
+    c->has_missing = c->has_missing || ((const struct curve *)worker)->has_missing;
 }
 
 static bool run_curve(const struct query *query, struct answer *a, struct problem *problem)
@@ -207,7 +207,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
         .points = (size_t)c.n, .point = curve_point, .context = &c, .size = sizeof c, .merge = curve_gather};
     if (!points_answer(query, problem, a, workers, &by_point))
         return by_point ? problem_status(problem, query->scene, c.status) : false;
-    if (c.gaps)
+    if (c.has_missing)
         answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");
     return true;
 }
@@ -219,7 +219,7 @@ const struct command limit_commands[] = {
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth r at separation S (or s)",
+     .summary = "the largest growth r, with gaps of S heights (or s)",
      .equation = "(26; c8)",
      .help =
          "r increases from 1 until a domino has less energy than it needs to topple the next one, or until "
@@ -244,7 +244,7 @@ const struct command limit_commands[] = {
     {.name = "best",
      .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
-     .summary = "the separation that allows the largest growth",
+     .summary = "the gap with which dominoes can grow most",
      .example = "best",
      .see = "rmax curve",
      .principal = "s",
@@ -255,7 +255,7 @@ const struct command limit_commands[] = {
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "N", .kind = ARGUMENT_COUNT}},
-     .summary = "the largest growth at N separations, as in the paper's figures",
+     .summary = "the largest growth with N different gaps, as in the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
      .rows = true,
@@ -264,7 +264,7 @@ const struct command limit_commands[] = {
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
-     .summary = "how many dominoes topple one H tall, at growth R (or r)",
+     .summary = "how many dominoes topple one H tall, with growth R (or r)",
      .help = "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
              "one that "
              "is at least H tall. The n-th domino is smaller than H, and topples the next one.",

@@ -200,7 +200,7 @@ const struct command session_commands[] = {
      .shortest = "re",
      .synonyms = "undo default clear restore variable delete remove unset forget del kill",
      .argument = {{A_PARAMETER, .optional = true}},
-     .summary = "give the parameter NAME, or all of the model, the defaults again",
+     .summary = "set the parameter NAME, or all of the model, to the default",
      .help =
          "Without NAME all effects are turned off, too. The settings of the session stay: threads, output, "
          "digits, angle, errors, timing, hints. Variables stay, too; 'reset x' forgets the variable x.",
