@@ -54,9 +54,11 @@ const char *target_begin(struct target *t, const char *path, bool may_be_standar
     if (escape_needed(path)) /* the reader of a script must see which file it writes */
         return "the name has control characters, or is not UTF-8; no such file is written";
     *t = (struct target){.path = real_path(path), .next = targets};
-    if (!t->path)
+    t->exists = t->path && stat(path, &t->status) == 0;
+    if (!t->path || (!t->exists && errno != ENOENT)) {
+        free(t->path);
         return strerror(errno);
-    t->exists = stat(path, &t->status) == 0;
+    }
     bool is_written = !may_be_standard && target_is_standard(t);
     bool is_regular = !t->exists || S_ISREG(t->status.st_mode); /* devices have several writers */
     for (const struct target *other = targets; other && is_regular && !is_written; other = other->next) {
