@@ -39,7 +39,7 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 }
 
 static const struct column rmax_columns[] = {
-    {"s", "h", "the gap divided by the height", 0},
+    {"s", "h", "separation: the gap divided by the height", 0},
     {"r_max", "", "largest growth with which the train goes on", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {"r_max_exact", "", "r_max with the fuel from the balance of energy", 0},
@@ -95,7 +95,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column pair_columns[] = {
-    {"s", "h", "the gap divided by the height", 0},
+    {"s", "h", "separation: the gap divided by the height", 0},
     {"r_max", "", "largest growth with which the first domino topples the second", 0},
     {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
     {NULL, NULL, NULL, 0},
@@ -122,7 +122,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column best_columns[] = {
-    {"s", "h", "the gap with which dominoes can grow most, divided by the height", 0},
+    {"s", "h", "separation with which dominoes can grow most", 0},
     {"r_max", "", "the largest growth", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -146,7 +146,7 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column curve_columns[] = {
-    {"s", "h", "the gap divided by the height", 0},
+    {"s", "h", "separation: the gap divided by the height", 0},
     {"exact", "", "r_max with the fuel from the balance of energy", 0},
     {"paper", "", "r_max with the paper's closed form of the fuel", 0},
     {"pair", "", "r_max of the two-domino model", 0},
@@ -216,7 +216,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
 
 const struct command limit_commands[] = {
     {.name = "rmax",
-     .synonyms = "maximum ratio factor larger separation",
+     .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
      .summary = "the largest growth r, with gaps of S heights (or s)",
@@ -231,7 +231,7 @@ const struct command limit_commands[] = {
      .principal = "r_max",
      ANSWER(rmax)},
     {.name = "pair",
-     .synonyms = "two maximum separation",
+     .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
      .summary = "the largest growth for two dominoes, of which the first just tips over",
@@ -242,7 +242,7 @@ const struct command limit_commands[] = {
      .principal = "r_max",
      ANSWER(pair)},
     {.name = "best",
-     .synonyms = "optimum optimal spacing distance separation maximum",
+     .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
      .summary = "the gap with which dominoes can grow most",
      .example = "best",
@@ -250,7 +250,7 @@ const struct command limit_commands[] = {
      .principal = "s",
      ANSWER(best)},
     {.name = "curve",
-     .synonyms = "graph figure table separation",
+     .synonyms = "graph figure table",
      .train = true,
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},

@@ -16,7 +16,7 @@ static const char *prove_names(const void *context, int k)
 }
 
 static const struct column prove_columns[] = {
-    {"s", "h", "the gap divided by the height", 0},
+    {"s", "h", "separation: the gap divided by the height", 0},
     {"what", "", "the answer with a proof", 7},
     {"low", "", "proved: it is not less than this", 0},
     {"high", "", "proved: it is not more than this", 0},
