@@ -324,7 +324,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 bool scene_row_place(struct scene *scene, size_t k, domq_real gap, struct problem *problem)
 {
-    struct scene_row row;
+    struct scene_row row = {.domino = NULL};
     struct listed_row *listed = &scene->listed;
     if (!scene_row_list(scene, &row, problem))
         return false;
