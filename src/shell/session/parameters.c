@@ -186,7 +186,7 @@ static int rank(const struct state *state, const struct parameter *p)
     if (p->effect)
         return state->scene.effect[p->which].on
                    ? 5
-                   : !p->effect->needs; /* those that need another effect come first */
+                   : !p->effect->needs; /* an effect that needs another one comes first */
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 

@@ -28,7 +28,7 @@ struct means {
 /* Shows a note to the user. */
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns the points of the part that is asked for, from the first one, of so many points. */
+/* Returns which of the points --shard asks for: the index of the first one, and their number. */
 struct range {
     size_t first, count;
 };

@@ -32,9 +32,10 @@ struct session {
         bool is_last; /* at the prompt: there is no output below the line yet */
     } typed;
 
-    const char *command;            /* the command that runs, for notes */
-    volatile sig_atomic_t *resumes; /* SIGINT sets it, and ends only a command; NULL if it ends the script */
-    bool bail;                      /* the first error ends the session */
+    const char *command; /* the command that runs, for notes */
+    /* The flag that SIGINT sets, if SIGINT ends only the command and not the script. Otherwise NULL. */
+    volatile sig_atomic_t *resumes;
+    bool bail; /* the first error ends the session */
     bool quit;
     bool wrote; /* the last command wrote rows */
     long errors;
