@@ -77,8 +77,8 @@ same_at_the_prompt() { # FORMAT
 @test "NUL bytes" { prompt nul; }
 @test "control characters" { prompt control; }
 @test "watch is for the prompt, and says so" {
-    wrong 'watch s 0.1 0.9: rmax' 'keys need the prompt on a terminal .* lists the answers'
-    wrong 'watch s 0.9 0.1: rmax' 'FROM is less than TO'
+    wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'
+    wrong 'watch s 0.9 0.1: rmax' 'FROM must be less than TO'
     wrong 'watch s' "the form is 'watch s : rmax'"
     wrong 'watch s 0.1 0.9:' "the answer is missing after ':'"
 }

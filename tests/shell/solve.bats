@@ -84,7 +84,7 @@ END
     same csv 'value,answer,branch,reason' "$("$DOMINO" -e 'set output csv; solve d : rmax = 5' | head -n 1)"
     wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
     wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, and VALUE is a length'
-    wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM is less than TO'
+    wrong 'solve d 0.3 0.2 : rmax = 1.5' 'FROM must be less than TO'
     wrong 'solve d 0.3 : rmax = 1.5' 'TO is missing; the form is'
     wrong 'solve d : rmax' "'= VALUE' is missing after 'rmax'"
     wrong 'solve d' "':' and an answer are missing"

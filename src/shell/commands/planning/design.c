@@ -231,17 +231,18 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 static bool wish_check(struct problem *problem, const struct domq_wish *w)
 {
     if (!(w->height > w->first))
-        return problem_no_answer(problem,
-                                 "H = %s is not taller than the first domino, h = %s; a larger H, or 'set h'",
-                                 measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
+        return problem_no_answer(
+            problem,
+            "H = %s is not taller than the first domino, h = %s; enter a larger H, or another h with 'set h'",
+            measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
         return problem_no_answer(problem,
-                                 "safety %s is not above 1: at 1 a domino just falls; 'safety 2' is usual",
+                                 "safety %s is not above 1, where a domino just falls; 'safety 2' is usual",
                                  quad_shown(w->safety).text);
     return w->hall > w->height ||
            problem_no_answer(problem,
                              "a hall of %s has no room for the last domino, which is %s long when it has "
-                             "fallen; a longer hall, or a smaller H",
+                             "fallen; enter a longer hall or a smaller H",
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 

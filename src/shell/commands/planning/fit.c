@@ -92,9 +92,9 @@ static bool rows_check(const struct fit *f, struct problem *problem)
     for (size_t k = 0; k < f->count; k++) {
         several = several || f->row[k].gap != f->row[0].gap;
         if (f->row[k].gap > h)
-            return problem_no_answer(problem,
-                                     "%s: the gap %s is longer than the domino is tall, h = %s; 'set h'",
-                                     shown, measured(f->row[k].gap, "m", 6).text, measured(h, "m", 6).text);
+            return problem_no_answer(
+                problem, "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes that",
+                shown, measured(f->row[k].gap, "m", 6).text, measured(h, "m", 6).text);
     }
     return several ||
            problem_no_answer(problem,
@@ -214,9 +214,9 @@ static void fit_answer(struct answer *a, struct fit *f, double mu, double uncert
     }
     answer_say(a,
                "\nA friction of %.3g fits best, with a standard deviation of %.2g; %s. 'effect friction "
-               "%.3g' takes it.",
+               "%.3g' sets it.",
                mu, uncertainty,
-               f->errors ? "each speed counts by its error" : "each speed counts by the same relative error",
+               f->errors ? "speeds are weighted by their errors" : "all speeds have the same relative weight",
                mu);
     if (mu == 0)
         answer_say(a, "The speeds are as high as without friction, or higher.");

@@ -18,7 +18,7 @@ static bool verdict_ask(const struct probe *p, const struct query *at, struct qu
     if (!question_ask(p->question, at, &answer, problem))
         return false;
     *value = (struct quantity){.value = answer.holds == ANSWER_YES ? 1 : -1};
-    return answer.holds != ANSWER_OPEN || problem_no_answer(problem, "nothing is decided");
+    return answer.holds != ANSWER_OPEN || problem_no_answer(problem, "the command has no verdict here");
 }
 
 domq_real probe_at(struct probe *p, domq_real value)

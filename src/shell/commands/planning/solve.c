@@ -55,7 +55,7 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
         return problem_error(r->problem, "%s is missing; the form is %s", name, form_of(r->problem));
     return item_parse_value(r, p, 0, p->value->name, item) &&
            (item->value || isfinite(item->number) ||
-            problem_error(r->problem, "%s is a number; the form is %s", name, form_of(r->problem)));
+            problem_error(r->problem, "%s must be a number; the form is %s", name, form_of(r->problem)));
 }
 
 /* Parses "NAME" or "NAME FROM TO", up to the ':'. */
@@ -151,7 +151,7 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
                             !item_bind(&parsed->to, q->text, query, NULL, &s->to, problem)))
         return false;
     if (!(s->from < s->to))
-        return problem_error(problem, "the range begins at %s and ends at %s; FROM is less than TO",
+        return problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
                              quad_shown(s->from).text, quad_shown(s->to).text);
     return !parsed->value.at || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }

@@ -48,7 +48,7 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
         answer_say(a, "%s the foot %s, is lifted off, which no friction prevents.", begin,
                    foot_words(&n->most, hit).text);
     if (n->first.head == 0)
-        answer_say(a, "None slips then on a floor with a friction of %.4g.", (double)floor);
+        answer_say(a, "On a floor with a friction of %.4g no foot slips then.", (double)floor);
     else if (isfinite(n->first.needs))
         answer_say(a,
                    "On a floor with a friction of %.4g the foot %s, is the first to slip then; it needs %s.",
@@ -59,12 +59,13 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
 static void slip_matters_say(struct answer *a, bool in_motion)
 {
     answer_say(
-        a, in_motion
-               ? "This answer is for feet that hold. Where feet slip while dominoes fall, a row can stop "
-                 "sooner than it says."
-               : "This answer is for feet that hold. A slip in the instant of a hit is no verdict: in a "
-                 "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by 3 %% at "
-                 "most where dominoes have a friction of 0.2, and by a tenth where they have none.");
+        a,
+        in_motion
+            ? "This answer is for feet that do not slip. If feet slip while dominoes fall, a row can stop "
+              "sooner than it says."
+            : "This answer is for feet that do not slip. A slip in the instant of a hit matters little: in a "
+              "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by 3 %% at "
+              "most where dominoes have a friction of 0.2, and by a tenth where they have none.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)
