@@ -139,11 +139,10 @@ static bool row_watch(struct film *film)
 
 static bool animate_row(const struct film *film)
 {
-    static const struct marks marks = {.ends = "black", .weakest = "red"};
     struct row_film f = {.film = *film};
     struct stage *stage = &f.row.stage;
     f.film.delay = (int)quad(round)(100 / film->what->value[DRAW_RATE]);
-    if (!falling_row_make(film->query, film->problem, marks, &f.row))
+    if (!falling_row_make(film->query, film->problem, script_marks, &f.row))
         return false;
     if (film->answer)
         answer_columns(film->answer, film->answer->columns)[1] =
@@ -161,8 +160,9 @@ static bool animate_row(const struct film *film)
 /* ---- The train ---- */
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-#define GROWN_MOST 40 /* the largest ratio of the last head to the first, which would else be seen as a dot  \
-                       */
+#define GROWN_MOST                                                                                           \
+    40 /* the largest ratio of the last head to the first, which would else be seen as a dot                 \
+        */
 #define FILM_TOL ((domq_real)1 / 1000000000) /* more than an eye can see */
 
 /* The cycles one after the other. Lengths are in heights of the first head, and times in its tau. */

@@ -44,10 +44,23 @@ static const struct column plot_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-#define TILT                                                                                                 \
-    {                                                                                                        \
-        "theta", "tilt of the head"                                                                          \
-    }
+static const char *paper_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "paper" : NULL;
+}
+
+/* What may follow the name of a plot. */
+static const struct argument answer_argument = {.name = "NAME",
+                                                .kind = ARGUMENT_CHOICE,
+                                                .of = "command with a tolerance",
+                                                .choices = cost_names},
+                             paper_argument = {.name = "paper",
+                                               .kind = ARGUMENT_CHOICE,
+                                               .of = "word after 'plot growth'",
+                                               .choices = paper_names},
+                             rows_argument = {.name = "ROWS", .kind = ARGUMENT_COUNT},
+                             grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
 
 /* The plots, in the order of completion. */
 static const struct plot plots[] = {
@@ -63,7 +76,7 @@ static const struct plot plots[] = {
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
      .x = {"sigma", "standard deviation of every gap"}, .y = {NULL, "rows that fall,", .percent = true},
-     .curve = {{"probability", "", CHART_BOTH, INK_BLUE}}, .argument = ROWS},
+     .curve = {{"probability", "", CHART_BOTH, INK_BLUE}}, .argument = &rows_argument},
     {"growth", plot_growth, "s solid hollow solid_paper hollow_paper reach",
      .title = "Below its curve a train keeps falling", .x = {"s", ""}, .y = {NULL, "growth r"},
      .curve = {{"solid", "solid dominoes", CHART_LINE, INK_BLUE, 0},
@@ -71,7 +84,7 @@ static const struct plot plots[] = {
                {"solid_paper", "solid, the paper's fuel", CHART_LINE, INK_SKY, 3},
                {"hollow_paper", "hollow, the paper's fuel", CHART_LINE, INK_ORANGE, 4},
                {"reach", "", CHART_LINE, INK_GREY, 2}},
-     .argument = PAPER},
+     .argument = &paper_argument},
     {"marginal", plot_marginal, "s solid_pair solid_train hollow_pair hollow_train reach",
      .title = "Below the curve of a pair, a domino that just tips over topples the next", .x = {"s", ""},
      .y = {NULL, "growth r"},
@@ -80,27 +93,27 @@ static const struct plot plots[] = {
                {"hollow_pair", "hollow pair", CHART_LINE, INK_ORANGE, 4},
                {"hollow_train", "hollow train", CHART_LINE, INK_RED, 1},
                {"reach", "", CHART_LINE, INK_GREY, 2}}},
-    {"sweep", plot_sweep_rows, "", .title = "", .draw = plot_sweep_draw, .argument = GRID},
-    {"energy", plot_energy, "theta dH kinetic J event", .title = "Energy over a cycle", .x = TILT,
-     .y = {NULL, "energy in m g h/2 of the head"},
+    {"sweep", plot_sweep_rows, "", .title = "", .draw = plot_sweep_draw, .argument = &grid_argument},
+    {"energy", plot_energy, "theta dH kinetic J event", .title = "Energy over a cycle",
+     .x = {"theta", "tilt of the head"}, .y = {NULL, "energy in m g h/2 of the head"},
      .curve = {{"dH", "potential energy, from the launch on", CHART_LINE, INK_BLUE, 0},
                {"kinetic", "kinetic energy", CHART_LINE, INK_RED, 1}}},
-    {"omega", plot_omega, "theta omegasq omega event", .title = "Angular velocity over a cycle", .x = TILT,
-     .y = {"omega", "angular velocity"}, .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
-    {"inertia", plot_inertia, "theta J event", .title = "Inertia over a cycle", .x = TILT,
-     .y = {NULL, "inertia J of all that move, 1 for the head alone"},
+    {"omega", plot_omega, "theta omegasq omega event", .title = "Angular velocity over a cycle",
+     .x = {"theta", "tilt of the head"}, .y = {"omega", "angular velocity"},
+     .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
+    {"inertia", plot_inertia, "theta J event", .title = "Inertia over a cycle",
+     .x = {"theta", "tilt of the head"}, .y = {NULL, "inertia J of all that move, 1 for the head alone"},
      .curve = {{"J", "J (20; c2)", CHART_LINE, INK_BLUE, 0}}},
-    {"chain", plot_chain, "i theta theta_i event", .title = "Tilts over a cycle", .x = TILT,
-     .y = {"theta_i", "tilt of domino i"},
+    {"chain", plot_chain, "i theta theta_i event", .title = "Tilts over a cycle",
+     .x = {"theta", "tilt of the head"}, .y = {"theta_i", "tilt of domino i"},
      .curve = {{"theta_i", "i = 0, the head", CHART_LINE, INK_BLUE, 0, 1},
                {"theta_i", "i = 1", CHART_LINE, INK_RED, 1, 2},
                {"theta_i", "i = 2", CHART_LINE, INK_GREEN, 2, 3},
                {"theta_i", "i = 3", CHART_LINE, INK_PURPLE, 3, 4},
                {"theta_i", "i = 4", CHART_LINE, INK_ORANGE, 4, 5}}},
-    {"cost", plot_cost, "", .title = "", .argument = ANSWER_NAME},
+    {"cost", plot_cost, "", .title = "", .argument = &answer_argument},
     {.name = NULL},
 };
-#undef TILT
 
 static const char *plot_names(const void *context, int k)
 {
@@ -108,37 +121,21 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* ---- Arguments ---- */
-
-static const char *paper_names(const void *context, int k)
-{
-    (void)context;
-    return k == 0 ? "paper" : NULL;
-}
-
-/* Parses the arguments of a plot. */
+/* Parses what follows the name of a plot. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
-    static const struct argument answer = {
-        .name = "NAME", .kind = ARGUMENT_CHOICE, .of = "command with a tolerance", .choices = cost_names};
-    static const struct argument paper = {
-        .name = "paper", .kind = ARGUMENT_CHOICE, .of = "word after 'plot growth'", .choices = paper_names};
-    static const struct argument rows = {.name = "ROWS", .kind = ARGUMENT_COUNT};
-    switch (plot->argument) {
-    case ANSWER_NAME:
-        return item_parse_choice(r, &answer, &q->item[1]);
-    case PAPER:
-        return item_parse_choice(r, &paper, &q->item[1]);
-    case ROWS:
-        r->last = true;
-        return item_parse(r, &rows, &q->item[1]);
-    case GRID:
+    if (!plot->argument)
+        return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
+    switch (plot->argument->kind) {
+    case ARGUMENT_GRID:
         return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);
-    case NOTHING:
-        break;
+    case ARGUMENT_CHOICE:
+        return item_parse_choice(r, plot->argument, &q->item[1]);
+    default:
+        r->last = true;
+        return item_parse(r, plot->argument, &q->item[1]);
     }
-    return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
 }
 
 static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,

@@ -63,7 +63,7 @@ struct plot {
     /* Unless NULL, makes the chart of the rows in place of the axes and curves above. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);
-    enum plot_argument { NOTHING, ANSWER_NAME, PAPER, ROWS, GRID } argument; /* what follows its name */
+    const struct argument *argument; /* what may follow its name, or NULL */
 };
 
 /* Answers with the rows of a plot, or draws them for people. */
