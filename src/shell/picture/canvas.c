@@ -36,21 +36,22 @@ int shade_colour(double shade)
     return rgb;
 }
 
-static bool begins(const char *text, const char *with)
+bool term_begins(const char *const *names)
 {
-    return strncmp(text, with, strlen(with)) == 0;
+    const char *term = getenv("TERM");
+    while (*names && !(term && strncmp(term, *names, strlen(*names)) == 0))
+        names++;
+    return *names != NULL;
 }
 
 struct look look_of(FILE *stream)
 {
+    static const char *const without_braille[] = {"dumb", "linux", "vt", "cons", NULL};
     const char *term = getenv("TERM"), *all = getenv("COLORTERM");
     struct look look = {.colours = COLOURS_NONE};
     if (!isatty(fileno(stream)) || !term)
         return look;
-    /* The fonts of these terminals have no braille. */
-    bool letters =
-        begins(term, "dumb") || begins(term, "linux") || begins(term, "vt") || begins(term, "cons");
-    look.braille = terminal_utf8() && !letters;
+    look.braille = terminal_utf8() && !term_begins(without_braille);
     if (terminal_colour(stream))
         look.colours = all && (strcmp(all, "truecolor") == 0 || strcmp(all, "24bit") == 0)    ? COLOURS_ALL
                        : strstr(term, "256") || strstr(term, "kitty") || strstr(term, "foot") ? COLOURS_256

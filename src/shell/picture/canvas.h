@@ -32,6 +32,9 @@ int shade_colour(double shade);
  * `least`. */
 double ruler_step(double least);
 
+/* Returns true if the name of the terminal, $TERM, begins with one of these names, which end with NULL. */
+bool term_begins(const char *const *names);
+
 /* What the terminal of a stream can show; a file and a pipe get plain letters. */
 struct look {
     bool braille; /* also lines of boxes and half blocks */

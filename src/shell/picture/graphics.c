@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/graphics.h"
 #include "io/terminal.h"
+#include "picture/canvas.h"
 #include "picture/stage.h"
 #include <fcntl.h>
 #include <math.h>
@@ -61,32 +62,24 @@ static bool ask_sixel(void)
     return has_sixel(answer);
 }
 
-static bool begins(const char *text, const char *with)
-{
-    return text && strncmp(text, with, strlen(with)) == 0;
-}
-
 enum graphics graphics_of(FILE *stream)
 {
-    static const char *const asked[] = {"xterm",   "foot", "mlterm", "wezterm",
-                                        "contour", "tmux", "screen", "yaft"};
+    static const char *const kitty[] = {"xterm-kitty", "xterm-ghostty", NULL};
+    static const char *const inside[] = {"tmux", "screen", NULL}; /* these pass on only sixel */
+    static const char *const asked[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
+                                        "tmux",  "screen", "yaft",   NULL};
     static int sixel = -1; /* not known yet; the terminal is asked once */
-    const char *term = getenv("TERM"), *wanted = getenv("DOMINO_GRAPHICS");
+    const char *wanted = getenv("DOMINO_GRAPHICS");
     if (!terminal_colour(stream))
         return GRAPHICS_NONE;
     if (wanted && *wanted)
         return strcmp(wanted, "kitty") == 0   ? GRAPHICS_KITTY
                : strcmp(wanted, "sixel") == 0 ? GRAPHICS_SIXEL
                                               : GRAPHICS_NONE;
-    bool inside = begins(term, "tmux") || begins(term, "screen"); /* these do not pass on pictures of kitty */
-    if (begins(term, "xterm-kitty") || begins(term, "xterm-ghostty") ||
-        (getenv("KITTY_WINDOW_ID") && !inside))
+    if (term_begins(kitty) || (getenv("KITTY_WINDOW_ID") && !term_begins(inside)))
         return GRAPHICS_KITTY;
-    bool may = false;
-    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++)
-        may = may || begins(term, asked[i]);
     if (sixel < 0)
-        sixel = may && ask_sixel();
+        sixel = term_begins(asked) && ask_sixel();
     return sixel ? GRAPHICS_SIXEL : GRAPHICS_NONE;
 }
 
