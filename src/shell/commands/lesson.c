@@ -95,9 +95,8 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
     progress_end(); /* the time that the reader takes is no computation */
     if (waits)
-        fputs("Type the lines that the lesson shows, or press Enter instead. Other commands\n"
-              "may come in between: the lesson leaves your own parameters as they are.\n"
-              "'q' ends it.\n",
+        fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
+              "commands in between. Your own parameters stay as they are. 'q' leaves.\n",
               reader.output->out);
     while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in) != -1)
         lesson_line(&reader, line, waits);
