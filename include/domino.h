@@ -6,8 +6,8 @@
  *
  * A train is an endless row of dominoes, each r times larger than the one before, that lean on each other
  * while they fall (J. M. J. van Leeuwen, "Domino Magnification"). The library finds whether a train keeps
- * falling, how large r may be, how fast the train runs and which forces act; and the same for a finite row of
- * dominoes of any sizes. Describe the train, call the function of the answer, and check the status:
+ * falling, how large r may be, how fast the train runs and which forces act. It answers the same questions
+ * about a finite row of dominoes of any sizes. Describe the train, call a function, and check the status:
  *
  *     struct dom_train train = dom_train_default();
  *     struct dom_limit limit;
@@ -18,22 +18,25 @@
  * The second argument says how to compute (struct dom_compute). NULL means the defaults: double precision and
  * a relative tolerance of 1e-12.
  *
- * Errors: if compute.errors is set, the member `error` of a result holds bounds of the absolute errors of its
- * numbers: of rounding, from the parameters as rounded to the precision, and of what the tolerance cuts off.
- * Otherwise the bounds are NaN; with friction so are those of motion and of limits, for which none are known.
+ * Errors: if compute.errors is set, the member `error` of a result holds upper bounds of the absolute errors
+ * of its numbers. The bounds cover rounding, once the parameters have been rounded to the precision, and what
+ * the tolerance cuts off. A bound is NaN if it was not asked for, and if none is known, as for motion and
+ * limits with friction.
  *
- * Precision: this header takes parameters and gives answers in double. <domino_quad.h>, which includes this
+ * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
  * header, has the same functions, structures and lists in the widest type of the machine, with domq_ instead
- * of dom_. Both compute in any precision; they differ only in the type of parameters and answers.
+ * of dom_. Both can compute in every precision and differ only in the type of parameters and answers.
  *
- * Units: lengths in the height h of the head (the foremost falling domino, number 0; the dominoes that push
- * it, its followers, are 1, 2, ... down the train), energies in m g h / 2 of the head, angles in radians from
- * the vertical, time in tau (1; a1). Only struct dom_scale and rows are in metres, kilograms and seconds.
+ * Units: the head is the foremost falling domino and has number 0. The dominoes that push it, its followers,
+ * are 1, 2, ... down the train. Lengths are in the height h of the head, energies in m g h / 2 of the head,
+ * angles in radians from the vertical, and times in tau (1; a1). Only struct dom_scale and rows are in
+ * metres, kilograms and seconds.
  *
- * Statuses: a function that can fail returns a status; DOM_BAD_... names the parameter that is outside its
- * range. Unless the status is DOM_OK, or a comment says otherwise, only the bounds of the result are written.
+ * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
+ * range. With any status but DOM_OK only the bounds of the result are written, unless the comment of the
+ * function says otherwise.
  *
- * Threads: functions keep nothing between calls, do no input or output, and may run in any number of threads.
+ * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
  * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source.
  * "corrected" marks where the paper has a slip.
@@ -53,7 +56,7 @@ extern "C" {
 /* The version of this header. */
 #define DOM_VERSION "1.0"
 
-/* Returns the version of the library that runs: it is another one if the shared library has been replaced. */
+/* Returns the version of the library, which may be newer than this header if the library is shared. */
 const char *dom_version(void);
 
 /* ---- Statuses: X(name, meaning) ---- */
@@ -129,18 +132,19 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
- * Which algorithm computes the answer: this library's; or, to compare with and in double precision only,
- * solvers of GSL around the textbook formulas, or the paper's recipe, which raises theta and r in steps.
+ * The algorithm that computes the answer: that of this library or, for comparison and in double precision
+ * only, solvers of GSL around the textbook formulas, or the paper's recipe, which raises theta and r in
+ * steps.
  */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
- * Effects beyond the paper: struct dom_effect describes each. The code of an effect runs only if the effect
- * is on; struct dom_work counts how often.
+ * Effects beyond the paper, which struct dom_effect describes. The code of an effect runs only while the
+ * effect is on, and struct dom_work counts how often.
  *
- * Lists the effects that change how dominoes move: X(effect, member, status). The member of struct dom_train
- * and struct dom_row holds the value of the effect, 0 for off. The status is that of a value outside its
- * range.
+ * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). The member of
+ * struct dom_train and struct dom_row holds the value of the effect, where 0 means off. The status is
+ * returned for a value outside its range.
  */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
@@ -168,22 +172,23 @@ enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 2 };
 
-/* What limits the growth: NONE, no growth is possible; the barrier; or the reach of the head,
- * dom_train_reach. */
+/* What limits the growth: the barrier, the reach of the head (dom_train_reach), or NONE if not even equal
+ * dominoes go on. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach"; here and in the next two, "unknown" for any other number. */
+/* Returns "none", "barrier" or "reach". This function and those for other texts return "unknown" for a number
+ * that is not in the enumeration. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
     DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
     DOM_EVENT_FALL,   /* a follower detaches from the domino that it leaned on (41; A17) */
-    DOM_EVENT_TOP,    /* the top of the barrier, where there is one */
-    DOM_EVENT_STOP,   /* the train comes to rest below the top: there is no next hit */
+    DOM_EVENT_TOP,    /* the head passes the top of the barrier, if there is a barrier */
+    DOM_EVENT_STOP,   /* the train comes to rest below the top, and there is no next hit */
     DOM_EVENT_HIT     /* the head hits the next domino (2; a2) */
 };
 
-/* The most events that a cycle has. */
+/* The largest number of events in a cycle. */
 enum { DOM_EVENTS_MAX = 5 };
 
 /* Returns "launch", "fall", "top", "stop" or "hit". */
@@ -210,15 +215,15 @@ enum dom_question {
 
 /* ---- Work and interrupts ---- */
 
-/* Counts the work of answers; every answer adds its own. Begin with {0}. */
+/* Counters of work. Every answer adds its own work to them. Start from {0}. */
 struct dom_work {
     size_t passes;                    /* passes down the train */
     size_t dominoes;                  /* dominoes visited in all passes */
     size_t longest;                   /* dominoes in the longest pass */
-    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect was entered */
+    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
 };
 
-/* Returns true if *flag, read atomically since another thread may set it, is not 0; false if flag is NULL. */
+/* Returns true if *flag is not 0. Reads it atomically, since another thread may set it. flag may be NULL. */
 static inline bool dom_raised(const volatile sig_atomic_t *flag)
 {
 #if defined __GNUC__
@@ -230,25 +235,29 @@ static inline bool dom_raised(const volatile sig_atomic_t *flag)
 
 /* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
 
-/* The type that parameters and answers travel in. */
+/* The type of parameters and answers. */
 typedef double dom_real;
 
-/* Marks a value that does not exist. */
+/* The value of a number that does not exist. */
 #define DOM_NAN ((dom_real)NAN)
 
-/* ---- Simple API: one question, one number. NaN: no answer, or a parameter outside its range ---- */
+/* ---- Simple API: these functions return one number, or NaN if there is no answer ---- */
 
-/* Returns the largest growth for separation s, thickness d (in h), exponent q (3 hollow, 4 solid). */
+/* Returns the largest growth for the separation s and the thickness d, both over the height, and the exponent
+ * q, which is 3 for hollow and 4 for solid dominoes. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
 /* Returns the smallest n with first r^n >= height: how many dominoes topple one of that height. */
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
-/* Returns the front speed in m/s of equal solid dominoes of height h in m; s and d in h; g = 9.81 m/s^2. */
+/* Returns the front speed in m/s of equal solid dominoes, for their height h in m, and s and d over the
+ * height, at g = 9.81 m/s^2. */
 dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
-/* ---- The train: X(name, default, lowest, highest, unit, meaning); both ends are allowed ---- */
+/* ---- The train ---- */
 
+/* The parameters of a train: X(name, default, lowest, highest, unit, meaning). Both ends of a range are
+ * allowed. */
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
     X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: gap before a domino over its height")                  \
     X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
@@ -293,7 +302,7 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* Return the defaults of the lists above. */
+/* Return the defaults in the two lists. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -306,34 +315,34 @@ struct dom_scale dom_scale_default(void);
 struct dom_compute {
     dom_real tol;                 /* relative tolerance of the answers */
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to it */
-    enum dom_method method;       /* default DOM_METHOD_OURS; others give few answers, and no bounds */
-    bool errors;                  /* true: results get bounds of their errors, which takes more time */
-    struct dom_work *work;        /* unless NULL, counts the work of the answer */
-    /* Unless NULL, a long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. */
+    enum dom_method method;       /* default DOM_METHOD_OURS; the others give few answers, and no bounds */
+    bool errors;                  /* true if results get bounds of their errors, which takes more time */
+    struct dom_work *work;        /* counts the work of the answer; may be NULL */
+    /* A long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
 };
 
 /* Returns the defaults. */
 struct dom_compute dom_compute_default(void);
 
-/* A precision. */
+/* The arithmetic of a precision. */
 struct dom_arithmetic {
     const char *name; /* "float", "double" or "quad" */
-    const char *type; /* the type of C that computes */
-    int bits;         /* of the significand; 0: this machine has no such arithmetic, DOM_NO_PRECISION */
+    const char *type; /* the C type that is used */
+    int bits;         /* of the significand; 0 if this machine has no such type (DOM_NO_PRECISION) */
     double epsilon;   /* twice the unit roundoff */
     dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest that is allowed */
-    int digits;                      /* of an answer that are worth printing at tol_default */
+    int digits;                      /* significant digits worth printing at tol_default */
 };
 
-/* Returns the description of a precision; NULL if there is no such precision. */
+/* Returns the description of a precision, or NULL if there is no such precision. */
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
- * Checks a train: DOM_OK if every parameter is in its range, tol is not below the tol_floor of the precision,
- * and the head reaches the next domino, r <= dom_train_reach; else DOM_BAD_..., DOM_OUT_OF_REACH,
- * DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts as r s = 1.
- * Every function below that takes a train makes this check, and returns these statuses too.
+ * Checks a train. Returns DOM_OK if every parameter is in its range, tol is not below the tol_floor of the
+ * precision, and the head reaches the next domino, r <= dom_train_reach. Otherwise returns DOM_BAD_...,
+ * DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts
+ * as r s = 1. Every function below that takes a train makes this check and may return these statuses.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
@@ -374,14 +383,16 @@ struct dom_contact_error {
 
 /* A domino at tilt theta and the follower that leans on it. */
 struct dom_contact {
-    dom_real theta_1; /* angle of the follower (12; b8); theta_f once the follower has detached */
-    dom_real slope;   /* d theta_1 / d theta (14; b10); 0 once detached */
-    dom_real arm_a;   /* arm of the contact force on the leader, in h; NaN once detached */
-    dom_real arm_b;   /* arm of the contact force on the follower, in h; NaN once detached */
+    /* Once the follower has detached, theta_1 is theta_f, the slope is 0, and the arms are NaN. */
+    dom_real theta_1; /* angle of the follower (12; b8) */
+    dom_real slope;   /* d theta_1 / d theta (14; b10) */
+    dom_real arm_a;   /* lever arm of the contact force on the leader, in h */
+    dom_real arm_b;   /* lever arm of the contact force on the follower, in h */
     struct dom_contact_error error;
 };
 
-/* Finds the contact at 0 <= theta <= theta_c; other tilts, here and in every function below: DOM_BAD_TILT. */
+/* Finds the contact at 0 <= theta <= theta_c. For other tilts this function and every function below returns
+ * DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
 
@@ -396,14 +407,14 @@ struct dom_link {
     size_t i;              /* number of the domino, 0 = head */
     dom_real theta;        /* the angle theta_i of the domino (27; A2) */
     dom_real slope;        /* d theta_i / d theta (33; A9) */
-    dom_real arm_a, arm_b; /* of the contact with the follower of domino i, in h; NaN without one (table 1) */
+    dom_real arm_a, arm_b; /* of its contact with domino i + 1, in h (table 1); NaN if there is no contact */
     dom_real weight;       /* r^(-q i), the weight of the domino in H (19; c1) */
     struct dom_link_error error;
 };
 
 /*
- * Calls visit for the head, which leans at theta, and for each follower that matters at the tolerance, in
- * order. visit returns false to end the walk early; the status is still DOM_OK.
+ * Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
+ * visit returns false to end the walk early, and the status is DOM_OK then as well.
  */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -436,7 +447,7 @@ struct dom_fuels {
     struct dom_fuels_error error;
 };
 
-/* Finds both fuels, in m g h / 2. They may be zero or negative: then the train does not move on. */
+/* Finds both fuels, in m g h / 2. If they are zero or negative, the train does not move on. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -447,7 +458,7 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel;           /* P, as train->fuel selects it, less what friction takes */
+    dom_real fuel;           /* P, as train->fuel selects it, minus the work of friction */
     dom_real J0;             /* J(0) */
     dom_real velocity_ratio; /* omega(0) / omega_1(theta_c), after / before: (J(0) - 1) / J(0) (22; c4) */
     dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (24; c6) */
@@ -456,9 +467,9 @@ struct dom_launch {
 };
 
 /*
- * Finds the motion just after a collision. DOM_NO_FUEL: P <= 0; fuel, J0 and velocity_ratio are written,
- * omegasq and kinetic are NaN. DOM_LOCKS, here and in all functions of a cycle below: friction lets no cycle
- * begin; nothing is written.
+ * Finds the motion just after a collision. With DOM_NO_FUEL, P <= 0, the members fuel, J0 and velocity_ratio
+ * are written, and omegasq and kinetic are NaN. DOM_LOCKS, from this function and from all functions of a
+ * cycle below, means that friction lets no cycle begin; nothing is written then.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -480,9 +491,10 @@ struct dom_barrier {
 };
 
 /*
- * Finds whether the train goes on. DOM_OK: margin >= 0, it does. DOM_STOPS: it does not; all members are
- * written. DOM_NO_FUEL: theta_m and barrier are written, the other members are NaN. Every function of one
- * cycle gives the same verdict: where a rough tolerance does not decide it, the tolerance is refined.
+ * Finds whether the train goes on. DOM_OK means that it does: margin >= 0. DOM_STOPS means that it does not;
+ * all members are written then as well. With DOM_NO_FUEL theta_m and barrier are written, and the other
+ * members are NaN. All functions of a cycle give the same verdict: if a rough tolerance does not decide it,
+ * the tolerance is refined.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
@@ -491,22 +503,24 @@ enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom
 
 /*
  * Finds tau^2 omega(theta)^2 between one collision and the next (21; c3). The value is NaN unless the status
- * is DOM_OK. DOM_NO_FUEL: there is no cycle. DOM_STOPS: the train stops before theta.
+ * is DOM_OK. The status is DOM_NO_FUEL if there is no cycle, and DOM_STOPS if the train stops before theta.
  */
 enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, struct dom_value *omegasq);
 
 /*
- * Finds the tilt at which a train that stops comes to rest: the smallest at which H(theta) - H(0) has used up
- * the kinetic energy. DOM_OK with NaN: the train goes on. DOM_NO_FUEL: the train does not start.
+ * Finds the tilt at which a train that stops comes to rest, the smallest tilt at which H(theta) - H(0) has
+ * used up the kinetic energy. The value is NaN, with DOM_OK, if the train goes on. The status is DOM_NO_FUEL
+ * if the train does not start.
  */
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_value *theta);
 
 /*
- * Finds the duration of a cycle in tau, t_f / tau = the integral of 1/(tau omega) over [0, theta_c]. It grows
- * like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff; where the margin
- * is 0 to rounding the status is DOM_NO_MARGIN. DOM_NO_FUEL, DOM_STOPS: there is no whole cycle.
+ * Finds the duration of a cycle in tau, t_f / tau = the integral of 1/(tau omega) over [0, theta_c]. The
+ * duration grows like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff.
+ * The status is DOM_NO_MARGIN if the margin is 0 to rounding, and DOM_NO_FUEL or DOM_STOPS if there is no
+ * whole cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -517,13 +531,13 @@ struct dom_event {
     enum dom_event_kind kind;
     dom_real theta; /* tilt of the head */
     dom_real time;  /* since the launch, in tau */
-    size_t domino;  /* the domino that detaches; for other events 0, the head */
+    size_t domino;  /* the domino that detaches; 0, the head, for other events */
 };
 
 /*
- * Finds the events of the cycle in order; `events` has room for DOM_EVENTS_MAX. DOM_STOPS: all are written,
- * the last is DOM_EVENT_STOP. DOM_NO_FUEL: *count is 0. DOM_NO_MARGIN, here and in every function that finds
- * a time: see dom_cycle_duration.
+ * Finds the events of the cycle in order. `events` has room for DOM_EVENTS_MAX. With DOM_STOPS all events are
+ * written, and the last one is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. For DOM_NO_MARGIN, which every
+ * function that finds a time may return, see dom_cycle_duration.
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -533,8 +547,8 @@ struct dom_state_error {
 };
 
 /*
- * The train at one tilt of a cycle, and its energies in m g h / 2 of the head. They balance, but not with the
- * paper's fuel: before - lost - climbed - friction_work = kinetic.
+ * The train at one tilt of a cycle, and its energies in m g h / 2 of the head. The energies balance, except
+ * with the paper's fuel: before - lost - climbed - friction_work = kinetic.
  */
 struct dom_state {
     dom_real theta;         /* tilt of the head */
@@ -542,73 +556,81 @@ struct dom_state {
     dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
     dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (21; c3) */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
-    dom_real climbed;       /* H(theta) - H(0); negative where the train has come down */
-    dom_real fallen;        /* the part of `climbed` in dominoes that detached in this cycle */
+    dom_real climbed;       /* H(theta) - H(0); negative once the train has come down */
+    dom_real fallen;        /* the part of `climbed` in dominoes that have detached in this cycle */
     dom_real before;        /* kinetic energy of the train just before the collision */
-    dom_real lost;          /* in the collision; without friction before / J(0) (22; c4) */
+    dom_real lost;          /* energy lost in the collision: before / J(0) without friction (22; c4) */
     dom_real friction_work; /* energy that friction has taken since the launch */
     struct dom_state_error error;
 };
 
-/* Finds the state at theta. DOM_STOPS: the train stops before theta. DOM_NO_FUEL: it does not start. */
+/* Finds the state at theta. The status is DOM_STOPS if the train stops before theta, and DOM_NO_FUEL if it
+ * does not start. */
 enum dom_status dom_cycle_state(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_state *state);
 
-/* Finds the tilt at a time since the launch, in tau, up to the next hit or the stop; else DOM_BAD_TIME. */
+/* Finds the tilt at a time since the launch, in tau. The status is DOM_BAD_TIME for a time after the next hit
+ * or after the stop. */
 enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in order, for `rows` states evenly spaced over the cycle and for each of its events; event is
- * NULL for the former. visit returns false to end the walk early. Many states cost far less than as many
- * calls of dom_cycle_state. Statuses as dom_cycle_events; DOM_STOPS comes after all rows.
+ * Calls visit, in order, for `rows` states evenly spaced over the cycle, with event = NULL, and for the state
+ * at each event of the cycle. visit returns false to end the walk early. Many states cost far less than as
+ * many calls of dom_cycle_state. The statuses are those of dom_cycle_events; DOM_STOPS is returned after all
+ * states.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* The force and impulse between domino i and its follower, in contact while it is > 0 (section 5). */
+/* The force and the impulse between domino i and its follower, which stay in contact while the force is > 0
+ * (section 5). */
 struct dom_force {
     size_t i;         /* number of the domino, 0 = head */
     dom_real force;   /* in m g of the head; NaN without a follower */
-    dom_real of_own;  /* the same force in the weight of domino i */
+    dom_real of_own;  /* the force over the weight of domino i */
     dom_real impulse; /* of the collision, in m g tau of the head; NaN unless theta = 0 */
 };
 
 /*
- * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down; visit
- * returns false to end the walk early. Statuses as dom_cycle_state.
+ * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down. visit
+ * returns false to end the walk early. The statuses are those of dom_cycle_state.
  */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force. Dominoes stay in contact if force and impulse are > 0; infinite: no contact. */
+/* The smallest contact force. Dominoes stay in contact if force and impulse are > 0. Both are infinite if
+ * there is no contact. */
 struct dom_least_force {
-    dom_real force;   /* the smallest of the cycle, in the weight of the domino that the force pushes */
-    dom_real theta;   /* the tilt of the head then */
+    dom_real force;   /* the smallest force of the cycle, over the weight of the domino that it pushes */
+    dom_real theta;   /* the tilt of the head at that force */
     size_t domino;    /* the domino that is pushed, 0 = head */
-    dom_real impulse; /* the smallest of the collision, in m g tau of the head */
+    dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
 
-/* Finds the smallest over the cycle, or up to a stop, to 1e-5 of that weight. DOM_NO_FUEL: no cycle. */
+/* Finds the smallest force over the cycle, or up to a stop, with an error of at most 1e-5 of that weight. The
+ * status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the floor's
- * force, and of its impulse in the collision; infinite where a domino would be lifted off the floor.
+ * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the force
+ * of the floor, and of its impulse in the collision. A value is infinite if a domino would be lifted off the
+ * floor.
  */
 struct dom_floor {
-    dom_real motion, theta; /* the largest in motion, and the tilt of the head then */
-    size_t domino;          /* the domino of that foot, 0 = head */
-    dom_real hit;           /* the largest in the collision */
-    size_t hit_domino;      /* the domino of that foot */
+    dom_real motion, theta; /* the largest value during the motion, and the tilt of the head at that time */
+    size_t domino;          /* the domino whose foot needs it, 0 = head */
+    dom_real hit;           /* the largest value in the collision */
+    size_t hit_domino;      /* the domino whose foot needs it */
 };
 
 /*
- * Finds what the floor needs over the cycle, or up to where the train stops, of dominoes with at least a
- * thousandth of the head's speed. A smooth maximum is right to a millionth. DOM_NO_FUEL: there is no cycle.
+ * Finds what the floor needs over the cycle, or up to where the train stops. Dominoes slower than a
+ * thousandth of the speed of the head are left out. A smooth maximum has a relative error of at most a
+ * millionth. The status is DOM_NO_FUEL if there is no cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -622,26 +644,27 @@ struct dom_limit_error {
 struct dom_limit {
     dom_real r_max;      /* the largest growth; NaN with DOM_END_NONE */
     enum dom_end ends;   /* what limits the growth */
-    enum dom_status why; /* with DOM_END_NONE how r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS or
-                          * DOM_OUT_OF_REACH; else DOM_OK */
+    enum dom_status why; /* with DOM_END_NONE, how a train with r = 1 ends: DOM_NO_FUEL, DOM_STOPS, DOM_LOCKS
+                          * or DOM_OUT_OF_REACH; otherwise DOM_OK */
     struct dom_limit_error error;
 };
 
 /*
- * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0; dom_train_reach if it
- * never does. train->r is not used. DOM_OK with DOM_END_NONE: even equal dominoes, r = 1, do not go on.
- * DOM_TOO_LONG, here and in the next two: it would take more than a second or two in double. Without
- * friction, bounds cover every growth up to r_max; they can miss a dip of the margin narrower than 1e-6 in ln
- * r (1e-4 just before r_max; more where 1,500 intervals do not decide). With friction, growths are only
- * sampled.
+ * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0, or dom_train_reach if
+ * the margin never does. train->r is not used. The status is DOM_OK, with DOM_END_NONE, if not even equal
+ * dominoes go on. DOM_TOO_LONG, from this function and the next two, means that the answer would take more
+ * than a second or two in double. Without friction, bounds cover every growth up to r_max; they can miss a
+ * dip of the margin narrower than 1e-6 in ln r (1e-4 just before r_max; more if 1,500 intervals do not
+ * decide). With friction, growths are only sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
  * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
- * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Where equal dominoes fail but
- * larger ones succeed ((5; b0) is a lower bound on r), r_max is the end of the first band of r that succeeds.
+ * domino 0 over the barrier of the pair. train->r and train->fuel are not used. If equal dominoes fail but
+ * larger ones succeed, since (5; b0) is a lower bound on r, r_max is the end of the first band of growths
+ * that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -657,9 +680,9 @@ struct dom_best {
 };
 
 /*
- * Finds the best separation. train->s and train->r are not used. DOM_NO_GROWTH: no separation allows r > 1.
- * Without friction, bounds exclude a larger growth at another s, except in a peak of r_max(s) narrower than
- * 0.2 % of s; with friction, separations are only sampled.
+ * Finds the best separation. train->s and train->r are not used. The status is DOM_NO_GROWTH if no separation
+ * allows r > 1. Without friction, bounds exclude a larger growth at another s, except in a peak of r_max(s)
+ * narrower than 0.2 % of s. With friction, separations are only sampled.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
@@ -679,28 +702,28 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 
 /* ---- Effects ---- */
 
-/* A number that an effect takes. */
+/* An argument of an effect, which is a number. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
-    dom_real lowest, highest; /* its range, both ends allowed */
-    dom_real usual;           /* the value when the argument is left out, and when its cost is measured */
-    bool optional;            /* true: this argument and those after it may be left out */
-    bool whole;               /* true: a whole number */
-    const char *or_file;      /* what a file may give instead; NULL: nothing */
+    dom_real lowest, highest; /* its range; both ends are allowed */
+    dom_real usual;           /* the value if the argument is left out, and if the cost is measured */
+    bool optional;            /* this argument and those after it may be left out */
+    bool whole;               /* the argument is a whole number */
+    const char *or_file;      /* the kind of file that may replace the number, or NULL */
 };
 
 /* The description of an effect. */
 struct dom_effect {
     const char *name;
     const char *adds;   /* what the effect adds, in a few words */
-    const char *help;   /* the same in full sentences, with equations in the paper's letters */
+    const char *help;   /* what the effect adds, in full sentences, with equations in the paper's letters */
     const char *source; /* where the mathematics is from */
     const char *plan;   /* what is solved, and how */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
-    unsigned needs;       /* bits 1 << DOM_EFFECT_...: other effects that must be on */
-    bool dissipates;      /* true: dominoes lose energy while they move; see dom_law */
-    bool cancels;         /* true: a train moves as without the effect, in units of tau */
-    const char *synonyms; /* other words that people look for */
+    unsigned needs;       /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
+    bool dissipates;      /* dominoes lose energy while they move: see dom_law */
+    bool cancels;         /* in units of tau a train moves as without the effect */
+    const char *synonyms; /* other words for the effect, separated by blanks */
 };
 
 /* The descriptions of all effects, by enum dom_effect_name. */
@@ -709,14 +732,15 @@ extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
 /* Returns the description of an effect, or NULL if there is no such effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on in a train and does not cancel; NULL if there is none.
- */
+/* Returns the first effect of DOM_DYNAMICS that is on in a train and does not cancel, or NULL if there is
+ * none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
-/* Describes the law of motion of a train without effects: energy is conserved between collisions. */
+/* The law of motion of a train without effects: energy is conserved between collisions. */
 extern const struct dom_effect dom_energy_balance;
 
-/* Returns the law of motion of a train: the effect that is on and dissipates, or else dom_energy_balance. */
+/* Returns the law of motion of a train: the first effect that is on and dissipates, or dom_energy_balance if
+ * there is none. */
 const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* ---- Metres and seconds ---- */
@@ -727,16 +751,17 @@ struct dom_box {
     dom_real inertia; /* moment of inertia about its lower edge, over that of a solid block of its mass */
 };
 
-/* Finds a box of these outer sizes, all in one unit. DOM_NO_ROOM: a size is not positive, or the walls
- * are thicker than half of the thickness. */
+/* Finds a box with these outer sizes, all in one unit. The status is DOM_NO_ROOM if a size is not positive,
+ * or if the walls are thicker than half of the thickness. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
-/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and longer with walls.
- * Checks nothing. */
+/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and more for boxes. Makes
+ * no checks. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s: (s + d) r h over the duration of a cycle, in tau. Checks nothing. */
+/* Returns the front speed in m/s, (s + d) r h over the duration of a cycle. The duration is in tau. Makes no
+ * checks. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {
@@ -744,17 +769,19 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    dom_real dominoes; /* n, the smallest integer with first r^n >= height; infinite: r = 1 < height/first */
-    dom_real exact;    /* ln(height / first) / ln r */
-    dom_real last;     /* first r^n, in the unit of first; NaN if n is infinite */
+    dom_real
+        dominoes; /* n, the smallest integer with first r^n >= height; infinite if r = 1 and height > first */
+    dom_real exact; /* ln(height / first) / ln r */
+    dom_real last;  /* first r^n, in the unit of first; NaN if n is infinite */
     struct dom_count_error error;
 };
 
 /*
- * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each r times as
- * tall as the one before. A power that meets the height up to rounding, half a unit of the precision for each
- * of 4 + n numbers, counts as exact. Both heights are > 0 and in one unit, else DOM_BAD_HEIGHT; r >= 1, else
- * DOM_BAD_R. Of compute only precision and errors are used.
+ * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each is r times
+ * as tall as the one before. A power that differs from the height only by rounding, half a unit of the
+ * precision for each of 4 + n numbers, counts as exact. The status is DOM_BAD_HEIGHT unless both heights are
+ * > 0, and DOM_BAD_R unless r >= 1. Both heights are in one unit. Of compute only precision and errors are
+ * used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);
