@@ -208,10 +208,10 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
     return row->engine ? DOM_NO_METHOD : ASK(q, row_watch, times, count, visit, context, verdict);
 }
 
-enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *asked,
+enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *given,
                                struct dom_count *count)
 {
-    struct dom_compute compute = compute_or_default(asked);
+    struct dom_compute compute = compute_or_default(given);
     enum dom_status status = precision_check(compute.precision);
     if (status != DOM_OK)
         return status;

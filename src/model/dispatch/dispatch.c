@@ -54,9 +54,9 @@ struct dom_compute compute_or_default(const struct dom_compute *compute)
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 
-struct question question_make(const struct dom_train *train, const struct dom_compute *asked)
+struct question question_make(const struct dom_train *train, const struct dom_compute *given)
 {
-    struct dom_compute compute = compute_or_default(asked);
+    struct dom_compute compute = compute_or_default(given);
 #define COPY(name, default_, lowest, highest, unit, meaning)         .name = train->name,
 #define COPY_COMPUTE(name, default_, lowest, highest, unit, meaning) .name = compute.name,
     struct question q = {
@@ -75,9 +75,9 @@ struct question question_make(const struct dom_train *train, const struct dom_co
     return q;
 }
 
-struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *asked)
+struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *given)
 {
-    struct dom_compute compute = compute_or_default(asked);
+    struct dom_compute compute = compute_or_default(given);
     struct row_question q = {.request = {.domino = row->domino,
                                          .count = row->count,
                                          .g = row->g,
@@ -94,10 +94,10 @@ struct row_question row_question_make(const struct dom_row *row, const struct do
     return q;
 }
 
-enum dom_status row_verdict(const struct dom_row *row, const struct dom_compute *asked, bool times,
+enum dom_status row_verdict(const struct dom_row *row, const struct dom_compute *given, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct dom_compute compute = compute_or_default(asked);
+    struct dom_compute compute = compute_or_default(given);
     struct row_question q = row_question_make(row, &compute);
     for (size_t k = 0; q.status == DOM_OK && row->engine && k < row->count; k++)
         if (row->domino[k].lean != 0)

@@ -315,16 +315,16 @@ KERNEL real balance_tol(real tol, real left, real whole)
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *b)
 {
-    real asked;
+    real tol;
     do {
         enum dom_status status = geometry->dynamics->collide(geometry, fuel, launch, error);
         if (status == DOM_OK)
             status = barrier_search(geometry, end, geometry->tol / 8, b);
         if (status != DOM_OK || launch->fuel <= 0)
             return status;
-        asked = geometry->tol;
-        geometry->tol = balance_tol(asked, fabs(launch->kinetic - b->height), launch->kinetic);
-    } while (geometry->tol < asked / 4);
+        tol = geometry->tol;
+        geometry->tol = balance_tol(tol, fabs(launch->kinetic - b->height), launch->kinetic);
+    } while (geometry->tol < tol / 4);
     return DOM_OK;
 }
 

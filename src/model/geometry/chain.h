@@ -37,7 +37,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
                                    int *edges, size_t *moving);
 
 /* Returns the status of a search: the model's own, if its function failed, or else the solver's. */
-static inline enum dom_status model_status(enum dom_status own, enum num_status solver)
+static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {
         [NUM_OK] = DOM_OK,
@@ -46,7 +46,7 @@ static inline enum dom_status model_status(enum dom_status own, enum num_status 
         [NUM_NOT_CONVERGED] = DOM_NOT_CONVERGED,
         [NUM_NO_MEMORY] = DOM_NO_MEMORY,
     };
-    return own != DOM_OK ? own : of[solver];
+    return self != DOM_OK ? self : of[solver];
 }
 
 #endif

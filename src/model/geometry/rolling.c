@@ -178,34 +178,34 @@ static real least_product(real a, real lo, real hi)
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
-    const struct geometry *own = a->link.geometry, *next = own->follower ? own->follower : own;
-    const struct rounded *of = &own->rounded, *by = &next->rounded;
+    const struct geometry *self = a->link.geometry, *next = self->follower ? self->follower : self;
+    const struct rounded *of = &self->rounded, *by = &next->rounded;
     const struct tilt A = a->link.tilt, B = b->link.tilt, A_1 = tilt_follower(A, a->link.contact),
                       B_1 = tilt_follower(B, b->link.contact);
     const real X = a->link.contact.X, less = fmin(X, 0), Y = fmin(a->link.contact.Y, b->link.contact.Y),
                Y_most = X < 0 ? 1 : a->link.contact.Y, step = a->link.step, step_most = b->link.step,
                arm_most = of->tall_1 + of->rho_1, more = of->rho - of->rho_1;
-    const real Q = own->L - of->rho_1 * fmax(b->rolling.turn, 0), M = Q - fmax(more, 0), low = own->d / 2,
+    const real Q = self->L - of->rho_1 * fmax(b->rolling.turn, 0), M = Q - fmax(more, 0), low = self->d / 2,
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
-               mean = fmax(fmin(own->d, A.y * Q), fmin(low, own->d * far * far)),
+               mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
     /* i is concave up to pi/2, and i' decreases. */
-    const real i = fmin(geometry_inertia(own, A), geometry_inertia(own, B)),
+    const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
                rolls = step_most * fmax(geometry_inertia_slope(next, B_1), 0) / i_1 +
-                       fmax(-geometry_inertia_slope(own, A), 0) / i;
-    const real R = own->weight / own->inertia * i / i_1_most,
-               R_most = own->weight / own->inertia * i_most / i_1;
+                       fmax(-geometry_inertia_slope(self, A), 0) / i;
+    const real R = self->weight / self->inertia * i / i_1_most,
+               R_most = self->weight / self->inertia * i_most / i_1;
     const real of_x = least_product(next->h.y * Y + fmin(next->h.x * X, next->h.x * b->link.contact.X), R,
                                     R_most) -
-                      step_most * own->h.y,
+                      step_most * self->h.y,
                of_y = least_product(next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most), R, R_most) +
-                      least_product(own->h.x, step, step_most),
+                      least_product(self->h.x, step, step_most),
                rest = least_product(-by->roll, R, R_most) + least_product(of->roll, step, step_most);
-    return B.x >= 0 && A.y >= 0 && A_1.y >= 0 && B_1.x >= 0 && Y + own->mu * less > 0 && M > 0 && i > 0 &&
+    return B.x >= 0 && A.y >= 0 && A_1.y >= 0 && B_1.x >= 0 && Y + self->mu * less > 0 && M > 0 && i > 0 &&
            i_1 > 0 && rounded_arms(&a->link).a >= 0 && bends >= rolls * step_most * arm_most / 2 &&
-           own->h.y > 0 && next->h.y > 0 &&
+           self->h.y > 0 && next->h.y > 0 &&
            least_product(of_x, B.x, A.x) + least_product(of_y, A.y, B.y) + rest >= 0;
 }
 
@@ -254,10 +254,10 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
         pushes = pushes && rolling_pushes(&a, &b, ROLLING_HALVINGS);
         struct apart next = apart_next(&a, &b, apart);
         real shrinks = apart.by == 0 ? 1 : fabs(next.by / apart.by);
-        const struct geometry *own = link->geometry;
+        const struct geometry *self = link->geometry;
         bool done =
-            series_done(&state.dH, link->weight * fabs(apart.by) * (own->reach + fabs(own->rounded.roll)),
-                        fmax(own->weight * shrinks, own->decay), geometry->tol);
+            series_done(&state.dH, link->weight * fabs(apart.by) * (self->reach + fabs(self->rounded.roll)),
+                        fmax(self->weight * shrinks, self->decay), geometry->tol);
         if (done && done_J(&state, link) && rolling_done_H1(&state, link, geometry->tol))
             break;
         apart = next;

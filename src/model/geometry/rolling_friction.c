@@ -19,12 +19,12 @@ struct rounding {
 static void rounding_next(struct rounding *e, const struct walk *k, real S, real a, real b)
 {
     const struct link *link = &k->link;
-    const struct geometry *own = link->geometry;
+    const struct geometry *self = link->geometry;
     const real slope = fabs(link->slope), step = fabs(link->step), curve = fabs(k->rolling.curve),
-               whole = own->r * k->rolling.b, ratio = fabs(a / b);
+               whole = self->r * k->rolling.b, ratio = fabs(a / b);
     const real of_b = link->contact.X < 0 ? (2 * whole - b) / fabs(b) : 1,
                of_curve =
-                   curve + 2 * (own->L * link->tilt.y + own->rounded.rho_1 * link->tilt.x) / k->rolling.b;
+                   curve + 2 * (self->L * link->tilt.y + self->rounded.rho_1 * link->tilt.x) / k->rolling.b;
     e->S = e->S * ratio + fabs(S) * ((2 * whole - a) / fabs(b) + ratio * of_b);
     e->second_derivative = e->second_derivative * step + 2 * fabs(k->second_derivative) +
                            slope * (slope * of_curve + 2 * e->slope * curve);
@@ -41,16 +41,16 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
     bool wrong_side = false;
     for (;;) {
         const struct link *link = &k.link;
-        const struct geometry *own = link->geometry;
+        const struct geometry *self = link->geometry;
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        real i = geometry_inertia(own, link->tilt), half_i1 = geometry_inertia_slope(own, link->tilt) / 2,
+        real i = geometry_inertia(self, link->tilt), half_i1 = geometry_inertia_slope(self, link->tilt) / 2,
              slope = link->slope, turns = i * k.second_derivative + slope * slope * half_i1, size = fabs(S),
-             lift = own->reach + fabs(own->rounded.roll);
+             lift = self->reach + fabs(self->rounded.roll);
         series_add(&A, link->inertia * S * i * slope);
         series_add(&B, link->inertia * S * turns);
-        series_add(&C, -link->weight * S * geometry_lift(own, link->tilt) / 2);
+        series_add(&C, -link->weight * S * geometry_lift(self, link->tilt) / 2);
         A_error += link->inertia * i * (e.S * fabs(slope) + size * e.slope);
         B_error += link->inertia *
                    (e.S * fabs(turns) +
@@ -61,8 +61,8 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
         const struct arms arms = rounded_arms(link);
         real a = arms.a, b = arms.b, ratio = fabs(arms.ratio),
              curve = fabs(k.second_derivative) + slope * slope * (fabs(k.rolling.curve) + 1),
-             next = fmax(own->inertia * ratio, fmax(own->decay, own->decay_J));
-        if (series_done(&C, link->weight * size * lift, fmax(own->weight * ratio, own->decay),
+             next = fmax(self->inertia * ratio, fmax(self->decay, self->decay_J));
+        if (series_done(&C, link->weight * size * lift, fmax(self->weight * ratio, self->decay),
                         geometry->tol) &&
             series_done(&A, link->inertia * size * slope, next, geometry->tol) &&
             series_done(&B, link->inertia * size * curve, next, geometry->tol))

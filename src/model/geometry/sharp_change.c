@@ -145,15 +145,15 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
-    const struct geometry *own = a->geometry, *next = own->follower ? own->follower : own;
+    const struct geometry *self = a->geometry, *next = self->follower ? self->follower : self;
     const real X = a->contact.X, Y = fmin(a->contact.Y, b->contact.Y), Y_most = X < 0 ? 1 : a->contact.Y;
-    const real less = fmin(X, 0), R = own->weight / own->inertia;
+    const real less = fmin(X, 0), R = self->weight / self->inertia;
     const real of_x =
-                   R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * own->h.y,
+                   R * (next->h.y * Y + fmin(next->h.x * X, next->h.x * b->contact.X)) - b->step * self->h.y,
                of_y = R * (next->h.y * X - fmax(next->h.x * Y, next->h.x * Y_most)) +
-                      fmin(a->step * own->h.x, b->step * own->h.x);
+                      fmin(a->step * self->h.x, b->step * self->h.x);
     return b->tilt.x >= 0 && a->tilt.y >= 0 && a->contact.Y * a->tilt.y - X * a->tilt.x + less >= 0 &&
-           Y + own->mu * less > 0 && contact_arm_a(a) >= 0 && own->h.y > 0 && next->h.y > 0 &&
+           Y + self->mu * less > 0 && contact_arm_a(a) >= 0 && self->h.y > 0 && next->h.y > 0 &&
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 

@@ -157,32 +157,32 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
 {
     struct margin m = {.kinetic = REAL_NAN};
-    const real asked_tol = c->geometry.tol;
-    real tol = fmax(ROUGH, asked_tol);
+    const real tol_wanted = c->geometry.tol;
+    real tol = fmax(ROUGH, tol_wanted);
     bool conservative = c->geometry.dynamics->conservative;
     c->how = conservative ? how : MARGIN_SURE;
-    for (;; tol = fmax(tol * ROUGH, asked_tol)) {
+    for (;; tol = fmax(tol * ROUGH, tol_wanted)) {
         if (margin_to(c, r, tol, &m) == DOM_OK &&
             fabs(margin_value(&m)) > 4 * tol * (fabs(m.kinetic) + m.barrier) + 2 * m.unsure)
             return m;
-        if (c->status != DOM_OK || !conservative || tol <= asked_tol)
+        if (c->status != DOM_OK || !conservative || tol <= tol_wanted)
             break;
     }
     c->how = MARGIN_SURE;
     /* The tolerance is refined as in barrier_verdict: a difference of two nearly equal numbers must be known
      * as well as they are, so that no tolerance changes the verdict. If the arithmetic has no finer
      * tolerance, the present value counts. */
-    real asked = asked_tol, fine;
-    if (margin_to(c, r, asked, &m) != DOM_OK)
+    real reached = tol_wanted, fine;
+    if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;
-    while ((fine = balance_tol(asked, fabs(margin_value(&m)), fabs(m.kinetic))) < asked / 4) {
+    while ((fine = balance_tol(reached, fabs(margin_value(&m)), fabs(m.kinetic))) < reached / 4) {
         struct margin finer = {.kinetic = REAL_NAN};
         if (margin_to(c, r, fine, &finer) != DOM_OK) {
             c->status = c->status == DOM_NOT_CONVERGED ? DOM_OK : c->status;
             break;
         }
         m = finer;
-        asked = fine;
+        reached = fine;
     }
     return m;
 }

@@ -21,19 +21,19 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     real rest = 0, push = 0; /* as torques on domino j */
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
-        const struct link *own = &k[j].link, *leader = &k[j - 1].link;
-        real theta_2 = own->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
-        real gravity = -own->weight * geometry_lift(own->geometry, own->tilt) / 2;
-        real torque_share = own->leads ? k[j].arms.ratio : 0;
-        real inertia = own->inertia * geometry_inertia(own->geometry, own->tilt),
-             grows = own->inertia * geometry_inertia_slope(own->geometry, own->tilt),
-             omegasq = own->slope * own->slope * kinematics->omegasq;
+        const struct link *self = &k[j].link, *leader = &k[j - 1].link;
+        real theta_2 = self->slope * kinematics->acceleration + k[j].second_derivative * kinematics->omegasq;
+        real gravity = -self->weight * geometry_lift(self->geometry, self->tilt) / 2;
+        real torque_share = self->leads ? k[j].arms.ratio : 0;
+        real inertia = self->inertia * geometry_inertia(self->geometry, self->tilt),
+             grows = self->inertia * geometry_inertia_slope(self->geometry, self->tilt),
+             omegasq = self->slope * self->slope * kinematics->omegasq;
         rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
-        push = inertia * own->slope * kinematics->omega_lost + torque_share * push;
+        push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
         /* the dominoes after the last are alike: their torques are a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
-            push = geometric(push, geometry->inertia * own->step * torque_share);
+            push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
         /* At r s = 1 the collision is at the hinge itself: no force turns a domino, however large. */
@@ -65,23 +65,24 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
                        const struct geometry *head, const struct kinematics *kinematics,
                        struct hinge_load *hinge_load)
 {
-    const struct link *own = &k->link;
+    const struct link *self = &k->link;
     real tausq = head->box * (1 + head->d * head->d) / 3; /* in h/g of the head */
-    const struct rounded *shape = &own->geometry->rounded;
-    real mass = own->weight / k->size, across = (shape->tall * own->tilt.x - shape->wide * own->tilt.y) / 2,
-         up = (shape->tall * own->tilt.y + shape->wide * own->tilt.x) / 2, high = up + shape->rho,
+    const struct rounded *shape = &self->geometry->rounded;
+    real mass = self->weight / k->size,
+         across = (shape->tall * self->tilt.x - shape->wide * self->tilt.y) / 2,
+         up = (shape->tall * self->tilt.y + shape->wide * self->tilt.x) / 2, high = up + shape->rho,
          momentum = mass * k->size / tausq;
-    real theta_2 = own->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
-    real omegasq = own->slope * own->slope * kinematics->omegasq;
+    real theta_2 = self->slope * kinematics->acceleration + k->second_derivative * kinematics->omegasq;
+    real omegasq = self->slope * self->slope * kinematics->omegasq;
     struct push from = push_on(k, leaned ? k->force : 0), none = {0, 0};
     struct push onto = leader ? push_on(leader, leader->force) : none;
     hinge_load->x =
-        momentum * (high * theta_2 - across * omegasq) - mass * own->geometry->g.along - from.x + onto.x;
+        momentum * (high * theta_2 - across * omegasq) - mass * self->geometry->g.along - from.x + onto.x;
     hinge_load->z =
-        momentum * (-across * theta_2 - up * omegasq) + mass * own->geometry->g.down - from.z + onto.z;
+        momentum * (-across * theta_2 - up * omegasq) + mass * self->geometry->g.down - from.z + onto.z;
     if (!kinematics->hit)
         return;
-    real change = leader ? -own->slope * kinematics->omega_lost : kinematics->omega;
+    real change = leader ? -self->slope * kinematics->omega_lost : kinematics->omega;
     from = push_on(k, leaned ? k->impulse : 0);
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
@@ -109,7 +110,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
 {
     size_t more = shown < FORCES_MORE ? shown + 64 : FORCES_MORE;
     size_t room = geometry->n - shown < more || geometry->n < shown ? geometry->n : shown + more;
-    struct room own = {0}, *list = kinematics->room ? kinematics->room : &own;
+    struct room self = {0}, *list = kinematics->room ? kinematics->room : &self;
     struct moving *k = room_for(list, room);
     if (!k)
         return DOM_NO_MEMORY;
@@ -129,7 +130,7 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
         if (!visit(&hinge_load, context))
             break;
     }
-    free(own.list);
+    free(self.list);
     return DOM_OK;
 }
 

@@ -426,10 +426,10 @@ static void design_search(struct planner *p, const struct dom_compute *compute, 
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design)
 {
-    struct dom_compute asked = compute_or_default(compute);
-    asked.errors = false;
-    asked.method = DOM_METHOD_OURS;
-    struct planner p = {.train = *train, .compute = asked, .wish = wish, .status = DOM_OK};
+    struct dom_compute final = compute_or_default(compute);
+    final.errors = false;
+    final.method = DOM_METHOD_OURS;
+    struct planner p = {.train = *train, .compute = final, .wish = wish, .status = DOM_OK};
     if (!(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first)))
         return DOM_BAD_HEIGHT;
     if (!(wish->safety > 1 && isfinite(wish->safety)))
@@ -456,7 +456,7 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
                                .row = DOM_NAN,
                                .needs = DOM_NAN};
     if (p.status == DOM_OK)
-        design_search(&p, &asked, &found);
+        design_search(&p, &final, &found);
     bool remedy = found.limit == DOM_DESIGN_HALL || (found.limit == DOM_DESIGN_START && !isnan(found.needs));
     if (found.limit != DOM_DESIGN_FITS && !remedy && p.failed > 0) {
         found.limit = DOM_DESIGN_FAILED;

@@ -67,15 +67,15 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
     gsl_rng_set(b->random[0], seed & 0xffffffffUL);
     gsl_rng_set(b->random[1], seed >> 32);
     for (size_t k = 0; k < row->count; k++) {
-        const struct dom_domino *own = &row->domino[k];
+        const struct dom_domino *self = &row->domino[k];
         struct dom_domino *d = &b->domino[k];
-        double gap = (double)own->gap + (double)p->sigma * normal(b);
+        double gap = (double)self->gap + (double)p->sigma * normal(b);
         if (k > 0 && p->sigma > 0)
             d->gap = (dom_real)(gap > 0 ? gap : 0);
         if (p->heights > 0) {
             double grown = fmax(1 + (double)p->heights * normal(b), 0.01); /* every domino has some height */
-            d->height = own->height * (dom_real)grown;
-            d->mass = own->mass * (dom_real)grown;
+            d->height = self->height * (dom_real)grown;
+            d->mass = self->mass * (dom_real)grown;
         }
     }
 }
@@ -288,15 +288,16 @@ struct budget {
     bool of_answer; /* lo and hi are being found, not the interval around the answer */
     struct {
         double sigma, share;
-    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask many of them again */
-    int asked;
+    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask for many of them again
+                          */
+    int answers;
 };
 
 /* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
  * or shorter, so that only sigma differs. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
-    for (int i = 0; i < b->asked && i < BUDGET_SEEN; i++)
+    for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
         if (b->seen[i].sigma == sigma) {
             *share = b->seen[i].share;
             return DOM_OK;
@@ -307,8 +308,8 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
     *share = (double)study.fall / (double)study.rows;
     if (status == DOM_OK) {
-        b->seen[b->asked % BUDGET_SEEN].sigma = sigma;
-        b->seen[b->asked++ % BUDGET_SEEN].share = *share;
+        b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
+        b->seen[b->answers++ % BUDGET_SEEN].share = *share;
     }
     return status;
 }

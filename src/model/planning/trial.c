@@ -142,7 +142,7 @@ bool falls_with(dom_real value, void *context)
 {
     struct trial *t = context;
     const size_t next = t->k + 1 < t->row.count;
-    const struct dom_domino own = t->domino[t->k], after = t->domino[t->k + next];
+    const struct dom_domino self = t->domino[t->k], after = t->domino[t->k + next];
     dom_real mu = t->row.mu;
     bool falls;
     trial_change(t, value);
@@ -159,7 +159,7 @@ bool falls_with(dom_real value, void *context)
     }
     t->row.mu = mu;
     t->domino[t->k + next] = after;
-    t->domino[t->k] = own;
+    t->domino[t->k] = self;
     return falls;
 }
 

@@ -25,9 +25,9 @@ struct range {
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
-    dom_real own = t->row.rho != 0 ? 2 * d->radius : 0, share = own > 0 ? 0 : 2 * t->row.rho;
-    dom_real stands = (d->thickness - own) / (tan(tilt) + share) * (1 - STANDS_SHORT);
-    dom_real lowest = fmax(HEIGHT_PART * d->height, own * (1 + STANDS_SHORT));
+    dom_real self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
+    dom_real stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
+    dom_real lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
     return (struct range){fmin(lowest, d->height), fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height),
                           DOM_ROW_FALLS};
 }
@@ -98,7 +98,7 @@ static void window_around(struct trial *t, struct dom_window *w)
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
-    const struct dom_domino own = t->domino[t->k], after = t->domino[t->k + next];
+    const struct dom_domino self = t->domino[t->k], after = t->domino[t->k + next];
     const dom_real place = t->place;
     enum dom_row_end below;
     trial_change(t, range->highest);
@@ -107,7 +107,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     w->high = range->highest;
     t->place = place;
     t->domino[t->k + next] = after;
-    t->domino[t->k] = own;
+    t->domino[t->k] = self;
 }
 
 /* Finds the nearest window beside the value of a row that does not fall. */

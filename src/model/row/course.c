@@ -33,7 +33,7 @@ struct mark {
 };
 
 struct course {
-    struct row_request asked;
+    struct row_request request;
     struct geometry *geometry;
     size_t made; /* so many have the geometry of the unchanged row */
     struct mark *mark;
@@ -72,7 +72,7 @@ static real least_force(const struct run *run, size_t k, real omegasq)
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
-    bool tips = k == 0 && isnan(before->asked->push), last = k + 1 == before->asked->count;
+    bool tips = k == 0 && isnan(before->request->push), last = k + 1 == before->request->count;
     struct mark m = {
         .omegasq = before->omegasq, .inertia_ratio = before->inertia_ratio, .moving = before->moving};
     m.pushes = (real)INFINITY;
@@ -83,7 +83,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     m.pushes = d->least_force;
     m.need = d->least_margin < (real)INFINITY ? fmax(before->omegasq - d->least_margin / d->J0, 0) : 0;
     if (!last && after->verdict.end == DOM_ROW_FALLS) {
-        real slower = block_of(before->asked, k + 1).tau / block_of(before->asked, k).tau,
+        real slower = block_of(before->request, k + 1).tau / block_of(before->request, k).tau,
              kept = collision_velocity_ratio(after->inertia_ratio) * slower /
                     geometry_hit_slope(&after->geometry[k + 1]);
         m.gain = kept * kept * d->st.gain;
@@ -95,7 +95,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
 /* Finds how far omegasq of a head that goes on may deviate at this head alone. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
-    if (k == 0 && isnan(before->asked->push))
+    if (k == 0 && isnan(before->request->push))
         return;
     real low = m->need + (m->omegasq - m->need) / FAST;
     real slow = least_force(before, k, low), fast = least_force(before, k, FAST * m->omegasq);
@@ -133,13 +133,13 @@ static void mark_end(struct mark *m, enum dom_row_end end)
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
-    const struct mark own = mark_of(before, after, k, d), *m = &course->mark[k], *next = m + 1;
+    const struct mark self = mark_of(before, after, k, d), *m = &course->mark[k], *next = m + 1;
     real last = *off, w = before->omegasq, by = after->omegasq / next->omegasq - 1;
     bool conservative = course->geometry[0].dynamics->conservative;
-    *off = fabs(own.need - m->need) / w + fabs(after->omegasq - (m->gain * w + m->offset)) / (own.gain * w) +
-           fabs(own.gain / m->gain - 1);
+    *off = fabs(self.need - m->need) / w +
+           fabs(after->omegasq - (m->gain * w + m->offset)) / (self.gain * w) + fabs(self.gain / m->gain - 1);
     real ratio = *off / last, left = *off;
-    if (!(*off <= NOISE * (real)course->asked.tol))
+    if (!(*off <= NOISE * (real)course->request.tol))
         left = ratio <= DECAYS ? *off / (1 - ratio) : (real)INFINITY;
     real most = conservative ? LEFT_MOST : LEFT_MOST_LOCKING;
     if (!(left <= (next->falls ? fmin(most, LEFT_FORCE * next->pushes) : most)))
@@ -154,8 +154,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
  */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
-    const size_t count = c->asked.count;
-    struct run run = {.asked = &c->asked,
+    const size_t count = c->request.count;
+    struct run run = {.request = &c->request,
                       .geometry = c->geometry,
                       .forces = c->known < count, /* for marks */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
@@ -167,7 +167,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
         run.moving = c->mark[from].moving;
     }
     c->made = from;
-    enum dom_status status = c->known > 0 ? row_geometry(&c->asked, from, c->geometry) : DOM_OK;
+    enum dom_status status = c->known > 0 ? row_geometry(&c->request, from, c->geometry) : DOM_OK;
     size_t k = from;
     for (; status == DOM_OK && k < count && run.verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
@@ -175,7 +175,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
         const struct run before = run;
         status = row_head(&run, k, &d, &fall);
         if (status == DOM_OK && run.verdict.end == DOM_ROW_FALLS && k + 1 < count) {
-            status = c->known > 0 ? row_geometry(&c->asked, k + 1, c->geometry) : DOM_OK;
+            status = c->known > 0 ? row_geometry(&c->request, k + 1, c->geometry) : DOM_OK;
             if (status == DOM_OK)
                 status = row_hit(&run, k, &d.st.geometry, &d.st.start);
         }
@@ -202,27 +202,27 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
     return status;
 }
 
-KERNEL enum dom_status row_course(const struct row_request *asked, struct course **course,
+KERNEL enum dom_status row_course(const struct row_request *request, struct course **course,
                                   struct dom_verdict *verdict)
 {
     *course = NULL;
-    enum dom_status status = row_check(asked, &verdict->domino);
+    enum dom_status status = row_check(request, &verdict->domino);
     if (status != DOM_OK)
         return status;
     struct course *c = calloc(1, sizeof *c);
     if (!c)
         return DOM_NO_MEMORY;
-    c->asked = *asked;
-    c->geometry = malloc(asked->count * sizeof *c->geometry);
-    c->mark = calloc(asked->count, sizeof *c->mark);
+    c->request = *request;
+    c->geometry = malloc(request->count * sizeof *c->geometry);
+    c->mark = calloc(request->count, sizeof *c->mark);
     status = c->geometry && c->mark ? DOM_OK : DOM_NO_MEMORY;
     if (c->geometry)
         c->geometry[0] = (struct geometry){.dynamics = &energy_balance};
     if (status == DOM_OK)
-        status = row_make(asked, asked->count, c->geometry);
+        status = row_make(request, request->count, c->geometry);
     if (status == DOM_OK)
         status = course_run(c, 0, 0, &c->verdict);
-    c->made = asked->count;
+    c->made = request->count;
     if (status == DOM_OK && c->verdict.end != DOM_ROW_FALLS) {
         c->known = c->verdict.domino;
         mark_end(&c->mark[c->known - 1], c->verdict.end);
@@ -240,13 +240,13 @@ KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domi
     const size_t from = first > 0 ? first - 1 : 0;
     enum dom_status status = DOM_OK;
     *verdict = c->verdict;
-    c->asked.domino = domino;
+    c->request.domino = domino;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
-        status = row_domino_check(&c->asked, k);
+        status = row_domino_check(&c->request, k);
     if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino) /* the row ends before the change */
         return status;
     for (; c->made < from && status == DOM_OK; c->made++)
-        status = row_geometry(&c->asked, c->made, c->geometry);
+        status = row_geometry(&c->request, c->made, c->geometry);
     return status == DOM_OK ? course_run(c, from, last + 1, verdict) : status;
 }
 

@@ -22,11 +22,11 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
 /* Sets how domino k and its follower k - 1 touch. */
 static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
 {
-    struct block own = block_of(row, k), previous = block_of(row, k - 1);
+    struct block self = block_of(row, k), previous = block_of(row, k - 1);
     real gap = (real)row->domino[k].gap;
-    geometry->r = own.height / previous.height;
-    geometry->s = gap / own.height;
-    geometry->L = geometry->s + own.d;
+    geometry->r = self.height / previous.height;
+    geometry->s = gap / self.height;
+    geometry->L = geometry->s + self.d;
     geometry->rs = gap / previous.height;
     geometry->rL = geometry->r * geometry->L;
     geometry->short_of = fmax((previous.height - gap) / previous.height, 0);
@@ -40,11 +40,11 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
-    struct block own = block_of(row, k), previous = block_of(row, k - 1);
+    struct block self = block_of(row, k), previous = block_of(row, k - 1);
     joint_shape(row, k, geometry);
-    geometry->weight = previous.mass / own.mass / geometry->r;
-    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) / (1 + own.d * own.d) *
-                        (previous.box / own.box);
+    geometry->weight = previous.mass / self.mass / geometry->r;
+    geometry->inertia = geometry->weight / geometry->r * (1 + previous.d * previous.d) /
+                        (1 + self.d * self.d) * (previous.box / self.box);
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
@@ -77,13 +77,13 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
 /* Returns row_end where one of the two dominoes leans. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
-    const struct geometry own = {.lean = (real)row->domino[k].lean};
+    const struct geometry self = {.lean = (real)row->domino[k].lean};
     struct contact contact;
     struct tilt tilt;
     bool touches = lean_touch(row, k, &contact, &tilt);
     if (touches)
         return tilt;
-    return contact.arm > 0 ? geometry_rest(&own) : (struct tilt){1, 0, 1};
+    return contact.arm > 0 ? geometry_rest(&self) : (struct tilt){1, 0, 1};
 }
 
 /* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
@@ -116,44 +116,44 @@ static enum dom_status row_effects(const struct row_request *row, size_t k, stru
     return dynamics_choose(effect, geometry);
 }
 
-KERNEL enum dom_status row_geometry(const struct row_request *asked, size_t k, struct geometry *row)
+KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row)
 {
     struct geometry *geometry = &row[k];
-    *geometry = (struct geometry){.tol = (real)asked->tol,
+    *geometry = (struct geometry){.tol = (real)request->tol,
                                   .flow = row[0].flow,
-                                  .interrupt = asked->interrupt,
-                                  .work = asked->work,
-                                  .d = block_of(asked, k).d,
+                                  .interrupt = request->interrupt,
+                                  .work = request->work,
+                                  .d = block_of(request, k).d,
                                   .box = 1,
-                                  .lean = (real)asked->domino[k].lean,
+                                  .lean = (real)request->domino[k].lean,
                                   .short_of = 1,
                                   .n = k + 1};
     geometry->reach = hypot(1, geometry->d);
     geometry_gravity(geometry, 0, 1);
-    enum dom_status status = row_effects(asked, k, geometry);
-    geometry->c = row_end(asked, k, geometry);
+    enum dom_status status = row_effects(request, k, geometry);
+    geometry->c = row_end(request, k, geometry);
     if (k > 0)
-        joint_make(asked, k, &row[k - 1], geometry);
+        joint_make(request, k, &row[k - 1], geometry);
     return status;
 }
 
-KERNEL enum dom_status row_make(const struct row_request *asked, size_t count, struct geometry *row)
+KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row)
 {
     enum dom_status status = DOM_OK;
     for (size_t k = 0; k < count && status == DOM_OK; k++) {
-        status = row_geometry(asked, k, row);
+        status = row_geometry(request, k, row);
         if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
             status = dynamics_begin(row);
     }
     return status;
 }
 
-KERNEL void row_gaps(const struct row_request *asked, struct geometry *row)
+KERNEL void row_gaps(const struct row_request *request, struct geometry *row)
 {
-    for (size_t k = 0; k < asked->count; k++) {
-        row[k].c = row_end(asked, k, &row[k]);
+    for (size_t k = 0; k < request->count; k++) {
+        row[k].c = row_end(request, k, &row[k]);
         if (k > 0)
-            joint_shape(asked, k, &row[k]);
+            joint_shape(request, k, &row[k]);
     }
 }
 
@@ -174,9 +174,9 @@ static enum dom_status settings_check(const struct row_request *row)
 }
 
 /* Returns true if the walls have room in a domino. */
-static bool walls_room(const struct row_request *row, const struct block *own)
+static bool walls_room(const struct row_request *row, const struct block *self)
 {
-    return walls_fit(own->d, (real)row->effect[DOM_EFFECT_walls] / own->height);
+    return walls_fit(self->d, (real)row->effect[DOM_EFFECT_walls] / self->height);
 }
 
 /* Returns true if a domino that leans does not fall over either edge of its foot. */
@@ -189,18 +189,18 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
-    const struct block own = block_of(row, k);
+    const struct block self = block_of(row, k);
     return !positive(d->height)                             ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(own.d)    ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(own.unit)      ? DOM_BAD_MASS
+           : !positive(d->thickness) || !positive(self.d)   ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(self.unit)     ? DOM_BAD_MASS
            : !(d->gap >= 0) || !isfinite((real)d->gap)      ? DOM_BAD_GAP
            : !(d->radius >= 0 && d->radius < d->height / 2) ? DOM_BAD_RADIUS
            : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
-           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &own) ? DOM_NO_ROOM
-           : d->lean != 0 && row_radius(row, k) != 0                              ? DOM_NO_LEAN
-           : d->lean != 0 && !lean_stands(row, d)                                 ? DOM_BAD_LEAN
-                                                                                  : DOM_OK;
+           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &self) ? DOM_NO_ROOM
+           : d->lean != 0 && row_radius(row, k) != 0                               ? DOM_NO_LEAN
+           : d->lean != 0 && !lean_stands(row, d)                                  ? DOM_BAD_LEAN
+                                                                                   : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)

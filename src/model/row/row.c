@@ -106,7 +106,7 @@ static enum dom_status inertia_begin(const struct run *run, size_t k, struct til
 
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->asked, k);
+    const struct block block = block_of(run->request, k);
     const real end = tilt_angle(run->geometry[k].c);
     const struct tilt rest = geometry_rest(&run->geometry[k]);
     *d = (struct descent){.st = {.geometry = run->geometry[k],
@@ -132,7 +132,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
     while (status == DOM_OK && d->st.lo < end && !d->st.locks)
-        status = descent_segment(d, end, run->times, run->asked->floor);
+        status = descent_segment(d, end, run->times, run->request->floor);
     if (status != DOM_OK)
         return status;
     run->moving = d->stay;
@@ -155,7 +155,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
  * (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
-    const struct block block = block_of(run->asked, 0);
+    const struct block block = block_of(run->request, 0);
     const struct geometry *geometry = &run->geometry[0];
     real theta_u = geometry_theta_u(geometry), barrier = geometry_rise_u(geometry) * block.unit;
     const struct tilt top = tilt_half(geometry_half_u(geometry));
@@ -177,7 +177,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
     enum dom_status status =
-        run->asked->floor && tips ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction) : DOM_OK;
+        run->request->floor && tips ? floor_over(&d->st, d->st.lo, d->st.hi, &d->required_friction) : DOM_OK;
     watch_tip(run->watch, &d->st, block.tau);
     d->st.start.from = geometry->c;
     d->st.start.J = geometry_inertia(geometry, geometry->c);
@@ -207,16 +207,16 @@ static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at)
 {
-    const struct dom_domino *own = &run->asked->domino[k], *next = own + 1;
+    const struct dom_domino *self = &run->request->domino[k], *next = self + 1;
     const struct geometry *geometry = &run->geometry[k + 1];
     enum dom_row_end *end = &run->verdict.end;
     const struct geometry *hits = &run->geometry[k];
     real top = hits->rounded.rho + hits->rounded.tall * hits->c.y, flat = 1 - geometry->rounded.rho;
-    if ((real)next->gap > hits->span * (real)own->height * (1 + REACH_ROUNDED))
+    if ((real)next->gap > hits->span * (real)self->height * (1 + REACH_ROUNDED))
         *end = DOM_ROW_MISSES;
-    else if (own->lean != 0 || next->lean != 0)
-        *end = lean_ends(run->asked, k);
-    else if ((real)own->height * top > flat * (real)next->height)
+    else if (self->lean != 0 || next->lean != 0)
+        *end = lean_ends(run->request, k);
+    else if ((real)self->height * top > flat * (real)next->height)
         *end = DOM_ROW_PASSES;
     if (*end != DOM_ROW_FALLS)
         return DOM_OK;
@@ -228,7 +228,7 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
         return DOM_OK;
     }
     velocity_ratio = collision_velocity_ratio(inertia_ratio) / geometry_hit_slope(geometry);
-    real slower = block_of(run->asked, k + 1).tau / block_of(run->asked, k).tau;
+    real slower = block_of(run->request, k + 1).tau / block_of(run->request, k).tau;
     run->inertia_ratio = inertia_ratio;
     run->omegasq = velocity_ratio * velocity_ratio * slower * slower * at->omegasq;
     run->moving++;
@@ -264,17 +264,17 @@ static void fall_floor(const struct row_request *row, size_t k,
 
 KERNEL void row_launch(struct run *run)
 {
-    real tau = block_of(run->asked, 0).tau, push = (real)run->asked->push;
+    real tau = block_of(run->request, 0).tau, push = (real)run->request->push;
     run->omegasq = isnan(push) ? 0 : push * tau * push * tau;
     run->moving = 1;
 }
 
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
-    bool tips = k == 0 && isnan(run->asked->push);
+    bool tips = k == 0 && isnan(run->request->push);
     real before = run->carried;
     *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
-    if (dom_raised(run->asked->interrupt))
+    if (dom_raised(run->request->interrupt))
         return DOM_INTERRUPTED;
     enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
     if (status != DOM_OK)
@@ -286,7 +286,7 @@ KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, st
         if (d->stops || d->locks || d->least_force < 0)
             run->verdict.end = d->least_force < 0 ? DOM_ROW_PARTS : d->stops ? DOM_ROW_STOPS : DOM_ROW_LOCKS;
     }
-    fall_floor(run->asked, k, &d->required_friction, fall);
+    fall_floor(run->request, k, &d->required_friction, fall);
     verdict_add(&run->verdict, fall, tips);
     return DOM_OK;
 }
@@ -295,20 +295,20 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 {
     bool more = true;
     struct steady steady = {.found = false};
-    struct dom_work *work = run->asked->work;
+    struct dom_work *work = run->request->work;
     work->entered[DOM_EFFECT_row]++;
-    if (!isnan(run->asked->push))
+    if (!isnan(run->request->push))
         work->entered[DOM_EFFECT_push]++;
     row_launch(run);
-    for (size_t k = 0; k < run->asked->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
+    for (size_t k = 0; k < run->request->count && more && run->verdict.end == DOM_ROW_FALLS; k++) {
         struct descent d;
         struct dom_fall fall;
         const real before = run->omegasq;
-        const bool last = k + 1 == run->asked->count;
+        const bool last = k + 1 == run->request->count;
         enum dom_status status = DOM_OK;
         if (steady_repeats(&steady, run, k, &fall)) {
             more = !visit || visit(&fall, context);
-            if (dom_raised(run->asked->interrupt))
+            if (dom_raised(run->request->interrupt))
                 return DOM_INTERRUPTED;
             continue;
         }
@@ -332,15 +332,15 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
 }
 
 /* Adds the work of a row to that of the caller. */
-static void work_add(struct dom_work *sum, const struct dom_work *own)
+static void work_add(struct dom_work *sum, const struct dom_work *self)
 {
     if (!sum)
         return;
-    sum->passes += own->passes;
-    sum->dominoes += own->dominoes;
-    sum->longest = own->longest > sum->longest ? own->longest : sum->longest;
+    sum->passes += self->passes;
+    sum->dominoes += self->dominoes;
+    sum->longest = self->longest > sum->longest ? self->longest : sum->longest;
     for (int i = 0; i < DOM_EFFECT_COUNT; i++)
-        sum->entered[i] += own->entered[i];
+        sum->entered[i] += self->entered[i];
 }
 
 /* ---- Public ---- */
@@ -348,33 +348,33 @@ static void work_add(struct dom_work *sum, const struct dom_work *own)
 static enum dom_status row_answer(const struct row_request *given, bool times, dom_fall_visit *visit,
                                   void *context, struct watch *watch, struct dom_verdict *verdict)
 {
-    struct row_request row = *given, *const asked = &row;
+    struct row_request row = *given, *const request = &row;
     struct dom_work work = {0};
-    enum dom_status status = row_check(asked, &verdict->domino);
+    enum dom_status status = row_check(request, &verdict->domino);
     if (status != DOM_OK)
         return status;
-    struct run run = {.asked = asked,
+    struct run run = {.request = request,
                       .times = times,
                       .watch = watch,
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
-    run.geometry = malloc(asked->count * sizeof *run.geometry);
-    struct block *block = malloc(asked->count * sizeof *block);
+    run.geometry = malloc(request->count * sizeof *run.geometry);
+    struct block *block = malloc(request->count * sizeof *block);
     if (!run.geometry || !block) {
         free(run.geometry);
         free(block);
         return DOM_NO_MEMORY;
     }
-    for (size_t k = 0; k < asked->count; k++)
-        block[k] = block_of(asked, k);
+    for (size_t k = 0; k < request->count; k++)
+        block[k] = block_of(request, k);
     row.block = block;
     row.work = &work;
-    run.made = steady_made(asked);
+    run.made = steady_made(request);
     run.geometry[0] = (struct geometry){.dynamics = &energy_balance};
-    status = watch ? watch_begin(watch, asked->count) : DOM_OK;
-    for (size_t k = 0; watch && status == DOM_OK && k < asked->count; k++)
-        watch->tilt[k] = asked->domino[k].lean;
+    status = watch ? watch_begin(watch, request->count) : DOM_OK;
+    for (size_t k = 0; watch && status == DOM_OK && k < request->count; k++)
+        watch->tilt[k] = request->domino[k].lean;
     if (status == DOM_OK)
-        status = row_make(asked, run.made, run.geometry);
+        status = row_make(request, run.made, run.geometry);
     if (status == DOM_OK)
         status = row_falls(&run, visit, context);
     if (status == DOM_OK && watch)
@@ -389,20 +389,20 @@ static enum dom_status row_answer(const struct row_request *given, bool times, d
     return status;
 }
 
-KERNEL enum dom_status row_run(const struct row_request *asked, bool times, dom_fall_visit *visit,
+KERNEL enum dom_status row_run(const struct row_request *request, bool times, dom_fall_visit *visit,
                                void *context, struct dom_verdict *verdict)
 {
-    return row_answer(asked, times, visit, context, NULL, verdict);
+    return row_answer(request, times, visit, context, NULL, verdict);
 }
 
-KERNEL enum dom_status row_watch(const struct row_request *asked, const dom_real *times, size_t count,
+KERNEL enum dom_status row_watch(const struct row_request *request, const dom_real *times, size_t count,
                                  dom_moment_visit *visit, void *context, struct dom_verdict *verdict)
 {
     struct watch watch = {.time = times, .times = count, .visit = visit, .context = context};
     for (size_t k = 0; k < count; k++)
-        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(asked->push)))
+        if (isnan(times[k]) || (k > 0 && times[k] < times[k - 1]) || (times[k] < 0 && !isnan(request->push)))
             return DOM_BAD_TIME;
-    enum dom_status status = row_answer(asked, true, NULL, NULL, &watch, verdict);
+    enum dom_status status = row_answer(request, true, NULL, NULL, &watch, verdict);
     watch_free(&watch);
     return status;
 }

@@ -8,7 +8,7 @@
 #include "row/moments.h"
 
 struct run {
-    const struct row_request *asked;
+    const struct row_request *request;
     struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
     size_t made;               /* so many of them are made, if not all are (steady.h) */
     bool times;

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 struct random_row {
-    struct row_request asked;
+    struct row_request request;
     bool plain; /* true: sharp edges and plumb dominoes */
     bool rubs;  /* with friction: first roughly, then finely if the verdict is in doubt */
     bool rough, doubt;
@@ -40,12 +40,12 @@ struct glide {
 /* Adds one domino, which has moved from b to a. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
-    const struct geometry *own = a->geometry;
-    const real lift = geometry_height_slope(own, b->tilt), height = geometry_height(own, a->tilt),
+    const struct geometry *self = a->geometry;
+    const real lift = geometry_height_slope(self, b->tilt), height = geometry_height(self, a->tilt),
                slope = height > 0 ? a->slope : b->slope,
-               fall = height > 0 ? -geometry_height_slope(own, a->tilt) : own->reach;
+               fall = height > 0 ? -geometry_height_slope(self, a->tilt) : self->reach;
     g->J += a->inertia * a->slope * a->slope;
-    g->dH += a->weight * g->t * (own->h.x * (a->tilt.y + b->tilt.y) - own->h.y * (a->tilt.x + b->tilt.x));
+    g->dH += a->weight * g->t * (self->h.x * (a->tilt.y + b->tilt.y) - self->h.y * (a->tilt.x + b->tilt.x));
     g->rise += a->weight * b->slope * lift;
     if (a->i == 0)
         return;
@@ -69,10 +69,10 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
 /* Returns true if the kinetic energy is surely enough. */
 static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
 {
-    const struct geometry *own = head->geometry;
+    const struct geometry *self = head->geometry;
     /* Without followers that rise, H decreases from theta_u of the head on. */
-    const real height = geometry_height(own, standing),
-               bend = g->bend + (g->rises ? fmin(height, geometry_height(own, head->tilt)) : height);
+    const real height = geometry_height(self, standing),
+               bend = g->bend + (g->rises ? fmin(height, geometry_height(self, head->tilt)) : height);
     const real rise = fmax(g->rise, 0);
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
@@ -80,12 +80,12 @@ static bool glide_passes(const struct glide *g, const struct link *head, real ki
 /* Returns true when the dominoes after this one can be left out; t shrinks by `shrinks` to the next. */
 static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
 {
-    const struct geometry *own = a->geometry;
-    const real ratio = fmax(own->weight * shrinks, own->decay),
-               rest = a->weight * 2 * g->t * own->reach * ratio;
+    const struct geometry *self = a->geometry;
+    const real ratio = fmax(self->weight * shrinks, self->decay),
+               rest = a->weight * 2 * g->t * self->reach * ratio;
     if (!(rest <= (1 - ratio) * tol * fabs(g->dH)))
         return false;
-    const real ratio_J = fmax(own->inertia * a->step * a->step, own->decay_J);
+    const real ratio_J = fmax(self->inertia * a->step * a->step, self->decay_J);
     if (!(a->inertia * a->slope * a->slope * ratio_J <= (1 - ratio_J) * tol * g->J))
         return false;
     return true;
@@ -111,7 +111,7 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
-    const real tol = TAIL_SHARE * (real)s->asked.tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
+    const real tol = TAIL_SHARE * (real)s->request.tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
     const bool alone = run->moving == 1; /* then nothing rubs on it */
     struct link a = link_head(head, head->c), b = link_head(head, standing);
     struct glide g = {.t = half_of_tilt(head->c)};
@@ -139,7 +139,7 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
         return glide_passes(&g, &s->link[k], kinetic);
     if (!s->rough)
         return false;
-    if (k + 1 == s->asked.count && !g.rises) /* beyond theta_u all dominoes fall */
+    if (k + 1 == s->request.count && !g.rises) /* beyond theta_u all dominoes fall */
         return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
                             run->omegasq);
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
@@ -172,7 +172,7 @@ static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
     const bool tips = before == 0, pushes = fabs(d.least_force) > LEAST_CLEAR,
                sure = slide_sure(&s->slide, before, (real)fall.margin, (real)fall.kinetic);
     s->doubt = s->rough && !tips && !(pushes && sure && !d.locks);
-    if (s->doubt || run->verdict.end != DOM_ROW_FALLS || k + 1 == s->asked.count)
+    if (s->doubt || run->verdict.end != DOM_ROW_FALLS || k + 1 == s->request.count)
         return DOM_OK;
     s->off_at_end = tips ? 0 : s->slide.off * d.st.gain + slide_error(&d.st.geometry) * d.st.start.omegasq;
     return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
@@ -187,16 +187,16 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     s->slide.off = 0;
     s->doubt = false;
     for (size_t k = 0;
-         k < s->asked.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && !s->doubt; k++) {
+         k < s->request.count && status == DOM_OK && run->verdict.end == DOM_ROW_FALLS && !s->doubt; k++) {
         struct start at;
         s->geometry[k].n = run->moving;
         run->verdict.domino = k + 1;
-        if (dom_raised(s->asked.interrupt))
+        if (dom_raised(s->request.interrupt))
             return DOM_INTERRUPTED;
         s->off_at_end = 0;
         if (!(s->plain && run->omegasq > 0 && head_goes(s, run, k, &at)))
             status = head_run(s, run, k);
-        else if (k + 1 < s->asked.count)
+        else if (k + 1 < s->request.count)
             status = sample_hit(s, run, k, &s->geometry[k], &at);
     }
     return status;
@@ -206,36 +206,36 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;
-    for (size_t k = 0; k < s->asked.count; k++)
-        s->geometry[k].tol = rough ? fmax((real)s->asked.tol, SLIDE_TOL) : (real)s->asked.tol;
+    for (size_t k = 0; k < s->request.count; k++)
+        s->geometry[k].tol = rough ? fmax((real)s->request.tol, SLIDE_TOL) : (real)s->request.tol;
 }
 
 /* Checks the row, and makes its blocks and its geometry. */
 static enum dom_status sample_make(struct random_row *s)
 {
     size_t wrong;
-    s->asked.block = NULL;
-    enum dom_status status = row_check(&s->asked, &wrong);
-    for (size_t k = 0; k < s->asked.count && status == DOM_OK; k++)
-        s->block[k] = block_of(&s->asked, k);
-    s->asked.block = s->block;
-    for (size_t k = 0; k < s->asked.count && status == DOM_OK; k++)
-        status = row_geometry(&s->asked, k, s->geometry);
+    s->request.block = NULL;
+    enum dom_status status = row_check(&s->request, &wrong);
+    for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
+        s->block[k] = block_of(&s->request, k);
+    s->request.block = s->block;
+    for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
+        status = row_geometry(&s->request, k, s->geometry);
     return status;
 }
 
-KERNEL enum dom_status row_sample(const struct row_request *asked, struct random_row **sample)
+KERNEL enum dom_status row_sample(const struct row_request *request, struct random_row **sample)
 {
-    const size_t n = asked->count;
+    const size_t n = request->count;
     size_t wrong;
     *sample = NULL;
-    enum dom_status status = row_check(asked, &wrong);
+    enum dom_status status = row_check(request, &wrong);
     if (status != DOM_OK)
         return status;
     struct random_row *s = calloc(1, sizeof *s);
     if (!s)
         return DOM_NO_MEMORY;
-    *s = (struct random_row){.asked = *asked,
+    *s = (struct random_row){.request = *request,
                              .block = malloc(n * sizeof *s->block),
                              .geometry = malloc(n * sizeof *s->geometry),
                              .link = malloc(n * sizeof *s->link)};
@@ -255,21 +255,22 @@ KERNEL enum dom_status row_sample(const struct row_request *asked, struct random
     s->plain = true;
     num_rough_begin(&s->slide.flow);
     for (size_t k = 0; k < n; k++)
-        s->plain = s->plain && s->geometry[k].law->closed_form && asked->domino[k].lean == 0;
+        s->plain = s->plain && s->geometry[k].law->closed_form && request->domino[k].lean == 0;
     return DOM_OK;
 }
 
 KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_domino *domino, bool gaps,
                                    struct dom_verdict *verdict)
 {
-    const struct run fresh = {.asked = &s->asked, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
+    const struct run fresh = {
+        .request = &s->request, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
     struct run run = fresh;
     enum dom_status status = DOM_OK;
-    s->asked.domino = domino;
+    s->request.domino = domino;
     if (!gaps || !s->plain)
         status = sample_make(s);
     else
-        row_gaps(&s->asked, s->geometry);
+        row_gaps(&s->request, s->geometry);
     if (status == DOM_OK) {
         sample_tol(s, s->rubs && s->plain);
         status = sample_falls(s, &run);

@@ -17,15 +17,15 @@ struct slide_sums {
 /* Adds one domino. Returns false when those after it can be left out. */
 static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, real tol)
 {
-    const struct geometry *own = k->geometry;
+    const struct geometry *self = k->geometry;
     const real m = k->inertia * s->S, w = k->weight * s->S;
     s->A += m * k->slope;
     s->B += m * s->curve;
-    s->C -= w * geometry_height_slope(own, k->tilt) / 2;
-    const real rate = fmax(fmax(own->weight, own->inertia) * ratio, fmax(own->decay, own->decay_J)),
+    s->C -= w * geometry_height_slope(self, k->tilt) / 2;
+    const real rate = fmax(fmax(self->weight, self->inertia) * ratio, fmax(self->decay, self->decay_J)),
                share = TAIL_SHARE * tol * (1 - rate);
-    return rate * w * own->reach > share * fabs(s->C) ||
-           rate * m * (k->slope * (1 + own->rL * k->slope) + fabs(s->curve)) > share * s->A;
+    return rate * w * self->reach > share * fabs(s->C) ||
+           rate * m * (k->slope * (1 + self->rL * k->slope) + fabs(s->curve)) > share * s->A;
 }
 
 struct slide_context {
@@ -59,14 +59,14 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
  * a parabola through each three of them. */
 static real slide_need(const struct num_rough *flow)
 {
-    real most = 0, last = 0, own = 0;
+    real most = 0, last = 0, self = 0;
     for (int i = 1; i <= SLIDE_PLACES; i++) {
-        const real next = -num_rough_v(flow, 2 * (real)i / SLIDE_PLACES - 1), bend = 2 * own - last - next;
+        const real next = -num_rough_v(flow, 2 * (real)i / SLIDE_PLACES - 1), bend = 2 * self - last - next;
         most = fmax(most, next);
-        if (i > 1 && own >= last && own >= next && bend > 0)
-            most = fmax(most, own + (next - last) * (next - last) / (8 * bend));
-        last = own;
-        own = next;
+        if (i > 1 && self >= last && self >= next && bend > 0)
+            most = fmax(most, self + (next - last) * (next - last) / (8 * bend));
+        last = self;
+        self = next;
     }
     return most;
 }

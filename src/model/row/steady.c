@@ -22,33 +22,33 @@ KERNEL enum dom_status row_ready(struct run *run, size_t k)
 {
     enum dom_status status = DOM_OK;
     for (; run->made <= k && status == DOM_OK; run->made++)
-        status = row_geometry(run->asked, run->made, run->geometry);
+        status = row_geometry(run->request, run->made, run->geometry);
     return status;
 }
 
-KERNEL size_t steady_made(const struct row_request *asked)
+KERNEL size_t steady_made(const struct row_request *request)
 {
-    size_t k = asked->count;
-    while (k > 1 && equal(asked, k - 1))
+    size_t k = request->count;
+    while (k > 1 && equal(request, k - 1))
         k--;
-    return k + STEADY_FIRST < asked->count ? k + STEADY_FIRST : asked->count;
+    return k + STEADY_FIRST < request->count ? k + STEADY_FIRST : request->count;
 }
 
 KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall)
 {
-    s->alike = k > 0 && equal(run->asked, k) ? s->alike + 1 : 1;
-    if (!s->found || s->alike == 1 || k + 1 == run->asked->count || !equal(run->asked, k + 1))
+    s->alike = k > 0 && equal(run->request, k) ? s->alike + 1 : 1;
+    if (!s->found || s->alike == 1 || k + 1 == run->request->count || !equal(run->request, k + 1))
         return false;
-    struct dom_fall *own = &s->fall;
-    own->domino++;
-    own->moving += s->more;
-    own->floor_domino += own->floor_domino > 0;
-    own->floor_hit_domino += own->floor_hit_domino > 0;
-    own->time = run->time;
-    run->time += (real)own->duration;
+    struct dom_fall *self = &s->fall;
+    self->domino++;
+    self->moving += s->more;
+    self->floor_domino += self->floor_domino > 0;
+    self->floor_hit_domino += self->floor_hit_domino > 0;
+    self->time = run->time;
+    run->time += (real)self->duration;
     run->moving += s->more;
-    run->verdict.domino = own->domino;
-    *fall = *own;
+    run->verdict.domino = self->domino;
+    *fall = *self;
     return true;
 }
 
@@ -58,8 +58,8 @@ KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real 
     const real after = run->omegasq, lambda = d->st.gain * after / d->st.start.omegasq,
                left = fabs(after - before) * lambda / (1 - lambda);
     const size_t more = run->moving - fall->moving;
-    s->found = !run->watch && k > 0 && run->asked->work->longest + STEADY_MORE <= s->alike && more <= 1 &&
-               more == s->more && lambda < 1 && left <= STEADY_SHARE * (real)run->asked->tol * after;
+    s->found = !run->watch && k > 0 && run->request->work->longest + STEADY_MORE <= s->alike && more <= 1 &&
+               more == s->more && lambda < 1 && left <= STEADY_SHARE * (real)run->request->tol * after;
     s->more = more;
     s->fall = *fall;
 }
@@ -72,8 +72,8 @@ KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struc
     shorter.moving = run->moving - (s->more > 0 ? shift : 0);
     run->geometry[last].c = (struct tilt){1, 0, 1};
     *status = row_head(&shorter, last, d, fall);
-    if (run->asked->work->longest + STEADY_MORE + shift > s->alike) {
-        *status = row_geometry(run->asked, last, run->geometry);
+    if (run->request->work->longest + STEADY_MORE + shift > s->alike) {
+        *status = row_geometry(run->request, last, run->geometry);
         return false;
     }
     fall->domino += shift;

@@ -20,7 +20,7 @@ KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
 /* Returns the number of dominoes whose geometry is made first; those after them are equal, so none of them
  * can fail. */
-KERNEL size_t steady_made(const struct row_request *asked);
+KERNEL size_t steady_made(const struct row_request *request);
 
 /* Begins with head k. Returns true if it does what the head before did: `fall` is filled, and the run goes on
  * to the next head. */
