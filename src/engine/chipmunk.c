@@ -12,7 +12,8 @@
 static struct chipmunk functions;
 static bool loaded;
 
-/* Stores the address of a function, which ISO C does not let one convert from that of an object. */
+/* Stores the address of a function. ISO C has no conversion from the address of an object, so it is copied.
+ */
 static bool find(void *library, const char *name, void *member)
 {
     void *address = dlsym(library, name);
@@ -20,7 +21,7 @@ static bool find(void *library, const char *name, void *member)
     return address;
 }
 
-/* Makes a first space, of which the library writes its name to standard output, with that closed. */
+/* Makes a first space. The library then writes its name to standard output, which is redirected meanwhile. */
 static void make_first(void)
 {
     fflush(stdout);
@@ -57,7 +58,7 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    const bool room = tried || room_take(0); /* for the first space, and the library */
+    const bool room = tried || room_take(0); /* memory for the first space and for the library */
     if (room && !tried) {
         load();
         room_give(0);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The functions of Chipmunk 7, a rigid-body engine, loaded when a row first needs them: a program that never
- * asks for it neither loads nor initialises it, and runs without it.
+ * The functions of Chipmunk 7, a rigid-body engine, which is loaded when a row first needs it. A program that
+ * never needs the engine does not load it, and also runs where it is not installed.
  */
 #ifndef ENGINE_CHIPMUNK_H
 #define ENGINE_CHIPMUNK_H
@@ -9,7 +9,7 @@
 #include "engine.h"
 #include <chipmunk/chipmunk.h>
 
-/* The functions that are used: X(name). */
+/* The functions that are looked up: X(name). */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \
@@ -62,8 +62,8 @@ struct chipmunk {
     char version[24]; /* "7.0.3" */
 };
 
-/* Finds the functions. ENGINE_NO_LIBRARY, ENGINE_NO_MEMORY: there are none. The first call loads the library.
- * Any thread may call. */
+/* Sets *functions. The first call loads the library; any thread may make it. Returns ENGINE_NO_LIBRARY or
+ * ENGINE_NO_MEMORY if that fails. */
 enum engine_status chipmunk_load(const struct chipmunk **functions);
 
 #endif

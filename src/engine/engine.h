@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row of boxes in a rigid-body engine. This folder contains no equation of domino: boxes have a size, a
- * mass and a moment of inertia; they stand on hinges or on a floor with friction, collide, and gravity pulls.
+ * A row of boxes in a rigid-body engine. This folder has no equations about dominoes: boxes with a size, a
+ * mass and a moment of inertia stand on hinges or on a floor with friction, collide, and are pulled by
+ * gravity.
  */
 #ifndef ENGINE_H
 #define ENGINE_H
@@ -11,58 +12,58 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The gap is the free distance to the box before it; that of the first is not read. */
+/* The gap is the free distance to the box before this one. The gap of the first box is not read. */
 struct engine_box {
     double height, thickness, gap, mass;
-    double inertia; /* moment of inertia about its centre, over that of a solid box; 0: a solid box */
-    double radius;  /* of its edges, if those of the row are rounded; 0: as the row says */
+    double inertia; /* moment of inertia about its centre over that of a solid box; 0 means a solid box */
+    double radius;  /* of its edges, if the row has rounded edges; 0 means the radius of the row */
 };
 
 struct engine_row {
     const struct engine_box *box;
     size_t count;
     double g;
-    double push;  /* angular velocity of the first, upright box; NaN: it is tipped over its edge and let go */
-    double slope; /* the angle by which the floor falls in the direction of the row */
-    double mu;    /* friction between boxes */
+    double push; /* angular velocity of the first box; NaN if it is tipped over its edge and let go instead */
+    double slope;  /* the angle by which the floor falls in the direction of the row */
+    double mu;     /* friction between boxes */
     double bounce; /* restitution between boxes */
-    double feet;   /* friction of the floor; infinite: each foot is a hinge, or rolls if it is rounded */
+    double feet;   /* friction of the floor; if infinite, a foot is a hinge, or rolls if it is rounded */
     double radius; /* of rounded edges, over the height */
-    double bevel;  /* cuts off the upper back edge by this part of the height; masses stay the same */
+    double bevel;  /* the share of the height by which the upper back edge is cut off; masses stay the same */
 };
 
-/* A row of solid boxes on hinges, without any effect: change what differs. */
+/* Initializer of a row of solid boxes on hinges without any effect. Change what differs. */
 #define ENGINE_ROW(box_, count_)                                                                             \
     {                                                                                                        \
         .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY              \
     }
 
-/* How fine a computation is: the numbers are right once it does not matter to refine them. */
+/* How fine a computation is. A caller refines both numbers until the answer stops changing. */
 struct engine_grain {
-    double steps;   /* in sqrt(height / g) of the foremost moving box, and in a radian that it turns */
-    int iterations; /* of the engine's solver in a step; fifty times as many in a collision */
+    double steps;   /* in sqrt(height / g) of the foremost moving box, and in each radian that it turns */
+    int iterations; /* of the engine's solver in a step; a collision takes fifty times as many */
 };
 
 /* A box that was hit. */
 struct engine_hit {
-    double time;    /* when; the clock starts with the push, or else with the first hit. NaN: before that */
-    double until;   /* when it hits the next, or lies; NaN: it does neither */
+    double time;    /* of the hit, since the push or else since the first hit; NaN before that */
+    double until;   /* the time when it hits the next box, or lies; NaN if it does neither */
     double omega;   /* its angular velocity just after it was hit; 0 if it has hardly moved */
-    double kinetic; /* of all boxes then */
-    double slid;    /* how far its foot has slid when the row ends; negative: backwards */
+    double kinetic; /* the kinetic energy of all boxes at that time */
+    double slid;    /* how far its foot has slid when the row ends; negative if it has slid backwards */
 };
 
 struct engine_fall {
-    bool all;    /* true: all boxes fall */
-    bool lies;   /* true: the last box that was hit lies */
-    bool leans;  /* true: the first box, tipped over its edge, would already touch the second; nothing ran */
-    size_t hits; /* boxes that were hit, the first included */
+    bool all;       /* all boxes fall */
+    bool lies;      /* the last box that was hit lies */
+    bool leans;     /* the first box, tipped over its edge, would already touch the second; nothing was run */
+    size_t hits;    /* number of boxes that were hit, the first included */
     double seconds; /* until the last box lies, or the row has come to rest */
-    double zero;    /* when the clock starts, in time since the start */
+    double zero;    /* the time since the start at which the clock starts */
     double depth;   /* the deepest penetration of a box, over its height */
-    double drift;   /* the farthest that a corner strays from its hinge, over the height */
+    double drift;   /* the largest distance of a corner from its hinge, over the height */
     double gain;    /* the largest growth of energy between two hits, over the kinetic energy at the second */
-    bool caught; /* true: boxes touched in another way than by the tip of one on the back face of the next */
+    bool caught;    /* boxes have touched in another way than with a tip on the back face of the next box */
 };
 
 enum engine_status {
@@ -73,42 +74,43 @@ enum engine_status {
     ENGINE_NO_END /* the row has neither fallen nor come to rest after very many steps */
 };
 
-/* The most boxes of a row; the time that a run takes grows with their square. */
+/* The largest number of boxes in a row. The time that a run takes grows with its square. */
 enum { ENGINE_MOST = 200 };
 
-/* Loads the engine, unless an earlier call has: ENGINE_OK, ENGINE_NO_LIBRARY or ENGINE_NO_MEMORY. */
+/* Loads the engine unless an earlier call has loaded it. Returns ENGINE_OK, ENGINE_NO_LIBRARY or
+ * ENGINE_NO_MEMORY. */
 enum engine_status engine_load(void);
 
-/* Returns the version of the engine; NULL if it cannot be loaded. */
+/* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
 
-/* The row at one time since the start; tilt[k] and foot[k], the distance that the foot has slid, are of box
- * k, for k < count.
- */
+/* The row at one time since the start. tilt[k] is the tilt of box k, and foot[k] is the distance that its
+ * foot has slid, for k < count. */
 struct engine_moment {
     double time;
-    size_t head, count; /* index of the foremost box that was hit; boxes that are known, all others stand */
+    size_t head;  /* index of the foremost box that was hit */
+    size_t count; /* number of boxes in the engine so far; all others stand */
     const double *tilt, *foot;
 };
 typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
- * Runs a row once. hit, unless NULL, has room for row->count boxes. visit, unless NULL, is called after each
- * step, and returns false to end the run.
+ * Runs a row once. `hit` has room for row->count boxes, or is NULL. visit, which may be NULL, is called after
+ * each step and returns false to end the run.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
                               engine_visit *visit, void *context, struct engine_fall *fall);
 
-/* A run with steps so short that they no longer matter. */
+/* The result of runs with ever shorter steps. */
 struct engine_settled {
     struct engine_fall fall;
     double steps;  /* of the last run */
-    double change; /* the largest change of a time when steps were last halved, over the last time */
-    bool same;     /* true: the verdict was the same then */
+    double change; /* the largest change of a time when the steps were last halved, over the last time */
+    bool same;     /* the verdict did not change when the steps were last halved */
 };
 
-/* Times that agree to this share are settled; steps are not halved further than this. */
+/* The largest relative change of a time that counts as settled, and the finest steps. */
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
@@ -116,9 +118,9 @@ struct engine_settled {
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row, halving the steps until the verdict no longer changes, and with `times` until the times of all
- * hits agree to the share ENGINE_AGREES; or until they are as short as ENGINE_FINEST. hit as in engine_run,
- * and needed for times.
+ * Runs a row and halves the steps until the verdict no longer changes, and with `times` until the times of
+ * all hits change by less than ENGINE_AGREES, or until the steps are as short as ENGINE_FINEST. `hit` is as
+ * in engine_run; it may not be NULL with `times`.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

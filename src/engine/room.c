@@ -7,13 +7,14 @@
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static size_t taken; /* by all spaces */
+static size_t taken; /* bytes reserved for all spaces */
 
 bool room_take(size_t boxes)
 {
     const size_t more = SPACE + BOX * boxes;
     pthread_mutex_lock(&lock);
-    void *volatile room = malloc(taken + more); /* volatile: gcc may leave out a malloc that is only freed */
+    void *volatile room =
+        malloc(taken + more); /* volatile, since gcc may remove a malloc that is only freed */
     bool found = room;
     free(room);
     if (found)

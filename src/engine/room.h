@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Memory for spaces of Chipmunk, which crashes where an allocation fails. A space is begun only if there is
- * room for all that it and the other spaces may take.
+ * Chipmunk crashes if an allocation fails, so that a space is made only if there is enough memory for all
+ * that this space and the other spaces may allocate.
  */
 #ifndef ENGINE_ROOM_H
 #define ENGINE_ROOM_H
@@ -9,10 +9,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Takes room for a space with this many boxes; returns false if there is not enough. Any thread may call. */
+/* Reserves memory for a space with this many boxes. Returns false if there is not enough. Any thread may
+ * call. */
 bool room_take(size_t boxes);
 
-/* Gives the room back, after the space has been freed. */
+/* Ends the reservation after the space has been freed. */
 void room_give(size_t boxes);
 
 #endif

@@ -5,33 +5,36 @@
 #include <stdlib.h>
 
 /*
- * The engine integrates by the symplectic Euler rule, of first order, and computes contacts and joints by
- * impulses, iterating. Boxes that penetrate stay so: to push them apart would move them off their hinges. The
- * drift of hinges is pulled back slowly compared with a step, since the boxes keep the velocity of the pull.
+ * The engine integrates by the symplectic Euler rule, which is of first order, and finds the impulses of
+ * contacts and joints by iteration. Boxes that penetrate each other are not pushed apart, since that would
+ * move them off their hinges. A hinge that has drifted is pulled back slowly compared with a step, since the
+ * box keeps the velocity of the pull.
  *
- * Before a hit steps become short, so that the hit is neither late nor deep. After the hit they stay short:
- * the engine scales the impulses of the last step with the length of the step, and would strike again.
+ * Before a hit the steps become short, so that the hit is neither late nor deep. After the hit they stay
+ * short for a while: the engine scales the impulses of the last step with the length of the step, and a long
+ * step would strike again.
  */
 static const double hinge_rate = 50;       /* in 1 / sqrt(height / g) of the foremost box */
-static const double shortest = 1.0 / 1024; /* shortest step over the normal one */
-static const double brakes = 0.9;          /* a step goes this part of the way to the next hit */
-static const double lies = 1e-3;           /* so low is the tip of a box that lies, over its height */
-static const double rests = 1e-5;          /* an angular velocity that counts as 0, in that unit */
-static const double hinged_rest = 0.1, any_rest = 3; /* so long a box rests that has stopped, in that unit */
+static const double shortest = 1.0 / 1024; /* the shortest step over the normal one */
+static const double brakes = 0.9;          /* the share of the time to the next hit that a step may take */
+static const double lies = 1e-3;  /* the height of the tip of a box that lies, over the box's height */
+static const double rests = 1e-5; /* angular velocities below this count as 0, in units of hinge_rate */
+static const double hinged_rest = 0.1,
+                    any_rest = 3;   /* a box that rests for so long has stopped, in its unit */
 static const double most_work = 30; /* work in steps, over the steps in a unit, for each box and some more:
                                      * twenty times as much as most rows take */
-enum { CALM = 2, HARDER = 50 };     /* short steps after a hit; their iterations */
-enum { FOREMOST = 4 };              /* boxes whose drift is noted */
+enum { CALM = 2, HARDER = 50 }; /* number of short steps after a hit, and the factor of their iterations */
+enum { FOREMOST = 4 };          /* number of boxes whose drift is recorded */
 
 struct run {
     struct world world;
     const struct engine_grain *grain;
     double unit;         /* sqrt(height / g) of the head */
-    double dt, whole;    /* this step, and the longest one */
-    int calm;            /* short steps that are left after a hit */
-    double work;         /* steps so far, one with more iterations counted as so many more */
-    double rest, most;   /* for how long the head has rested; its largest tilt */
-    double *tilt, *foot; /* for visits */
+    double dt, whole;    /* the length of this step, and of the longest step */
+    int calm;            /* short steps that remain after a hit */
+    double work;         /* steps so far, each weighted by its iterations */
+    double rest, most;   /* how long the head has rested, and its largest tilt */
+    double *tilt, *foot; /* arrays for visits */
 };
 
 /* Returns the time until the front face of the head reaches the upper back edge of a lower box. */
@@ -63,7 +66,7 @@ static double time_to_hit(const struct world *w)
     return soonest;
 }
 
-/* Finds how far hinges have drifted, and sets how fast they are pulled back. */
+/* Records how far hinges have drifted, and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
     for (size_t k = 0; k < w->count && !w->floor; k++) {
@@ -77,7 +80,7 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Notes the state just after a box was hit: its speed, and whether energy has grown since the hit before. */
+/* Records the speed of a box that was just hit, and how much energy has grown since the hit before. */
 static void note_state(struct run *r)
 {
     struct world *w = &r->world;
@@ -92,7 +95,7 @@ static void note_state(struct run *r)
     }
 }
 
-/* Goes one step. */
+/* Makes one step. */
 static void step(struct run *r)
 {
     struct world *w = &r->world;
@@ -116,7 +119,7 @@ static void step(struct run *r)
         r->calm--;
 }
 
-/* Returns true once the head lies, or has not moved on for so long that it never will. */
+/* Returns true once the head lies, or has rested for so long that it will never move on. */
 static bool ends(struct run *r)
 {
     struct world *w = &r->world;
@@ -149,8 +152,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Sets when each box falls, and how far its foot has slid. The clock of a box that was let go starts with the
- * first hit. */
+/* Sets the time at which each box falls, and how far its foot has slid. If the first box was let go, the
+ * clock starts with the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

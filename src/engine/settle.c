@@ -20,7 +20,7 @@ const char *engine_version(void)
     return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
 }
 
-/* Returns the largest change of a time, over the last time. */
+/* Returns the largest change of a time between two runs, over the last time. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {

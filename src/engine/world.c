@@ -4,12 +4,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double parallel = 0.999; /* a cosine */
+static const double parallel = 0.999; /* the cosine above which two directions count as parallel */
 static const double rough = 1000;     /* friction of a floor on which rounded feet roll */
-static const double tipped = 1e-3;    /* rad beyond the edge, from where a box that is let go is followed */
-enum { FOREMOST = 4 };                /* boxes whose depth is noted */
+static const double tipped = 1e-3;    /* rad beyond the edge at which the run of a tipped box starts */
+enum { FOREMOST = 4 };                /* number of boxes whose depth is recorded */
 
-/* The engine counts angles from x to y, and boxes fall towards x. */
+/* The engine measures angles from x to y, and boxes fall towards x. */
 double world_tilt(const struct world *w, size_t k)
 {
     return -w->cp->cpBodyGetAngle(w->body[k].body);
@@ -75,7 +75,8 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Neighbours collide, and all with the floor; boxes whose feet slide collide with each other, too. */
+/* A box collides with its neighbours and with the floor. Boxes whose feet may slide all collide with each
+ * other. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;
@@ -128,7 +129,8 @@ static void turn(struct world *w, double tilt, double spin)
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }
 
-/* Starts the first box: pushed, or tipped over its edge, from where it moves away as exp(rate t). */
+/* Starts the first box, either with a push or tipped over its edge, from which it moves away as exp(rate t).
+ */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;
@@ -146,7 +148,7 @@ static void start(struct world *w)
 
 /* ---- Contacts ---- */
 
-/* Notes the hit of a box that was upright. */
+/* Records the hit of a box that was upright. */
 static void note_hit(struct world *w, size_t k)
 {
     w->head = k;
@@ -155,7 +157,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Notes how deep two boxes penetrate, and whether they touch in another way than the model knows. */
+/* Records how deep two boxes penetrate each other, and whether they touch in a way that the model does not
+ * have. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;
@@ -169,7 +172,7 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     }
 }
 
-/* Gives a contact its friction and restitution. The first touch of the box next to the head is a hit. */
+/* Sets friction and restitution of a contact. The first touch of the box next to the head is a hit. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;
@@ -192,7 +195,7 @@ static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 
 /* ---- The world ---- */
 
-/* Adds the floor: a thick bar below the whole row, on which it lies. */
+/* Adds the floor, a thick bar below the whole row. */
 static void pave(struct world *w)
 {
     const struct engine_row *row = w->row;

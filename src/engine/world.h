@@ -10,8 +10,8 @@
 struct body {
     cpBody *body;
     cpShape *shape;
-    cpConstraint *hinge, *limit; /* NULL: the box stands on the floor */
-    cpVect corner;               /* of its foot, at the start */
+    cpConstraint *hinge, *limit; /* NULL if the box stands on the floor */
+    cpVect corner;               /* the front corner of its foot at the start */
     double moment;
 };
 
@@ -19,33 +19,34 @@ struct world {
     const struct chipmunk *cp;
     const struct engine_row *row;
     struct engine_fall *fall;
-    struct engine_hit *hit; /* NULL: not asked for */
-    bool has_room;          /* room_take has found room for the space */
+    struct engine_hit *hit; /* may be NULL */
+    bool has_room;          /* room_take has found memory for the space */
     cpSpace *space;
-    cpShape *floor; /* NULL: feet are hinges */
+    cpShape *floor; /* NULL if the feet are hinges */
     struct body *body;
-    size_t count, head; /* boxes in the space; index of the foremost box that was hit */
+    size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
     double now;
-    double energy, least; /* of the boxes in the space, when the head was hit; a potential that is left out */
+    double energy; /* of the boxes in the space when the head was hit */
 };
 
-/* Makes a world with the first box, which is pushed or tips over. Free it also after an error. */
+/* Makes a world with the first box, which is pushed or tips over. world_free frees it, also after an error.
+ */
 enum engine_status world_make(struct world *world);
 void world_free(struct world *world);
 
 /* Adds the next box, upright. */
 void world_stand(struct world *world);
 
-/* Return the tilt of box k, its angular velocity, and its upper and lower front corner. */
+/* Return the tilt of box k, its angular velocity, its upper front corner and its lower front corner. */
 double world_tilt(const struct world *world, size_t k);
 double world_spin(const struct world *world, size_t k);
 cpVect world_tip(const struct world *world, size_t k);
 cpVect world_foot(const struct world *world, size_t k);
 
-/* Returns the foremost point of the upper or lower front edge, which may be rounded. */
+/* Returns the foremost point of the upper or of the lower front edge, which may be rounded. */
 cpVect world_front(const struct world *world, size_t k, bool upper);
 
-/* Return the kinetic energy, and the energy, of all boxes in the space. */
+/* Return the kinetic energy and the whole energy of all boxes in the space. */
 double world_kinetic(const struct world *world);
 double world_energy(const struct world *world);
 
