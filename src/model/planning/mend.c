@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What saves a row that does not fall: another gap, or a stronger push; and the largest growth of a row. */
+/* What saves a row that does not fall, another gap or a stronger push, and the largest growth of a row. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* Gaps farther back than this do not save a row, which forgets what happened that many dominoes ago. */
+/* Gaps farther back than this do not save a row, since what happens there has no effect so many dominoes
+ * later. */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Finds the nearest gap on the way to `end` with which all fall. Returns false if there is none. */
@@ -14,7 +15,8 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* Finds the gaps, from the widest one that is in reach down, with which all fall. */
+/* For a gap out of reach, finds the gaps with which all dominoes fall, from the widest gap in reach
+ * downwards. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -45,8 +47,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
 }
 
 /*
- * Changes gaps, the last of them the one after the domino where the row ends, since gaps after that one do
- * not matter. If that gap is too wide for the domino to reach over, only that gap is changed.
+ * Tries the gaps up to the one after the domino at which the row ends, since later gaps do not matter. If
+ * that gap is out of reach, only that gap is tried.
  */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
@@ -133,7 +135,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth is raised by this factor; and by the second one where an engine runs rows that do not fall. */
+/* The growth is raised by these factors. The second one is for rows that do not fall in an engine. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -162,8 +164,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds the growths at which the row falls. A row that stops at r = 1 may fall at larger ones: its gaps grow,
- * too, so that the first domino tips over before it hits. */
+/* Finds the growths at which the row falls. A row that stops at r = 1 may fall at larger growths: its gaps
+ * grow as well, so that the first domino tips over before it hits the second. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

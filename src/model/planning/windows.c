@@ -1,26 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far each value of a row may be off: windows of gaps, places, heights, leans, and of the friction. */
+/* How far each value of a row may change: windows of gaps, places, heights, leans and of the friction. */
 #include "planning/trial.h"
 
-/* The height of a domino is tried from a part of its own to a multiple, and the friction up to a multiple or
- * to this. */
+/* The height of a domino is tried from a share of its present height to a multiple. The friction is tried up
+ * to this value, or to a multiple of its present value. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* The share that keeps heights on a slope, and leans, clear of a domino that falls over by itself: more than
- * float rounds. */
+/* Heights on a slope, and leans, keep this relative distance from those at which a domino falls over by
+ * itself. It is more than the rounding of float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The values that are tried. */
 struct range {
     dom_real lowest, highest;
-    enum dom_row_end above; /* how the row ends above the highest; DOM_ROW_FALLS: not known to end */
+    enum dom_row_end above; /* how the row ends above the highest value; DOM_ROW_FALLS if that is not known */
 };
 
 /*
- * Returns the heights that are tried. No domino stands on a slope, or leaning, that is taller than its foot
- * / tan |tilt|. Rounded edges make the foot shorter, each by its radius, and a domino is taller than both.
+ * Returns the heights that are tried. On a slope, and if it leans, a domino stands only up to the height foot
+ * / tan |tilt|. Rounded edges make the foot shorter, each by its radius, and a domino is taller than two
+ * radii.
  */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
@@ -37,7 +38,7 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* Up to where it touches the next domino, or is out of reach of the one before. */
+        /* Up to the place where it touches the next domino, or is out of reach of the domino before it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -61,8 +62,8 @@ static struct range range_of(const struct trial *t)
 }
 
 /*
- * Finds how far the value can go towards `end`, and how the row ends just beyond; then goes on to see whether
- * the row falls again farther out.
+ * Finds how far the value can change towards `end`, and how the row ends just beyond that value. Then goes on
+ * to find whether the row falls again with values farther away.
  */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
@@ -79,7 +80,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         *others = falls && !open;
         good = falls ? x : good;
     }
-    /* Rounding to few digits may not take the edge past the value itself. */
+    /* Rounding to few digits must not move the edge past the present value. */
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
@@ -94,7 +95,7 @@ static void window_around(struct trial *t, struct dom_window *w)
     w->others = below || above;
 }
 
-/* Finds the window below the highest value, for a domino that is out of reach now. */
+/* Finds the window below the highest value, for a domino that is out of reach at present. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -110,7 +111,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the nearest window beside the value of a row that does not fall. */
+/* Finds the window nearest to the present value of a row that does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -129,7 +130,8 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can matter to a row that ends at domino `ends`, both from 0. */
+/* Returns true if a change of domino k can have an effect on a row that ends at domino `ends`. Both count
+ * from 0. */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;

@@ -1,63 +1,65 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run again and again, each time with other sizes of a few neighbouring dominoes.
+ * A row that is run many times, each time with other sizes of a few neighbouring dominoes.
  *
- * The dominoes before these fall as always, so a trial begins where the first head is hit that can notice the
- * change. It may end early, since a head hands on little: while the geometry is that of the unchanged row,
- * omegasq of the next head is gain omegasq + offset, for every law of motion here (d omegasq / d
- * omegasq(launch) is a number of the geometry). So the relative deviation D of omegasq from that of the
- * unchanged row becomes lambda D at the next head, with lambda = gain omegasq / (omegasq of the next), < 1
- * where a fall gives energy. The changed dominoes are still in the chain that leans on the head. What they
- * change in these three numbers of a head, `need`, `gain` and `offset`, is measured at each head (off) and
- * decays with the slopes of the chain; the sum of what is still to come follows from the ratio of two heads.
+ * The dominoes before the change fall as in the unchanged row, so that a trial begins at the first head that
+ * can be affected. A trial may also end early, because a head passes on little of what happened before. As
+ * long as the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for
+ * every law of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the
+ * relative deviation of omegasq from that of the unchanged row. At the next head it becomes lambda D, with
+ * lambda = gain omegasq / (omegasq of the next head), which is < 1 if a fall releases energy. The changed
+ * dominoes are still in the chain that leans on the head, and change its three numbers `need`, `gain` and
+ * `offset`. The change is measured at each head (off). It decays with the slopes of the chain, so that the
+ * ratio between two heads gives the sum of all changes still to come.
  *
- * Going on needs omegasq >= need, and contact forces >= 0. A contact force is linear in omegasq at each tilt,
- * so the set of omegasq where no force is negative is an interval: two runs of the head, barely fast enough
- * and FAST times as fast, show how far it reaches. Backwards from the end of the row, this gives the
- * deviation that leaves the verdict of the unchanged row as it is (below and above): half of what each head
- * allows, divided by lambda where that is > 1. Once deviation and the sum together are smaller, later heads
- * cannot differ in verdict, and the trial has that of the unchanged row. Where this is not so, the trial goes
- * on to the end of the row.
+ * A head goes on if omegasq >= need and no contact force is negative. At each tilt a contact force is linear
+ * in omegasq, so that no force is negative on an interval of omegasq. Two runs of the head, one barely fast
+ * enough and one FAST times as fast, show how far that interval reaches. From the end of the row backwards
+ * this gives the deviations (below and above) that leave the verdict of the unchanged row as it is: half of
+ * what each head allows, divided by lambda if that is > 1. Once the deviation and the sum of changes together
+ * are smaller, no later head can change the verdict, and the trial has the verdict of the unchanged row.
+ * Otherwise the trial goes on to the end of the row.
  */
 #include "row/run.h"
 #include <stdlib.h>
 
-/* What the unchanged row does at a head, and how far a trial may deviate. */
+/* The unchanged row at one head, and how far a trial may deviate there. */
 struct mark {
-    real omegasq, inertia_ratio; /* when it is hit; see struct run */
+    real omegasq, inertia_ratio; /* when the head is hit: see struct run */
     size_t moving;
     real need, gain, offset;
     real below, above; /* relative deviations of omegasq that do not change the verdict */
-    real pushes;       /* the smallest contact force from here on, in the weight of a pushed domino */
-    bool falls;        /* from here on all fall; false: the row ends as the unchanged row ends */
+    real pushes;       /* the smallest contact force from here on, over the weight of the pushed domino */
+    bool falls;        /* from here on all dominoes fall; if not, the row ends as the unchanged row does */
 };
 
 struct course {
     struct row_request request;
     struct geometry *geometry;
-    size_t made; /* so many have the geometry of the unchanged row */
+    size_t made; /* number of dominoes that have the geometry of the unchanged row */
     struct mark *mark;
-    size_t known; /* so many marks are known */
+    size_t known; /* number of marks that are known */
     struct dom_verdict verdict;
 };
 
 /* How much faster a head is in the run that looks for negative contact forces. */
 #define FAST 1000
 
-/* The deviations that the changed dominoes themselves may still cause, at most: also this part of the
- * smallest contact force. Locks of friction have no measure of how close they are, so with friction they are
- * tiny. */
+/* The largest deviations that the changed dominoes themselves may still cause, also as a share of the
+ * smallest contact force. With friction the limit is tiny, since nothing measures how close a row is to
+ * locking. */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
-/* Below so many tolerances a difference is noise. */
+/* A difference of fewer tolerances than this is noise. */
 #define NOISE 64
 
-/* The largest ratio at which a difference counts as decaying. */
+/* Differences decay if the ratio of each to the one before is at most this. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force where the head k has another omegasq; negative where the row ends. */
+/* Returns the smallest contact force if head k has another omegasq, or a negative number if the row ends
+ * there. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -68,7 +70,8 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* Finds the numbers of a head: `before` is the run when the head was hit, `after` when the next was. */
+/* Returns the numbers of head k from the run `before`, when head k was hit, and `after`, when the next head
+ * was hit. */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -92,7 +95,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of a head that goes on may deviate at this head alone. */
+/* Finds how far omegasq of a head that goes on may deviate, as far as this head alone decides. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -105,7 +108,7 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Carries the deviations of marks from..to - 1 back from that of mark to - 1. */
+/* Lowers the deviations of marks from ... to - 1 to what the marks after each of them allow. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -120,7 +123,7 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets how far a row that ends at mark m may deviate there and still end. */
+/* Sets how far a row that ends at mark m may deviate and still end there in the same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES; /* of sizes alone */
@@ -128,8 +131,8 @@ static void mark_end(struct mark *m, enum dom_row_end end)
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
 
-/* Returns true if the heads after k cannot change the verdict; *off is this difference of the head before, or
- * NaN. */
+/* Returns true if the heads after k cannot change the verdict. *off has the change of the numbers at the head
+ * before, or NaN, and gets that at head k. */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
@@ -149,8 +152,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
 }
 
 /*
- * Runs the row from head `from` on; heads after `last` have sizes of their own as in the unchanged row. A row
- * that gets farther than any before leaves its marks.
+ * Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. A row that gets
+ * farther than all rows before leaves marks at its heads.
  */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {

@@ -36,7 +36,7 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Makes the joint of domino k with its follower k - 1, and finds how much of the row follows. */
+/* Makes the joint of domino k with its follower k - 1, with bounds of what all followers add to a sum. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -48,7 +48,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* All dominoes before, over this domino itself: a bound for what a sum that ends here leaves out. */
+    /* Bounds of the terms of all dominoes before this one, over the term of this domino: what a sum that ends
+     * here leaves out. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
@@ -59,7 +60,7 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
     }
-    /* 1 if nothing can be left out. */
+    /* The value 1 means that no domino can be left out. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
@@ -74,7 +75,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Returns row_end where one of the two dominoes leans. */
+/* Returns row_end if one of the two dominoes leans. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
@@ -86,7 +87,7 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : (struct tilt){1, 0, 1};
 }
 
-/* Returns the last tilt of domino k as a head: where it hits the next one, or lies on the floor. */
+/* Returns the last tilt of domino k as a head, at which it hits the next domino or lies on the floor. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
@@ -96,7 +97,7 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
     return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
 
-/* Returns the radius of the edges of domino k over its height; 0: they are sharp. */
+/* Returns the radius of the edges of domino k over its height, or 0 for sharp edges. */
 static dom_real row_radius(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
@@ -104,8 +105,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns the effects on. The walls are of one thickness, so each domino has its own share of its height; the
- * radius of the edges may be its own. */
+/* Turns the effects on. The walls have one thickness in m, which is another share of the height of each
+ * domino; the radius of the edges may differ from domino to domino. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -185,7 +186,7 @@ static bool lean_stands(const struct row_request *row, const struct dom_domino *
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Values computed from the sizes of a domino must be numbers of the precision, too. */
+/* Values that are computed from the sizes of a domino must be in the range of the precision as well. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a row and the joints between them: checked, and as the geometry of a chain. */
+/* The dominoes of a row: their checks, and the joints between them as the geometry of a chain. */
 #ifndef DOM_JOINT_H
 #define DOM_JOINT_H
 
@@ -14,22 +14,22 @@ struct block {
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* Checks the row and each domino; *wrong gets the number of a domino that is wrong. row_domino_check checks
- * one. */
+/* Check a row with all its dominoes, and domino k alone. *wrong gets the number of the first bad domino. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* Makes the geometry of the first `count` dominoes of a row, or of domino k alone, when that of domino k - 1
- * is made. row_make also takes the memory of the law, which dynamics_end of row[0] gives back, also after a
+/* Make the geometry of the first `count` dominoes of a row, and of domino k alone after that of domino k - 1.
+ * row_make also allocates the memory of the law of motion, which dynamics_end of row[0] frees, also after a
  * failure. */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Changes the geometry of a row whose gaps alone have changed, of plumb dominoes with sharp edges. */
+/* Updates the geometry of a row in which only gaps have changed. The dominoes are plumb and have sharp edges.
+ */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /* Finds where domino k touches domino k + 1, which may lean. Returns false if the contact is not that of an
- * edge on the back face, or if they touch before domino k moves. */
+ * edge on the back face, or if the two touch before domino k moves. */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 #endif

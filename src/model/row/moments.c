@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The row as it is at given times. The motion of a head is divided where a domino detaches; in each passage
- * time is a Chebyshev series of the tilt of the head, of which the tilts of all that lean on it follow. A
- * domino that has detached keeps the tilt that it had then.
+ * The row at given times. The motion of a head is divided into passages at the moments when a domino
+ * detaches. In each passage time is a Chebyshev series in the tilt of the head, from which the tilts of all
+ * followers are computed. A domino that has detached keeps the tilt that it had at that moment.
  */
 #include "row/moments.h"
 #include "geometry/rounded.h"
@@ -23,8 +23,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state where the head leans at a tilt ---- */
 
-/* Sets the tilts of the n dominoes that move, and with omega in rad/s of the head their angular
- * velocities. */
+/* Sets the tilts and the angular velocities of the moving dominoes from the tilt and from omega, in rad/s, of
+ * the head. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -65,15 +65,15 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the size of the tilts of a passage: where it ends, unless the head begins leaning backwards. */
+/* Returns the size of the tilts in a passage: the last tilt, unless the head leans backwards at first. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
 /*
- * Towards a rest the slowness grows like 1 / sqrt(to - theta). Of x, with theta = to - (to - lo) x^2, the
- * time to the rest is smooth.
+ * Near a rest the slowness grows like 1 / sqrt(to - theta). As a function of x, theta = to - (to - lo) x^2,
+ * the time to the rest is smooth.
  */
 static real slowness_to_rest(real x, void *context)
 {
@@ -114,7 +114,7 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* By how much the time up to a tilt, or from an x to the rest, is too long. */
+/* Returns by how much the time up to a tilt, or from an x to the rest, is too long. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -162,7 +162,7 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* A passage without a time costs nothing; the end of the row is needed in any case. */
+    /* A passage in which no time is wanted costs nothing, unless it may be the end of the row. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -204,7 +204,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges that falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    real end, left; /* p when it hits the next domino; the time from a p to there */
+    real end, left; /* p at the hit of the next domino, and the wanted time from p to that hit */
 };
 
 /* Returns the angle beyond theta_u from p = ln tan(phi / 4). */
@@ -230,7 +230,7 @@ static real tipping_slowness(real p, void *context)
     return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
 }
 
-/* By how much the time from p to the hit is too long. */
+/* Returns by how much the time from p to the hit is too long. */
 static real tipping_over(real p, void *context)
 {
     const struct tipping *t = context;

@@ -5,7 +5,8 @@
 
 #include "motion/segment.h"
 
-/* When something begins: so many tau after its head was hit, at `begins` in s. */
+/* The beginning of a passage: `passed` tau after its head was hit, which was at `begins` in s. tau is in s.
+ */
 struct since {
     real begins, tau, passed;
 };
@@ -14,43 +15,44 @@ struct since {
 struct passage {
     struct segment st;
     real to;    /* the tilt where the passage ends */
-    bool rests; /* the motion is used up there */
+    bool rests; /* the head comes to rest there */
     struct since since;
-    real lasts;      /* tau */
-    size_t head;     /* from 0 */
-    bool has_series; /* false: integrals take its place */
-    real span;       /* of a passage that rests: sqrt((to - lo) / its size) */
-    real into;       /* of a search: the time that is looked for */
+    real lasts;      /* duration in tau */
+    size_t head;     /* index of the head, from 0 */
+    bool has_series; /* if not, integrals replace the series */
+    real span;       /* sqrt((to - lo) / size) of a passage that ends at rest */
+    real into;       /* the time that a search looks for */
     struct num_series series;
 };
 
-/* What the caller asks for, and the state of the row so far. */
+/* The times at which the caller wants the state of the row, and the state so far. */
 struct watch {
     const dom_real *time; /* s, in order */
-    size_t times, next;   /* how many there are, and the first that is still to be visited */
+    size_t times, next;   /* number of times, and index of the next one */
     dom_moment_visit *visit;
     void *context;
-    bool ended;             /* by the visitor */
+    bool ended;             /* the visitor has ended the run */
     dom_real *tilt, *omega; /* of each domino */
-    size_t head, moving;    /* the head, from 0, and how many dominoes move */
-    struct passage last;    /* the one that the row ends with */
+    size_t head, moving;    /* index of the head, and number of moving dominoes */
+    struct passage last;    /* the last passage so far */
 };
 
-/* Takes and gives back the memory for a row of so many dominoes. */
+/* Allocate and free the memory for a row of `count` dominoes. */
 KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
 KERNEL void watch_free(struct watch *watch);
 
-/* Visits the times before the first hit of a row whose first domino tips over its edge, from lo to hi. */
+/* Visits the times before the first hit, while the first domino tips over its edge. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
 /*
- * Visits the times in one passage: up to the tilt `to`, where the motion rests, or goes on after `lasts`.
- * lasts NaN: finds it.
+ * Visits the times in one passage, which ends at the tilt `to`. `lasts` is its duration, or NaN if that is
+ * not known yet.
  */
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Keeps the tilts that dominoes have where they detach: at the end of the segment, all but `stay`. */
+/* Stores the tilts of the dominoes that detach at the end of a segment, which are all but the first `stay`.
+ */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
 
 /* Visits the times after the end of the run. */

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of dominoes of any sizes (model section 8). While domino k is the head, all before it lean on
- * it in a chain as in a train, with sizes, weights and gaps of their own; so energies, law of motion and
- * collision are those of a train. Two things differ. Nothing repeats, so each head begins with what the head
- * before leaves to it. A domino that detaches takes all that lean on it along. As everywhere in the kernels,
- * the present head is the unit: its height, m g h / 2, tau.
+ * A finite row of dominoes of any sizes (model section 8). While domino k is the head, all dominoes before it
+ * lean on it in a chain as in a train, but each has its own size, weight and gap. Energies, the law of motion
+ * and the collision are those of a train. There are two differences: nothing repeats, so that each head
+ * begins with the energy that the head before leaves to it, and a domino that detaches takes along all
+ * dominoes that lean on it. As everywhere in the kernels, the units are those of the present head: its
+ * height, m g h / 2, and tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds where the motion ends in this segment. */
+/* Finds the tilt at which the motion ends in this segment. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -25,7 +26,7 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* Follows the motion in a segment, up to where it ends or comes to rest. */
+/* Follows the motion in a segment to its end, or until it comes to rest. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;
@@ -51,8 +52,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 }
 
 /*
- * Computes one segment and prepares the next. Segments after a stop have no motion, but they need energy as
- * well: what is missing to the end of the row includes them.
+ * Computes one segment and prepares the next. Segments after a stop have no motion, but they count as well in
+ * the energy that is missing to reach the end.
  */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
@@ -88,8 +89,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/* Finds the inertia of all that move when head k is hit. With rounded edges, whose chains cost most, it
- * follows from the collision, unless friction made another ratio of it. */
+/* Finds the inertia of all moving dominoes when head k is hit. If the contact has no closed form, a pass
+ * costs most, and the inertia follows from the ratio of the collision instead, unless friction has changed
+ * that ratio. */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
     struct geometry geometry = run->geometry[k];
@@ -127,7 +129,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* the whole energy change, if the head touches the next domino from the start */
+    /* these are final if the head touches the next domino from the start */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
@@ -151,8 +153,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs the first domino, tipped over its edge and let go: its energy is what it has fallen from there
- * (9; b5). */
+/* Runs the first domino, which is tipped over its edge and let go. Its energy is the height that it has lost
+ * since (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -194,7 +196,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
  */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
-/* Returns how the row ends where head k is at the next domino, and one of the two leans. */
+/* Returns how the row ends if head k touches the next domino and one of the two leans. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;

@@ -9,25 +9,26 @@
 
 struct run {
     const struct row_request *request;
-    struct geometry *geometry; /* geometry[k]: of domino k as a head, and as a follower of k + 1 */
-    size_t made;               /* so many of them are made, if not all are (steady.h) */
+    struct geometry
+        *geometry; /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
+    size_t made;   /* the number of geometries that are made, if not all are (steady.h) */
     bool times;
-    bool forces;         /* true: find the smallest contact force, not only its sign */
+    bool forces;         /* find the smallest contact force, not only its sign */
     size_t moving;       /* number of moving dominoes, including the head */
-    real omegasq;        /* of the head at its start, in its tau */
-    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0: none */
-    real time;           /* in s, up to now; NaN if it has no value */
+    real omegasq;        /* tau^2 omega^2 of the head when it is hit */
+    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 without a collision */
+    real time;           /* s, up to now; NaN if it has no value */
     real carried;        /* J, kinetic energy before the next collision */
     struct watch *watch; /* the moments to report, or NULL */
     struct dom_verdict verdict;
 };
 
-/* The sums over the segments of one head, in its units. */
+/* The motion of one head, segment by segment, in units of that head. */
 struct descent {
-    struct segment st;
-    size_t stay;
+    struct segment st; /* the present segment */
+    size_t stay;       /* number of dominoes that move on after it */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops, locks;                          /* locks: it still moves where friction locks */
+    bool stops, locks;                          /* the head stops, or still moves when friction locks it */
     bool forces;                                /* as in struct run */
     struct required_friction required_friction; /* friction that the floor needs */
     struct watch *watch;
@@ -38,14 +39,14 @@ struct descent {
 /* Sets the state in which the first domino begins. */
 KERNEL void row_launch(struct run *run);
 
-/* Runs head k from when it was hit, or the first domino, and adds it to the verdict of the run. */
+/* Runs head k from the moment when it is hit, or the first domino, and adds the head to the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Moves the head k down, and leaves the state at its end in d. */
+/* Moves head k down. d then has the state at the end of its motion. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Makes head k, which has arrived with `at` as `hitting`, hit k + 1, the next head. The row ends there if k +
- * 1 cannot move on. */
+/* Lets head k, which arrives in the state `at` with the chain `hitting`, hit domino k + 1, which becomes the
+ * head. The row ends there if domino k + 1 cannot move on. */
 KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry *hitting,
                                const struct start *at);
 

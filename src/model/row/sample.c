@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows with random sizes, of which the verdict alone counts. Most heads go on for certain: they have more
- * energy than the dominoes can rise, and all contacts push by a bound. Then one pass along the chain, from
- * where it is at first to where the head hits the next domino, gives the energy that the head hands on. The
- * chain at first is that of the head before at its end, so the pass follows one chain and not two. Where a
- * bound does not suffice, or a domino detaches, the head runs as in any row (row_head).
+ * Rows with random sizes, of which only the verdict is needed. Most heads surely go on: they have more energy
+ * than the dominoes can take up by rising, and a bound shows that all contacts push. One pass down the chain,
+ * from its tilts when the head is hit to those when the head hits the next domino, then gives the energy that
+ * is passed on. The chain begins where the chain of the head before has ended, so that the pass follows one
+ * chain, not two. If a bound is not enough, or a domino detaches, the head runs as in any other row
+ * (row_head).
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -12,21 +13,21 @@
 
 struct random_row {
     struct row_request request;
-    bool plain; /* true: sharp edges and plumb dominoes */
-    bool rubs;  /* with friction: first roughly, then finely if the verdict is in doubt */
+    bool plain; /* the edges are sharp and the dominoes are plumb */
+    bool rubs;  /* there is friction: the row runs roughly first, and finely if the verdict is in doubt */
     bool rough, doubt;
     struct slide slide;
-    real off_at_end; /* possible error of omegasq of a head at its end */
+    real off_at_end; /* the largest possible error of omegasq at the end of a head's motion */
     struct block *block;
     struct geometry *geometry;
-    struct link *link; /* of the dominoes from `deep` to `head`, where that head hits the next one */
-    size_t deep, head; /* head SIZE_MAX: of none */
+    struct link *link; /* dominoes `deep` to `head` at the moment when that head hits the next domino */
+    size_t deep, head; /* head is SIZE_MAX if no chain is stored */
 };
 
 /*
- * The sums along a chain between two tilts of its head, in plain arithmetic: the sign of a margin needs few
- * digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so the barrier is at most rise^2 / (2
- * bend).
+ * The sums along a chain between two tilts of its head, without compensation, since the sign of a margin
+ * needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so that the barrier is at most
+ * rise^2 / (2 bend).
  */
 struct glide {
     real J, dH;
@@ -34,7 +35,7 @@ struct glide {
     real bend;  /* -d2H/dtheta2 is at least this, up to the tilt from which H decreases */
     real t;     /* tan of half the turn of a domino */
     real curve; /* -theta_i'' of a domino is at most this */
-    bool rises; /* true: a follower rises at first */
+    bool rises; /* a follower rises at first */
 };
 
 /* Adds one domino, which has moved from b to a. */
@@ -63,7 +64,7 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The bound of the barrier must be this much smaller than the energy, since the tail is left out. */
+/* By this factor the energy must exceed the bound of the barrier, which leaves out the tail of the chain. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
 /* Returns true if the kinetic energy is surely enough. */
@@ -77,7 +78,8 @@ static bool glide_passes(const struct glide *g, const struct link *head, real ki
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true when the dominoes after this one can be left out; t shrinks by `shrinks` to the next. */
+/* Returns true when the dominoes after this one can be left out. `shrinks` is t of the next domino over t of
+ * this. */
 static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
 {
     const struct geometry *self = a->geometry;
@@ -91,7 +93,7 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
     return true;
 }
 
-/* Finds domino j as the chain is before the head moves, when it leans on `leader`. */
+/* Returns domino j, which leans on `leader`, at the moment when the head is hit. */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;
@@ -145,7 +147,7 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Makes head k hit the next one, with the same relative error of omegasq. */
+/* Lets head k hit the next domino, which inherits the relative error of omegasq. */
 static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
                                   const struct geometry *hitting, const struct start *at)
 {
@@ -154,12 +156,12 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A contact force of a rough run must be farther from 0 than this, in the weight of the domino. */
+/* A contact force of a rough run, over the weight of the domino, must be farther from 0 than this. */
 #define LEAST_CLEAR ((real)1 / 64)
 
 /*
- * Runs head k as in any row, from a state that is known to s->slide.off. Sets s->doubt if the error of that
- * state may change the verdict.
+ * Runs head k as in any other row. The error of omegasq at its beginning is at most s->slide.off; s->doubt is
+ * set if that error may change the verdict.
  */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
@@ -202,7 +204,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     return status;
 }
 
-/* Sets the tolerance of rough or fine runs. */
+/* Sets the tolerance for a rough run or for a fine one. */
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;
