@@ -67,7 +67,7 @@ bool csv_load(struct csv_file *file, FILE *in)
 static void advance(struct csv_file *file)
 {
     char c = *file->next++;
-    file->blank = isspace((unsigned char)c);
+    file->after_blank = isspace((unsigned char)c);
     file->at.line += c == '\n';
     file->at.column = c == '\n' ? 1 : file->at.column + (((unsigned char)*file->next & 0xc0) != 0x80);
 }
@@ -82,7 +82,7 @@ static void skip_cell_blanks(struct csv_file *file)
 /* Returns true at the end of a line, and where a comment begins. */
 static bool at_end(const struct csv_file *file)
 {
-    return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->blank);
+    return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
 /* Reads a cell, and its separator or the rest of the line. *more tells whether another cell follows. */

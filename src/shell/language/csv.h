@@ -32,7 +32,7 @@ struct csv_place {
 struct csv_cell {
     const char *text; /* without the quotes and blanks around it */
     struct csv_place at;
-    bool quoted;
+    bool is_quoted;
 };
 
 /* A line of cells, which takes several lines of the file if quotes contain line ends. */
@@ -50,7 +50,7 @@ struct csv_file {
     char *text;
     char *next;            /* the first character of the text that has not been read */
     struct csv_place at;   /* the place of that character */
-    bool blank;            /* a blank or a line end is before that character */
+    bool after_blank;      /* a blank or a line end is before that character */
     const char *cut_short; /* why the text is not the whole file; NULL if it is */
     char separator;        /* 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */

@@ -70,7 +70,7 @@ static bool units_read(struct csv_table *csv)
             is_empty(csv_cell(csv, k).text) || unit_read(csv, k, csv_cell(csv, k).text, csv_cell(csv, k).at);
     if (units)
         csv->units = csv->row;
-    csv->pending = !units;
+    csv->is_read_ahead = !units;
     return good;
 }
 
@@ -159,7 +159,7 @@ static bool head_read(struct csv_table *csv)
                          kind->names);
     if (kind->headless && isdigit((unsigned char)*csv->head.cell[0].text)) {
         csv->row = csv->head;
-        csv->pending = true;
+        csv->is_read_ahead = true;
         csv->head.cells = kind->columns;
         for (int k = 0; k < kind->columns; k++)
             csv->head.cell[k].text = kind->column[k].name;
@@ -181,15 +181,16 @@ static bool head_read(struct csv_table *csv)
         if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
             return csv_wrong(&csv->file, csv->head.at, "the column '%s' is missing; the first line names %s",
                              kind->column[k].name, kind->names);
-    return good && (csv->pending || units_read(csv));
+    return good && (csv->is_read_ahead || units_read(csv));
 }
 
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma)
 {
     struct csv_table *csv = malloc(sizeof *csv);
     if (csv) {
-        *csv = (struct csv_table){
-            .file = {.at = {1, 1}, .blank = true, .locale_comma = locale_comma}, .path = path, .kind = kind};
+        *csv = (struct csv_table){.file = {.at = {1, 1}, .after_blank = true, .locale_comma = locale_comma},
+                                  .path = path,
+                                  .kind = kind};
         (void)(csv_load(&csv->file, in) && head_read(csv)); /* csv->file keeps the problem */
     }
     return csv;
@@ -313,7 +314,7 @@ static bool cells_many(struct csv_table *csv, int cells)
     for (int i = 0; i + 1 < cells && !*reading && csv->file.separator == ','; i++) {
         const struct csv_cell *a = &row->cell[i], *b = a + 1;
         int one = (int)strspn(a->text, "0123456789"), two = (int)strspn(b->text, "0123456789");
-        if (one && two && !a->text[one] && !a->quoted && b->at.column == a->at.column + one + 1)
+        if (one && two && !a->text[one] && !a->is_quoted && b->at.column == a->at.column + one + 1)
             snprintf(reading, sizeof reading,
                      "; '%.9s,%.9s' is read as the cells %.9s and %.9s: if it is one number, write %.9s.%.9s",
                      a->text, b->text, a->text, b->text, a->text, b->text);
@@ -327,8 +328,8 @@ static bool cells_many(struct csv_table *csv, int cells)
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;
-    for (bool again = true; again; csv->pending = false) {
-        if (!csv->pending && !csv_read(&csv->file, &csv->row))
+    for (bool again = true; again; csv->is_read_ahead = false) {
+        if (!csv->is_read_ahead && !csv_read(&csv->file, &csv->row))
             return false;
         again = row->cells == csv->head.cells;
         for (int i = 0; i < row->cells && again; i++)

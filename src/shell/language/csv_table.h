@@ -61,7 +61,7 @@ struct csv_table {
     struct csv_record head;           /* the first line */
     struct csv_record units;          /* the line below it, if that has the units; otherwise it has 0 cells */
     struct csv_record row;            /* the current row */
-    bool pending;                     /* `row` has been read ahead, and is the next row */
+    bool is_read_ahead;               /* `row` has been read ahead, and is the next row */
     size_t rows;                      /* the number of rows that have been read */
     int column[CSV_COLUMNS_MOST];     /* the number of the column in the file, from 1, or 0 */
     domq_real unit[CSV_COLUMNS_MOST]; /* the unit that the file names, or 0 */
