@@ -9,7 +9,7 @@ void output_push(struct output **top, struct output *o)
     o->below = *top;
     if (!o->messages)
         o->messages = *top ? (*top)->messages : stderr;
-    if (o->kind != OUTPUT_FILE)
+    if (*top && o->kind != OUTPUT_FILE)
         terminal_pass((*top)->out, o->out);
     *top = o;
 }
