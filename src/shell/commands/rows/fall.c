@@ -125,7 +125,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
 /* ---- The run ---- */
 
 /* Leaves out columns. People see energies as percentages, and in J if masses are known. */
-static void fall_choose(struct answer *a, const struct scene_row *scene, bool weighed)
+static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
     bool people = answer_for_people(a);
     if (people && !weighed) {
@@ -144,18 +144,13 @@ static void fall_choose(struct answer *a, const struct scene_row *scene, bool we
         answer_leave_out(a, "slid");
 }
 
-static bool fall_seen(const struct domq_fall *fall, void *context)
+/* Keeps the last domino that was hit, and what feet need. */
+static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
     f->last = *fall;
     feet_add(&f->feet, fall);
     return true;
-}
-
-/* Returns NaN for an infinite energy: no energy is enough, because friction locks farther on. */
-static domq_real finite_or_nan(domq_real energy)
-{
-    return isfinite(energy) ? energy : DOMQ_NAN;
 }
 
 static bool fall_row(const struct domq_fall *fall, void *context)
@@ -166,12 +161,12 @@ static bool fall_row(const struct domq_fall *fall, void *context)
     answer_row(f->answer,
                ROW(cell_count((domq_real)fall->domino), cell_narrow(f->run.scene.domino[k].height, 4),
                    cell_narrow(fall->time, 4), cell_narrow(fall->time + fall->duration, 4),
-                   cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4),
-                   cell_narrow(finite_or_nan(fall->barrier), 4), cell_narrow(finite_or_nan(fall->margin), 4),
-                   cell_narrow(fall_share(fall), 4), cell_narrow(fall->floor_motion, 3),
-                   cell_narrow(fall->floor_hit, 3), cell_narrow(foot_slid(&f->run.scene, k), 3)),
+                   cell_narrow(fall->omega, 4), cell_narrow(fall->kinetic, 4), cell_narrow(fall->barrier, 4),
+                   cell_narrow(fall->margin, 4), cell_narrow(fall_share(fall), 4),
+                   cell_narrow(fall->floor_motion, 3), cell_narrow(fall->floor_hit, 3),
+                   cell_narrow(foot_slid(&f->run.scene, k), 3)),
                lifted && !answer_for_people(f->answer) ? foot_lifted : NULL);
-    return fall_seen(fall, context) && !answer_lost(f->answer);
+    return fall_note(fall, context) && !answer_lost(f->answer);
 }
 
 static void verdict_row(struct answer *a, const struct row_run *run)
@@ -187,7 +182,7 @@ static void verdict_row(struct answer *a, const struct row_run *run)
     const struct cell cells[] = {
         cell_word(words[v->end]),
         cell_count((domq_real)v->domino),
-        cell_bound(finite_or_nan(v->short_by), DOMQ_NAN),
+        cell_bound(v->short_by, DOMQ_NAN),
         cell_bound(falls ? v->seconds : DOMQ_NAN,
                    run->scene.row.engine ? (domq_real)(report->settled.change * report->seconds) : DOMQ_NAN),
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
@@ -200,7 +195,7 @@ static void verdict_row(struct answer *a, const struct row_run *run)
 }
 
 /* Runs the row and writes the answer of fall, which lists the dominoes, or of verdict. */
-static bool row_fall(const struct query *query, struct answer *a, struct problem *problem, bool listed)
+static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};
     const struct domq_verdict *v = &f.run.verdict;
@@ -210,11 +205,11 @@ static bool row_fall(const struct query *query, struct answer *a, struct problem
     if (scene_has_masses(query->scene))
         columns_in_joules(a);
     if (listed)
-        fall_choose(a, scene, scene_has_masses(query->scene));
+        columns_choose(a, scene, scene_has_masses(query->scene));
     for (size_t k = 0; k < scene->row.count && listed; k++)
         answer_largest(a, "height", scene->domino[k].height);
     enum dom_status status =
-        domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_seen, &f, &f.run.verdict);
+        domq_row_run(&scene->row, &scene->compute, true, listed ? fall_row : fall_note, &f, &f.run.verdict);
     bool known = status == DOM_OK && v->end != DOM_ROW_PASSES && v->end != DOM_ROW_PARTS;
     answer_holds(a, known && v->end == DOM_ROW_FALLS);
     if (known && !listed)
@@ -234,10 +229,10 @@ static bool row_fall(const struct query *query, struct answer *a, struct problem
 
 bool run_fall(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return row_fall(query, a, problem, true);
+    return row_answer(query, a, problem, true);
 }
 
 bool run_verdict(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return row_fall(query, a, problem, false);
+    return row_answer(query, a, problem, false);
 }
