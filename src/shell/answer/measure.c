@@ -14,7 +14,7 @@ static const struct {
 } measures[] = {{"m", (domq_real)1 / 100, {"mm", 3}},
                 {"m", 1, {"cm", 2}},
                 {"kg", 1, {"g", 3}},
-                {"share", HUGE_VAL, {"%", 2}}};
+                {"share", (domq_real)HUGE_VAL, {"%", 2}}};
 
 struct measure measure_of(const char *unit, domq_real largest)
 {

@@ -74,9 +74,10 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
     bool is_log = kind == OUTPUT_LOG;
     struct output **before = output_find(top, kind);
     struct record *r = calloc(1, sizeof *r);
+    if (!r)
+        return strerror(ENOMEM);
     const char *wrong =
-        !r ? strerror(ENOMEM)
-           : target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
+        target_begin(&r->target, path, false, before ? &((struct record *)*before)->target : NULL);
     if (wrong) {
         free(r);
         return wrong;
