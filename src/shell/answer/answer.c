@@ -80,7 +80,7 @@ static void terminal_look(struct answer *a)
     a->layout.width = terminal_width(a->out);
     a->layout.letters = a->layout.width && terminal_utf8();
     a->layout.bold = terminal_colour(a->out);
-    errno = 0; /* looking at what is no terminal sets it */
+    errno = 0; /* isatty and ioctl set it without a terminal */
 }
 
 void answer_plan(struct answer *a, const struct cell *sample)
@@ -129,8 +129,8 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 /* ---- Rows ---- */
 
 /*
- * Makes cells empty if the precision cannot hold their numbers, and returns the reason of the row, which may
- * be that.  People read it once, below the table.
+ * Makes cells empty whose numbers the precision cannot hold.  Returns the reason of the row, or this
+ * explanation if the row has no other reason.  People read the explanation once, below the table.
  */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])

@@ -64,7 +64,8 @@ static int exact_digits(domq_real number, int all)
     return digits;
 }
 
-/* Returns how many digits of a number its error bound leaves certain, and one more, at most `all`. */
+/* Returns how many digits of a number to print so that rounding adds little to its error bound, at most
+ * `all`. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -170,6 +171,6 @@ const char *cell_plain_bound(const struct answer_style *style, struct cell cell,
 {
     char number[CELL_TEXT];
     bool has_bound =
-        cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2)); /* it will be rounded up */
+        cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2)); /* bound_text rounds it up */
     return has_bound ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }

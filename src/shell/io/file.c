@@ -23,8 +23,8 @@ struct file {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file, in the folder of the file if that takes new files, or if the file does not exist.
- * Returns NULL with errno on failure. */
+/* Opens the temporary file in the folder of the file, or, if that folder takes no new files but the file
+ * exists, where other temporary files are.  Returns NULL with errno on failure. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));
@@ -52,8 +52,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* Returns the length of the text's first line if that line names the columns as the last such line of the
- * file does, so that it need not be appended again.  Returns 0 otherwise. */
+/* If the text begins with a line of column names that is the same as the last such line of the file, returns
+ * the length of that line, because it need not be appended again.  Returns 0 otherwise. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";

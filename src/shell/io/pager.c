@@ -34,7 +34,7 @@ struct pager {
     char *text, *messages;
     size_t text_size, messages_size;
     double begun;      /* when the first text came, or 0 */
-    int width, height; /* of the terminal */
+    int width, height; /* the size of the terminal */
     int rows;          /* rows of the terminal that the current page has so far */
     double screens;    /* the length from which on a text is paged */
     bool may_run;

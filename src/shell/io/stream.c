@@ -99,7 +99,7 @@ void io_stdout_flush(void)
 static int standard_close(void *cookie)
 {
     (void)cookie;
-    held_begin(); /* for good: the timer may still fire */
+    held_begin(); /* never released, because the timer may still fire */
     held_write();
     errno = held_error ? held_error : errno;
     return held_error ? -1 : 0;
@@ -127,7 +127,7 @@ struct channel {
 
 /*
  * Reads what is there.  If nothing is there yet, the program at the other end may be waiting for answers
- * before it writes its next command, so they are written before this wait, rather than after each command.
+ * before it writes its next command, so the answers are written now, rather than after each command.
  */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
@@ -211,7 +211,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
         in = may_wait(STDIN_FILENO, "r") ? fopencookie(&channel, "r", functions) : stdin;
     }
     if (in)
-        clearerr(in); /* on a terminal ^D ends what one command reads, not all later reading */
+        clearerr(in); /* after ^D on a terminal, the next command can read again */
     return in;
 }
 
