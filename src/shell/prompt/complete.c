@@ -228,10 +228,11 @@ static void candidate_add(const char *candidate, void *context)
 {
     (void)context;
     char **more = realloc(candidates.word, (candidates.count + 1) * sizeof *more);
-    char *copy = more ? strdup(candidate) : NULL;
-    candidates.word = more ? more : candidates.word;
-    if (copy)
-        more[candidates.count++] = copy;
+    if (!more)
+        return;
+    candidates.word = more;
+    candidates.word[candidates.count] = strdup(candidate);
+    candidates.count += candidates.word[candidates.count] != NULL;
 }
 
 /* Returns the next candidate, which Readline frees. `state` is 0 in the first call. */

@@ -75,7 +75,7 @@ static void colours_show(struct session *session)
         return;
     line_preview(session, rl_line_buffer, (size_t)rl_end, "", &(struct offer){.is_command = mark});
     bool had_colours = is_coloured;
-    is_coloured = memchr(mark, true, (size_t)rl_end) != NULL;
+    is_coloured = memchr(mark, 1, (size_t)rl_end) != NULL;
     if (!is_coloured && !had_colours)
         return;
     fputs(SAVE_CURSOR, rl_outstream);
@@ -99,7 +99,7 @@ static void rest_find(const char *line)
         if (entry && strncmp(entry->line, line, length) == 0 && entry->line[length] &&
             !escape_needed(entry->line)) {
             if (strlen(entry->line + length) < sizeof rest)
-                strcpy(rest, entry->line + length);
+                snprintf(rest, sizeof rest, "%s", entry->line + length);
             return;
         }
     }
