@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "library.h"
 
+#include <string.h>
+
 struct asked library_train(const struct ref_input *input, enum dom_precision precision)
 {
     struct asked train = asked_default();
@@ -41,35 +43,6 @@ static void note(struct answers *answers, enum ref_quantity quantity, enum dom_s
 
 #define NOTE(QUANTITY, from, member) note(answers, REF_##QUANTITY, status, from.member, from.error.member)
 
-static void note_angles(const struct domq_train *train, const struct domq_compute *compute,
-                        struct answers *answers)
-{
-    struct domq_angles angles = {.theta_c = DOMQ_NAN,
-                                 .theta_u = DOMQ_NAN,
-                                 .theta_inf = DOMQ_NAN,
-                                 .theta_f = DOMQ_NAN,
-                                 .theta_leave = DOMQ_NAN};
-    enum dom_status status = domq_angles_find(train, compute, &angles);
-    answers->detaches = angles.detaches;
-    NOTE(THETA_C, angles, theta_c);
-    NOTE(THETA_U, angles, theta_u);
-    NOTE(THETA_INF, angles, theta_inf);
-    NOTE(THETA_F, angles, theta_f);
-    NOTE(THETA_LEAVE, angles, theta_leave);
-}
-
-static void note_contact(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
-                         struct answers *answers)
-{
-    struct domq_contact contact = {
-        .theta_1 = DOMQ_NAN, .slope = DOMQ_NAN, .arm_a = DOMQ_NAN, .arm_b = DOMQ_NAN};
-    enum dom_status status = domq_contact_find(train, compute, tilt, &contact);
-    NOTE(THETA_1, contact, theta_1);
-    NOTE(SLOPE, contact, slope);
-    NOTE(ARM_A, contact, arm_a);
-    NOTE(ARM_B, contact, arm_b);
-}
-
 struct look {
     size_t wanted;
     struct domq_link link;
@@ -99,77 +72,45 @@ void library_link(const struct asked *asked, domq_real tilt, size_t wanted, stru
     NOTE(LINK_WEIGHT, link, weight);
 }
 
-static void note_energy(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
-                        struct answers *answers)
+/* What the library answers. Where it writes nothing, every byte is 0xff, and every real NaN. */
+union found {
+    struct domq_angles angles;
+    struct domq_contact contact;
+    struct domq_energy energy;
+    struct domq_fuels fuels;
+    struct domq_launch launch;
+    struct domq_barrier barrier;
+    struct domq_value value;
+    struct domq_limit limit;
+    struct domq_best best;
+};
+
+static void ask_cycle(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
+                      enum ref_quantity quantity, union found *f, struct answers *answers)
 {
-    struct domq_energy energy = {.dH = DOMQ_NAN, .J = DOMQ_NAN, .J0 = DOMQ_NAN};
-    enum dom_status status = domq_energy_find(train, compute, tilt, &energy);
-    NOTE(DH, energy, dH);
-    NOTE(J, energy, J);
-    NOTE(J0, energy, J0);
+    enum dom_status status = quantity == REF_OMEGASQ ? domq_cycle_omegasq(train, compute, tilt, &f->value)
+                             : quantity == REF_STOP  ? domq_cycle_stop(train, compute, &f->value)
+                                                     : domq_cycle_duration(train, compute, &f->value);
+    note(answers, quantity, status, f->value.value, f->value.error);
 }
 
-static void note_fuel(const struct domq_train *train, const struct domq_compute *compute,
-                      struct answers *answers)
+static void ask_growth(const struct domq_train *train, const struct domq_compute *compute,
+                       enum ref_quantity quantity, union found *f, struct answers *answers)
 {
-    struct domq_fuels fuels = {.exact = DOMQ_NAN, .paper = DOMQ_NAN};
-    enum dom_status status = domq_fuel_find(train, compute, &fuels);
-    NOTE(FUEL_EXACT, fuels, exact);
-    NOTE(FUEL_PAPER, fuels, paper);
-}
-
-static void note_launch(const struct domq_train *train, const struct domq_compute *compute,
-                        struct answers *answers)
-{
-    struct domq_launch launch = {.fuel = DOMQ_NAN,
-                                 .J0 = DOMQ_NAN,
-                                 .velocity_ratio = DOMQ_NAN,
-                                 .omegasq = DOMQ_NAN,
-                                 .kinetic = DOMQ_NAN};
-    enum dom_status status = domq_launch_find(train, compute, &launch);
-    NOTE(LAUNCH_OMEGASQ, launch, omegasq);
-    NOTE(KINETIC, launch, kinetic);
-}
-
-static void note_barrier(const struct domq_train *train, const struct domq_compute *compute,
-                         struct answers *answers)
-{
-    struct domq_barrier barrier = {
-        .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
-    enum dom_status status = domq_barrier_find(train, compute, &barrier);
-    NOTE(THETA_M, barrier, theta_m);
-    NOTE(BARRIER, barrier, barrier);
-    NOTE(KINETIC, barrier, kinetic);
-    NOTE(MARGIN, barrier, margin);
-}
-
-static void note_cycle(const struct domq_train *train, const struct domq_compute *compute, domq_real tilt,
-                       enum ref_quantity quantity, struct answers *answers)
-{
-    struct domq_value value = {DOMQ_NAN, DOMQ_NAN};
-    enum dom_status status = quantity == REF_OMEGASQ ? domq_cycle_omegasq(train, compute, tilt, &value)
-                             : quantity == REF_STOP  ? domq_cycle_stop(train, compute, &value)
-                                                     : domq_cycle_duration(train, compute, &value);
-    note(answers, quantity, status, value.value, value.error);
-}
-
-static void note_growth(const struct domq_train *train, const struct domq_compute *compute,
-                        enum ref_quantity quantity, struct answers *answers)
-{
-    struct domq_limit limit = {.r_max = DOMQ_NAN};
-    struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
     enum dom_status status;
-    if (quantity == REF_R_MAX || quantity == REF_PAIR) {
-        status = quantity == REF_PAIR ? domq_limit_pair(train, compute, &limit)
-                                      : domq_limit_rmax(train, compute, &limit);
-        answers->ends = limit.ends;
-        answers->why = limit.why;
-        note(answers, quantity, status, limit.r_max, limit.error.r_max);
-    } else {
-        status = domq_limit_best(train, compute, &best);
-        NOTE(BEST_S, best, s);
-        NOTE(BEST_R, best, r_max);
+    if (quantity == REF_BEST_S || quantity == REF_BEST_R) {
+        status = domq_limit_best(train, compute, &f->best);
+        NOTE(BEST_S, f->best, s);
+        NOTE(BEST_R, f->best, r_max);
+        return;
     }
+    status = quantity == REF_PAIR ? domq_limit_pair(train, compute, &f->limit)
+                                  : domq_limit_rmax(train, compute, &f->limit);
+    if (status == DOM_OK) {
+        answers->ends = f->limit.ends;
+        answers->why = f->limit.why;
+    }
+    note(answers, quantity, status, f->limit.r_max, f->limit.error.r_max);
 }
 
 void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
@@ -177,50 +118,47 @@ void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity qu
 {
     const struct domq_train train = asked_train(asked);
     const struct domq_compute compute = asked_compute(asked, true);
-    switch (quantity) {
-    case REF_THETA_C:
-    case REF_THETA_U:
-    case REF_THETA_INF:
-    case REF_THETA_F:
-    case REF_THETA_LEAVE:
-        note_angles(&train, &compute, answers);
-        break;
-    case REF_THETA_1:
-    case REF_SLOPE:
-    case REF_ARM_A:
-    case REF_ARM_B:
-        note_contact(&train, &compute, tilt, answers);
-        break;
-    case REF_DH:
-    case REF_J:
-    case REF_J0:
-        note_energy(&train, &compute, tilt, answers);
-        break;
-    case REF_FUEL_EXACT:
-    case REF_FUEL_PAPER:
-        note_fuel(&train, &compute, answers);
-        break;
-    case REF_LAUNCH_OMEGASQ:
-    case REF_KINETIC:
-        note_launch(&train, &compute, answers);
-        break;
-    case REF_THETA_M:
-    case REF_BARRIER:
-    case REF_MARGIN:
-        note_barrier(&train, &compute, answers);
-        break;
-    case REF_OMEGASQ:
-    case REF_STOP:
-    case REF_DURATION:
-        note_cycle(&train, &compute, tilt, quantity, answers);
-        break;
-    case REF_R_MAX:
-    case REF_PAIR:
-    case REF_BEST_S:
-    case REF_BEST_R:
-        note_growth(&train, &compute, quantity, answers);
-        break;
-    default:
+    union found f;
+    enum dom_status status;
+    memset(&f, 0xff, sizeof f);
+    if (quantity <= REF_THETA_LEAVE) {
+        status = domq_angles_find(&train, &compute, &f.angles);
+        answers->detaches = status == DOM_OK && f.angles.detaches;
+        NOTE(THETA_C, f.angles, theta_c);
+        NOTE(THETA_U, f.angles, theta_u);
+        NOTE(THETA_INF, f.angles, theta_inf);
+        NOTE(THETA_F, f.angles, theta_f);
+        NOTE(THETA_LEAVE, f.angles, theta_leave);
+    } else if (quantity <= REF_ARM_B) {
+        status = domq_contact_find(&train, &compute, tilt, &f.contact);
+        NOTE(THETA_1, f.contact, theta_1);
+        NOTE(SLOPE, f.contact, slope);
+        NOTE(ARM_A, f.contact, arm_a);
+        NOTE(ARM_B, f.contact, arm_b);
+    } else if (quantity <= REF_LINK_WEIGHT) {
         library_link(asked, tilt, 1, answers);
+    } else if (quantity <= REF_J0) {
+        status = domq_energy_find(&train, &compute, tilt, &f.energy);
+        NOTE(DH, f.energy, dH);
+        NOTE(J, f.energy, J);
+        NOTE(J0, f.energy, J0);
+    } else if (quantity <= REF_FUEL_PAPER) {
+        status = domq_fuel_find(&train, &compute, &f.fuels);
+        NOTE(FUEL_EXACT, f.fuels, exact);
+        NOTE(FUEL_PAPER, f.fuels, paper);
+    } else if (quantity <= REF_KINETIC) {
+        status = domq_launch_find(&train, &compute, &f.launch);
+        NOTE(LAUNCH_OMEGASQ, f.launch, omegasq);
+        NOTE(KINETIC, f.launch, kinetic);
+    } else if (quantity <= REF_MARGIN) {
+        status = domq_barrier_find(&train, &compute, &f.barrier);
+        NOTE(THETA_M, f.barrier, theta_m);
+        NOTE(BARRIER, f.barrier, barrier);
+        NOTE(KINETIC, f.barrier, kinetic);
+        NOTE(MARGIN, f.barrier, margin);
+    } else if (quantity <= REF_DURATION) {
+        ask_cycle(&train, &compute, tilt, quantity, &f, answers);
+    } else {
+        ask_growth(&train, &compute, quantity, &f, answers);
     }
 }
