@@ -38,7 +38,7 @@ static bool wish_parse(struct reader *r, struct wishes_parsed *w)
     struct item name, thing;
     if (!item_parse_choice(r, &wish, &name))
         return false;
-    const enum wish k = (enum wish)name.number;
+    const int k = (int)name.number;
     bool ends = reader_ends(r);
     reader_place(r, r->at);
     if (ends)

@@ -34,7 +34,7 @@ static size_t stop_next(const size_t *stops, size_t count, size_t last)
 {
     size_t next = count;
     for (size_t k = 0; k < count; k++) {
-        bool is_after = last == count || stops[k] < stops[last] || (stops[k] == stops[last] && k > last);
+        bool is_after = last == count || stops[k] < stops[last] || (k > last && stops[k] == stops[last]);
         if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
             next = k;
     }

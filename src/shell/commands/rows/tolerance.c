@@ -86,6 +86,8 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
     w->kind[0] = malloc(KINDS * w->count * sizeof **w->kind);
     if (!w->kind[0])
         return DOM_NO_MEMORY;
+    for (int i = 1; i < KINDS; i++)
+        w->kind[i] = w->kind[i - 1] + w->count;
     for (size_t i = 0; i < KINDS * w->count; i++)
         w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
     enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
@@ -93,7 +95,6 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
     for (; search < KINDS; search++) {
         const enum dom_window_of kind = (enum dom_window_of)search;
         bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE;
-        w->kind[kind] = w->kind[0] + kind * w->count;
         if (status == DOM_OK && (leans || kind != DOM_WINDOW_PLUMB))
             status = domq_row_windows(row, &scene->compute, kind, search_progress, &search,
                                       w->kind[kind] + from_second);

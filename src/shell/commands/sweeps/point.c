@@ -69,7 +69,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         struct column column = *from;
         bool is_parameter = false;
         for (int i = 0; i < w->grid->axes; i++)
-            is_parameter = is_parameter || strcmp(from->key, c->column[i].key) == 0;
+            is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
         if (is_parameter && strcmp(repeated, from->key) == 0)
             continue;
         if (is_parameter) {
@@ -123,9 +123,11 @@ static void row_take(struct answer *a, const struct cell *cells, const char *rea
     memcpy(row, w->value, (size_t)values * sizeof *row);
     for (int j = values; c->column[j].key; j++) {
         int i = column_find(a->columns, c->key[j]);
-        row[j] = i < 0 ? (struct cell){.kind = CELL_NONE} : cells[i];
-        if (i >= 0)
-            c->column[j].unit = a->columns[i].unit;
+        row[j] = (struct cell){.kind = CELL_NONE};
+        if (i < 0)
+            continue;
+        row[j] = cells[i];
+        c->column[j].unit = a->columns[i].unit;
     }
     if (!w->to && !w->answered)
         memcpy(w->sample, row, sizeof row);

@@ -67,9 +67,10 @@ static bool list_parse(struct reader *r, struct point_question *s)
             return true;
         r->at = skip_blanks(r->at + 1);
         reader_place(r, r->at);
-        s = s->next = arena_take(r->arena, sizeof *s);
-        if (!s)
+        s->next = arena_take(r->arena, sizeof *s);
+        if (!s->next)
             return problem_error(r->problem, "out of memory");
+        s = s->next;
         if (reader_ends(r))
             return problem_error(r->problem,
                                  "an answer after ',' is missing, as in 'sweep r 1 2 9 : rmax, fuel'");
