@@ -9,13 +9,14 @@
 /* Chooses the law of motion and the potential energy for the effects that are on. Needs geometry->d. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
 
-/* Reads a train, except its separation and growth, which geometry_set adds. */
+/* Prepares a train without its separation and growth, which geometry_set adds. */
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);
 
-/* Checks a train and fills its geometry, with its law of motion. Call dynamics_begin before its first use. */
+/* Checks a train and makes its geometry with the law of motion. dynamics_begin comes before the first use of
+ * the law. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
 
-/* Takes the memory that the law of motion needs. dynamics_end frees the memory, also after a failure. */
+/* Allocate and free the memory that the law of motion needs. dynamics_end may also follow a failure. */
 KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
 KERNEL void dynamics_end(struct geometry *geometry);
 

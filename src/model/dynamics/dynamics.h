@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How a train moves: the law of motion, as a table of functions. energy_balance.c and friction.c each have
- * such a table; README.md in this folder says how to add an effect.
+ * The law of motion of a train, as a table of functions. energy_balance.c and friction.c each have such a
+ * table. README.md in this folder says how to add an effect.
  */
 #ifndef DOM_DYNAMICS_H
 #define DOM_DYNAMICS_H
@@ -9,13 +9,13 @@
 #include "geometry/chain.h"
 
 /*
- * The collision (22; c4), derived as (59; e8): the struck domino, upright, and the chain that hits it move on
- * together. T = r^-(q+1) J(theta_c) is the inertia ratio, J the inertia of the chain; with friction S_1 A
- * replaces J. The collision conserves the angular momentum that all contacts pass on:
+ * The collision (22; c4), derived as (59; e8): the struck domino, which is upright, and the chain that hits
+ * it move on together. T = r^-(q+1) J(theta_c) is the inertia ratio, where J is the inertia of the chain;
+ * with friction S_1 A replaces J. The collision conserves the angular momentum that all contacts pass on:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  */
-/* Returns omega(0) / omega_1(theta_c), the part of the angular velocity that is left after a collision. */
+/* Returns omega(0) / omega_1(theta_c), the share of the angular velocity that is left after a collision. */
 KERNEL real collision_velocity_ratio(real inertia_ratio)
 {
     return inertia_ratio / (1 + inertia_ratio);
@@ -46,20 +46,20 @@ struct dynamics {
      * method. */
     bool conservative;
 
-    /* Optional: take and free memory for the law. DOM_NO_MEMORY: there is not enough. */
+    /* Optional: allocate and free the memory of the law. May return DOM_NO_MEMORY. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
     /* Optional: solves the motion over a whole cycle, unless an earlier call has solved it. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Optional: solves the motion over [lo, *hi] alone; J is the inertia at lo. DOM_LOCKS: no motion gets
-     * beyond a tilt, which is written to *hi.
+     * Optional: solves the motion over [lo, *hi] alone, where J is the inertia at lo. Returns DOM_LOCKS if no
+     * motion gets beyond a tilt, which is then written to *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: narrows the search for the end of a motion that uses up its energy before *hi: sets *hi to a
-     * tilt soon after that end. edge: the piece of the motion that contains start.
+     * Optional: narrows the search for the end of a motion that uses up its energy before *hi, and sets *hi
+     * to a tilt soon after that end. `edge` has the ends of the piece of the motion that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
@@ -70,32 +70,32 @@ struct dynamics {
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of a collision: `hitting` leans at `at`, where its inertia is J, and hits the
-     * upright domino of `next`. DOM_UNDERFLOW, DOM_LOCKS: the ratio is not positive.
+     * Finds the inertia ratio of a collision in which `hitting`, with its head at `at` and the inertia J,
+     * hits the upright domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds the slope of the required energy at a tilt: dH/dtheta, or what replaces H. rough: only the sign
-     * of the slope is right. */
+    /* Finds the derivative of the required energy at a tilt, which is dH/dtheta without friction. If `rough`,
+     * only its sign is right. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the kinetic energy at the tilt `from` that is just enough to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
-    /* Optional: returns an estimate of the errors of required energies. They may be large beside a small
-     * barrier, whose energy is what is left of larger ones. */
+    /* Optional: returns an estimate of the errors of required energies. They may be large compared with a
+     * small barrier, which is the difference of larger energies. */
     real (*unsure)(const struct geometry *geometry);
     /* Finds tau^2 omega^2 at a tilt, with its bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
-    /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up;
-     * NaN if there is none. */
+    /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
+     * Writes NaN if there is no such value. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the acceleration of the head where tau^2 omega^2 is w. *n, unless n is NULL, gets the
      * number of dominoes that matter. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* Returns d omegasq / d omegasq(launch) at a tilt where the inertia is J_at; gain: this derivative at the
+    /* Returns d omegasq / d omegasq(launch) at a tilt with the inertia J_at. `gain` is this derivative at the
      * start. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);

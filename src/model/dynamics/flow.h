@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solution of an equation of motion (A/2) dw/dtheta + B w = C for every initial value: w = G (w(0) - u).
- * u is the smallest tau^2 omega(0)^2 that reaches theta. Its maximum is the barrier, in energy J(0) u.
- * Without friction u = [H(theta) - H(0)] / J(0).
+ * The solution of an equation of motion (A/2) dw/dtheta + B w = C for all initial values: w = G (w(0) - u). u
+ * is the smallest tau^2 omega(0)^2 with which the head reaches theta. The barrier is the maximum of the
+ * energy J(0) u. Without friction u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H
@@ -17,7 +17,7 @@ struct flow {
     real J0, J_c;       /* J(0), and J(theta_c) of the hitting train */
 };
 
-/* Frees a flow, allocated by malloc, and its members. NULL is allowed. */
+/* Frees a flow and its members. The flow may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
 /* Functions of struct dynamics: solve, solve_piece, spent and so on. */

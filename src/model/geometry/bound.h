@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running error bounds: how far rounding can move the quantities of one domino from their exact values, to
- * first order in the unit roundoff, from the head down the train. From a leader to its follower an error of
- * an angle shrinks by the slope, and each contact adds a few rounding errors of its own.
+ * Running error bounds, from the head down the train: how far rounding can move the quantities of a domino
+ * from their exact values, to first order in the unit roundoff. From a leader to its follower an error of the
+ * angle shrinks by the slope, and the contact adds a few rounding errors.
  */
 #ifndef DOM_BOUND_H
 #define DOM_BOUND_H

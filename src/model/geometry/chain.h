@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The followers of the head at one tilt: the sums over all dominoes (link.h) in their order. The train is
- * followed to its end, geometry->n dominoes (19; c1), or until its tail, bounded by a geometric series, no
- * longer matters at the tolerance.
+ * The chain of followers at one tilt of the head. A pass follows it to its end, geometry->n dominoes
+ * (19; c1), or until its tail, which a geometric series bounds, no longer matters at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -20,23 +19,25 @@ KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, 
                                                struct tilt head, struct sums *sums);
 
 /*
- * Finds the tilt of the head at which a domino detaches; *leaves is false if none does within the cycle.
- * *domino, unless NULL, gets its number. At most one domino detaches: the train at theta_c is the train at 0,
- * shifted by one.
+ * Finds the tilt of the head at which a domino detaches, and the number of that domino unless `domino` is
+ * NULL. *leaves is false if no domino detaches during the cycle. At most one does: the train at theta_c is
+ * the train at 0, shifted by one domino.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
 
 /*
  * Finds the tilts between which a train moves smoothly: edge[0] = 0, the tilt before `end` at which a domino
- * detaches, if there is one, and `end`. *edges gets their number. *moving, unless NULL, gets the number of
- * dominoes that move from edge[0] to edge[1], one more than after it; CHAIN_ENDLESS if none detaches.
+ * detaches, if there is one, and `end`. *edges gets their number. *moving, unless it is NULL, gets the number
+ * of dominoes that move from edge[0] to edge[1], which is one more than after edge[1], or CHAIN_ENDLESS if no
+ * domino detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns the status of a search: the model's own, if its function failed, or else the solver's. */
+/* Returns the status of a search: that of the model if its function has failed, otherwise that of the solver.
+ */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Sums over the far followers of a domino, which lean nearly at theta_inf, from their power series. */
+/* Power series for the sums over the far followers of a domino, which lean nearly at theta_inf. */
 #ifndef DOM_FAR_H
 #define DOM_FAR_H
 
 #include "geometry/sums.h"
 
-/* Finds geometry->far for a train from which no domino detaches, of the order that costs least for about that
+/* Finds geometry->far for a train from which no domino detaches, with the order that is cheapest for that
  * number of passes. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order, over which `rest_H` and `rest_J` bound the terms that are left out; infinite
- * where the bounds do not hold. */
+/* Returns (z / radius)^order. Times this, rest_H and rest_J bound the terms that are left out. Returns
+ * infinity where the bounds do not hold. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -29,13 +29,13 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if a rest is below the tolerance of a sum with its tail `tail`, which may cancel the sum. */
+/* Returns true if an error `rest` is below the tolerance of a sum plus its tail, which may cancel. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
 }
 
-/* A function at z, with its derivatives to theta. */
+/* A function at z, with its derivatives with respect to theta. */
 struct far_point {
     real value, first, second;
 };
@@ -52,7 +52,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* Returns H, but for a constant, and J of the train from a domino at z on. */
+/* Return H, up to a constant, and J of the part of the train that begins with a domino at z. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);

@@ -33,7 +33,7 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 
 /* H and J of a train, as power series around theta_inf (far.h). */
 struct far {
-    int order; /* even; 0: no series */
+    int order; /* an even number; 0 if there is no series */
     real radius, rest_H, rest_J;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
@@ -48,31 +48,32 @@ struct far_friction {
 };
 
 /*
- * The edges of a domino, over its height (rounded.h). The inertia about the line where its foot touches the
- * floor is i(theta) = i.c + i.x sin theta + i.y cos theta, over that of a block with sharp edges; it is 1 if
- * the edges are sharp.
+ * The shape of a domino with rounded edges, over its height (rounded.h). Its moment of inertia about the line
+ * where its foot touches the floor, over that of a block with sharp edges, is i(theta) = i.c + i.x sin theta
+ * + i.y cos theta. With sharp edges i is 1 and rho is 0.
  */
 struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* 1 - 2 rho and d - 2 rho: the flat parts */
-    real rho_1, tall_1; /* of the follower, over the height of this domino */
-    real roll;          /* dh/dtheta has this term: the foot rolls down a slope */
+    real rho_1, tall_1; /* rho and tall of the follower, over the height of this domino */
+    real roll;          /* the term of dh/dtheta that comes from a foot that rolls down a slope */
     struct {
         real c, x, y;
     } i;
 };
 
-/* A checked train, with the quantities that are constant in its whole cycle. */
+/* A checked train with the quantities that are constant during a cycle; or one domino of a row and its
+ * follower. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
     real box;                        /* moment of inertia over that of a solid block: 1 without walls */
     const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;               /* solution of an equation of motion; NULL if the law needs none */
+    struct flow *flow;               /* solution of the equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    size_t *effort; /* work of a search up to now, in dominoes of a plain pass; NULL: no limit */
+    size_t *effort; /* work of a search so far, in dominoes of a plain pass; NULL if there is no limit */
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
@@ -90,28 +91,27 @@ struct geometry {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
     } h;
     real decay;        /* largest ratio of successive far terms of H': r^-q theta_1'(theta_inf) */
-    real decay_J;      /* the same ratio for J, if it differs from that of the next two terms */
+    real decay_J;      /* largest ratio of successive far terms of J, if the next two terms do not show it */
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
-    struct tilt leave; /* theta_leave, only if detaches */
+    struct tilt leave; /* theta_leave, only if a follower detaches */
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* number of dominoes from here to the end of the chain */
-    /* Geometry of the follower, and so on; NULL: the train is self-similar, so this geometry serves for
-     * all. */
+    /* The geometry of the follower. NULL in a train, which is self-similar: this geometry is that of all its
+     * dominoes. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
     real span;    /* the largest gap that a head reaches, over its height: 1, unless its edges are rounded */
     struct rounded rounded;
-    real lean; /* tilt of this domino before it is hit: 0, unless it is not plumb */
+    real lean; /* tilt of this domino before it is hit: 0 if it is plumb */
 };
 
 #define CHAIN_ENDLESS SIZE_MAX
 
-/* Returns the slope of the energy of position of one domino, dh/dtheta; 0 at theta_u. With rounded edges
- * geometry_lift returns it. */
+/* Returns dh/dtheta of one domino with sharp edges, which is 0 at theta_u. */
 KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.x * t.y - geometry->h.y * t.x;
@@ -133,7 +133,7 @@ KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t
     return (along == 0 ? (real)1 : (real)2) * ((d * down + along) * t.y + (down + d * along) * t.x);
 }
 
-/* Returns dh/dtheta, also of a domino with rounded edges. */
+/* Returns dh/dtheta of one domino with edges of either kind. */
 KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
 {
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
@@ -152,8 +152,8 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest tilt over which the beginning of a cycle bends: theta_u, or the tilt at which the
- * follower of an upright head has come down from pi/2. Edges of the radius d/2 leave no theta_u.
+ * Returns the smallest scale of tilts at the beginning of a cycle: theta_u, or the tilt of the head at which
+ * its follower has come down from pi/2. With edges of the radius d/2 there is no theta_u.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -172,12 +172,12 @@ KERNEL real geometry_rise_u(const struct geometry *geometry);
  * (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts theta to a tilt: from the lean of the head, 0 in a train, to theta_c. A theta equal to theta_c
- * rounded to a real gives theta_c. */
+/* Converts an angle between the lean of the head, 0 in a train, and theta_c to a tilt. An angle that equals
+ * theta_c rounded to a real gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Return bounds of the error, as an angle: of a tilt with at most `units` rounding errors in each coordinate,
- * of a head's tilt, of theta_u, of theta_f and of theta_leave. */
+/* Return upper bounds of the error, as an angle, of a tilt with at most `units` rounding errors in each
+ * coordinate, of the tilt of a head, of theta_u, of theta_f and of theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);
@@ -194,8 +194,8 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* Returns the tilt with p = tan(theta / 2), the variable of searches: no trigonometry, and small tilts keep
- * their digits. */
+/* Returns the tilt for p = tan(theta / 2), the variable of searches: it needs no trigonometry, and small
+ * tilts keep their digits. */
 KERNEL struct tilt tilt_half(real p)
 {
     real pp = p * p, share = 2 / (1 + pp);
@@ -246,8 +246,8 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards: the sine may have either sign, and x' = Y x + X
- * y keeps it. */
+/* Returns the follower's tilt if the leader leans backwards. The sine may then have either sign, which x' = Y
+ * x + X y keeps. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);
@@ -259,7 +259,7 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
 }
 
-/* Returns the slope d theta_1 / d theta when the domino is hit: 1, unless it is not plumb. */
+/* Returns the slope d theta_1 / d theta when the domino is hit, which is 1 if the domino is plumb. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).step;

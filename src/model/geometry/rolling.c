@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes down a chain of dominoes with rounded edges; see rounded.h. No error bounds are known. */
+/* The passes down a chain of dominoes with rounded edges (rounded.h). No error bounds are known for them. */
 #include "geometry/rounded.h"
 
 KERNEL void rounded_count(const struct geometry *geometry)
@@ -25,8 +25,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Return true when a tail can be left out. The inertia of a domino is at most that of a sharp one, so that
- * done_J holds. */
+/* Returns true when the tail of H1 can be left out. For J done_J serves, since the inertia of a domino is at
+ * most that of a domino with sharp edges. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -102,7 +102,8 @@ static real half_of_turn(struct tilt a, struct tilt b, real by)
     return (a.x * b.y - a.y * b.x) / (1 + a.y * b.y + a.x * b.x);
 }
 
-/* How far the tilts of two chains are apart at one domino: as an angle, and as the tangent of half of it. */
+/* The difference of the tilts of one domino in two chains, as an angle and as the tangent of half of that
+ * angle. */
 struct apart {
     real by, t;
 };
@@ -112,8 +113,8 @@ static struct apart apart_of(struct tilt a, struct tilt b, real by)
     return (struct apart){by, half_of_turn(a, b, by)};
 }
 
-/* Returns the same from the tangent alone, so that far dominoes, which are less and less apart, keep its
- * digits. */
+/* Returns this difference from the tangent alone, whose digits the ever smaller differences of far dominoes
+ * keep. */
 static struct apart apart_by(real t)
 {
     real square = t * t;
@@ -121,7 +122,7 @@ static struct apart apart_by(real t)
         square * square * square < UNIT ? 2 * t * (1 - square * ((real)1 / 3 - square / 5)) : 2 * atan(t), t};
 }
 
-/* Returns h(A) - h(B) of one domino, as energy_change in sharp_change.c. */
+/* Returns h(A) - h(B) of one domino, like energy_change in sharp_change.c. */
 static real rolling_rise(const struct geometry *geometry, struct tilt a, struct tilt b, struct apart apart)
 {
     return apart.t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x)) +
@@ -155,7 +156,7 @@ static struct apart apart_next(const struct walk *a, const struct walk *b, struc
     return apart_by((t + t_D) / (1 - t * t_D));
 }
 
-/* Returns the least a b for a b in [lo, hi]. */
+/* Returns the smallest product of a with a number in [lo, hi]. */
 static real least_product(real a, real lo, real hi)
 {
     return fmin(a * lo, a * hi);
@@ -211,7 +212,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns the same, from bounds over halves of the way, halves of those, and so on. */
+/* Returns rolling_pushes_between, or whether it holds for both halves of the way, for their halves, and so
+ * on. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))

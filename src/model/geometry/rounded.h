@@ -13,7 +13,7 @@
  *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
  *
- * The loops have their own passes (rolling.c), so that sharp edges cost no test in a loop.
+ * The passes are in rolling.c and, with friction, in rolling_friction.c.
  */
 #ifndef DOM_ROUNDED_H
 #define DOM_ROUNDED_H

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Differences of H: two chains together, and the far end of both in closed form. */
+/* Passes down two chains with sharp edges together, for differences of H. Series replace the far end of both
+ * chains. */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
@@ -59,8 +60,8 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
 }
 
 /*
- * Returns true if both a and b are so near to theta_inf that the terms which the far series leave out do not
- * matter. Then the series give the rest of the pass.
+ * Returns true if a and b are so near to theta_inf that the terms which the far series leave out do not
+ * matter. The series then replace the rest of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
@@ -91,7 +92,7 @@ static struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Return H2 of one domino, whose theta'' is second_derivative, and H2 of all dominoes from there on. */
+/* Return H2 of one domino, whose theta'' is second_derivative, and H2 of all dominoes from that domino on. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
@@ -157,7 +158,7 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns the same, from bounds over halves of the way, halves of those, and so on. */
+/* Returns pushes_between, or whether it holds for both halves of the way, for their halves, and so on. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -271,8 +272,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* Finds bounds for the results of another pass: the bounds of a pass that follows every domino, plus the
- * difference of the two passes. */
+/* Finds error bounds for the sums of another pass: those of a pass without series, plus the difference of the
+ * two. */
 static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
                                            const struct sums *sums, struct sums *error)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sums over a chain, in the loops along the chain: compensated, each with a bound of its tail. */
+/* The sums over the dominoes of a chain. They are compensated, and each has a bound of its tail. */
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
@@ -13,7 +13,7 @@ struct sums {
     real H2;
     real dH;     /* H(theta) - H(0), or from another tilt; only from passes that compare two tilts */
     real left;   /* the part of dH in a follower that has detached during the cycle */
-    size_t n;    /* dominoes followed */
+    size_t n;    /* number of dominoes in the sums */
     bool pushes; /* true: no contact between the two tilts opens; only with PASS_PUSHES */
 };
 
@@ -27,8 +27,8 @@ struct equation_of_motion {
     size_t n;   /* dominoes followed */
 };
 
-/* A pass of this many dominoes takes tens of milliseconds; at r = 1 only sqrt(s (s + 2 d)) < 2e-5 needs
- * more. */
+/* The largest number of dominoes in a pass, which then takes tens of milliseconds. At r = 1 only trains with
+ * sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
 /* The tail of a sum may be this part of the tolerance, so that a result of several sums stays within it. */
@@ -36,13 +36,13 @@ struct equation_of_motion {
 
 /* A sum with a bound of the terms that are not yet added. */
 struct series {
-    real sum, size;   /* of the terms, and of their absolute values */
-    real lost;        /* the part of the sum that rounding has removed up to now */
-    real next, ratio; /* upper bounds: of the next term, and of the ratio of each to the one before */
+    real sum, size; /* of the terms, and of their absolute values */
+    real lost;      /* the part of the sum that rounding has removed so far */
+    real next,
+        ratio; /* upper bounds of the next term, and of the ratio of each later term to the one before */
 };
 
-/* Adds a term, compensated (Fast2Sum: but for rounding errors, a term is never larger than the sum of all
- * before it). */
+/* Adds a term with compensation by Fast2Sum, which also works if the term is larger than the sum. */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
@@ -52,8 +52,8 @@ KERNEL_LOOP void series_add(struct series *s, real term)
 }
 
 /*
- * Returns true when the tail can be left out. The next terms are at most `term` times ratio, ratio^2, ...;
- * terms below the unit roundoff of the sum never matter.
+ * Returns true when the tail can be left out. The next terms are at most `term` times ratio, ratio^2, ...
+ * Terms below the unit roundoff of the sum never matter.
  */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
@@ -62,7 +62,7 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns the rounding error of the sum, and its tail: 0 if the train has ended. */
+/* Returns a bound of the rounding error of the sum and of its tail, which is 0 if the train has ended. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
@@ -80,7 +80,7 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Checks every few thousand dominoes for an interrupt, and that the pass is not too long. */
+/* Checks every few thousand dominoes whether there is an interrupt, and whether the pass is too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)
