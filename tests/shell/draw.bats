@@ -347,3 +347,12 @@ END
         same "GNUTERM=$GNUTERM" "$gif" "$(cksum <"$PWD/a.gif")"
     done
 }
+
+@test "draw at end: a domino that leans and stops the row where it stands is drawn there, however small its lean" {
+    cd "$BATS_TEST_TMPDIR" || return
+    for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
+        printf 'height (mm),thickness (mm),gap (mm),lean (mm)\n31.856,6.294,0,0\n39.594,9.852,12.261,%s\n' "$lean" >leans.csv
+        run -0 "$DOMINO" -n -e 'effect row leans.csv; draw at end'
+        [[ $output == *'Domino 2 (X) stops the row'* ]] || same "lean $lean" 'domino 2 stops the row' "$output"
+    done
+}
