@@ -42,7 +42,7 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
     if (n->most.head == 0)
         return;
     if (isfinite(n->most.needs))
-        answer_say(a, "%s feet need a friction of up to %s: that %s.", begin,
+        answer_say(a, "%s feet need a friction of up to %s: the foot %s.", begin,
                    measured(n->most.needs, "", 4).text, foot_words(&n->most, hit).text);
     else
         answer_say(a, "%s the foot %s, is lifted off, which no friction prevents.", begin,
