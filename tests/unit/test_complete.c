@@ -4,7 +4,7 @@
 
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
-#include "interpreter/question.h"
+#include "interpreter/preview.h"
 #include "prompt/input.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,25 +27,10 @@ static void keep(const char *word, void *context)
     snprintf(o->word[o->count++], LINE, "%s", word);
 }
 
-/* Returns true if the parser takes the line, without running it. */
+/* Returns true if the parser takes the line as it is. */
 static bool parses(const char *line)
 {
-    struct problem problem = {.kind = PROBLEM_NONE};
-    const struct query query = session_query(&session);
-    struct text text;
-    struct arena arena = {.block = NULL};
-    struct question question;
-    assert_true(text_make(&text, line, strlen(line)));
-    struct reader r = {.query = &query,
-                       .problem = &problem,
-                       .text = &text,
-                       .at = text.line,
-                       .arena = &arena,
-                       .evaluates = true};
-    bool whole = command_parse(&r, &question);
-    arena_free(&arena);
-    text_free(&text);
-    return whole;
+    return line_preview(&session, line, strlen(line), "", NULL) == PREVIEW_WHOLE;
 }
 
 /* Returns true if the parser takes the line with something after it. */

@@ -22,7 +22,7 @@ struct completion {
 
 static bool accepted(const struct completion *c, const char *word)
 {
-    return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL);
+    return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
 /* Emits the last word, completed with this name and `more`, if the name has the typed prefix. If
