@@ -13,8 +13,7 @@ static const char *no_fuel(const struct query *query)
                "free; 'rmax' shows how large r may be";
     if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
         return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes give "
-               "less "
-               "energy than the head takes up; 'rmax' shows how large r may be";
+               "less energy than the head takes up; 'rmax' shows how large r may be";
     return "no domino effect: the fuel P is not positive, a fallen domino is as high as an upright one (s is "
            "too small for this d)";
 }
@@ -167,8 +166,8 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision, the force on the struck domino "
-                 "points past its hinge and cannot turn it; a smaller r s or friction leaves it free"
+               ? "no domino effect: friction locks the collision, the force on the struck domino points past "
+                 "its hinge and cannot turn it; a smaller r s or friction leaves it free"
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);
@@ -335,9 +334,8 @@ const struct command cycle_commands[] = {
      .summary = "the energy that one cycle sets free",
      .equation = "(25; c7)",
      .help = "The paper gives the fuel in two forms (25; c7). The sum over the train is the balance of "
-             "energy. The "
-             "closed form, with which the paper computes, leaves out the weights r^(-q i), and is right only "
-             "for r = 1. After 'set fuel paper' answers are those of the paper's figures.",
+             "energy. The closed form, with which the paper computes, leaves out the weights r^(-q i), and "
+             "is right only for r = 1. After 'set fuel paper' answers are those of the paper's figures.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",
@@ -368,8 +366,7 @@ const struct command cycle_commands[] = {
      .summary = "the energy that the train needs, and whether it has it",
      .equation = "(26; c8)",
      .help = "The barrier is at the highest point of the whole cycle. Near r s = 1 the train falls first, "
-             "and climbs "
-             "after the follower that pushes the head has detached.",
+             "and climbs after the follower that pushes the head has detached.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
@@ -381,8 +378,7 @@ const struct command cycle_commands[] = {
      .summary = "how long a cycle lasts, and how fast the front runs",
      .equation = "(1; a1) (21; c3)",
      .help = "The seconds are those of solid blocks. A hollow box has a larger moment of inertia, and is "
-             "slower: see "
-             "'help walls'.",
+             "slower: see 'help walls'.",
      .example = "duration",
      .see = "omega",
      .principal = "duration",

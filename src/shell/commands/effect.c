@@ -121,20 +121,18 @@ static const char *quickest_method(int k)
 static void effects_say(const struct query *query, struct answer *a)
 {
     bool row = query->scene->effect[DOM_EFFECT_row].on;
-    answer_say(
-        a,
-        "A time is that of one answer: %s. The code of an effect that is off does not run. placement is "
-        "timed for one random row, which may stop early, and feet and bounce for one run of the rigid-body "
-        "engine, of which an answer needs two or more.",
-        row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
-    answer_say(
-        a,
-        "The methods are, the quickest first: balance, the energy balance; motion, the equation of motion; "
-        "and engine, the rigid-body engine, which runs rows only. The first that includes all effects of the "
-        "scene is used, which is now %s.\n",
-        scene_has_engine(query->scene)               ? "engine"
-        : domq_law(&query->scene->train)->dissipates ? "motion"
-                                                     : "balance");
+    answer_say(a,
+               "A time is that of one answer: %s. The code of an effect that is off does not run. placement "
+               "is timed for one random row, which may stop early, and feet and bounce for one run of the "
+               "rigid-body engine, of which an answer needs two or more.",
+               row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
+    answer_say(a,
+               "The methods are, the quickest first: balance, the energy balance; motion, the equation of "
+               "motion; and engine, the rigid-body engine, which runs rows only. The first that includes all "
+               "effects of the scene is used, which is now %s.\n",
+               scene_has_engine(query->scene)               ? "engine"
+               : domq_law(&query->scene->train)->dissipates ? "motion"
+                                                            : "balance");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
@@ -267,12 +265,9 @@ const struct command effect_commands[] = {
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with these values, or off with 'off'",
      .help = "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
-             "mm', "
-             "'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', 'effect "
-             "floor 0.4'. "
-             "'effects' lists all effects, and 'help friction' explains one. 'effect friction off' turns "
-             "friction off; "
-             "an effect that is off takes no time.",
+             "mm', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', "
+             "'effect floor 0.4'. 'effects' lists all effects, and 'help friction' explains one. 'effect "
+             "friction off' turns friction off; an effect that is off takes no time.",
      .example = "set q hollow; effect friction 0.2; rmax; effect friction off",
      .see = "effects scene",
      .changes = true,
@@ -284,8 +279,7 @@ const struct command effect_commands[] = {
          "Measures the time of an answer of this scene with and without each effect and the effects that it "
          "needs. An effect that is off is timed with its usual value. Effects decide which of three methods "
          "finds the motion: the energy balance; the equation of motion, if there is friction; or a "
-         "rigid-body "
-         "engine, if there are feet or bounce. 'scene' says which method this scene has, and why.",
+         "rigid-body engine, if there are feet or bounce. 'scene' says which method this scene has, and why.",
      .see = "effect scene",
      .unswept = "it measures time, and other points would run at the same time",
      .rows = true,

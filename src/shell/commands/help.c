@@ -334,11 +334,10 @@ const struct command help_commands[] = {
     {.name = "lesson",
      .synonyms = "tutorial tour learn course introduction begin start",
      .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
-     .help =
-         "At a terminal the lesson waits until you type the line that it shows, or press Enter; any other "
-         "command may come in between, and 'q' leaves. It runs in a session of its own, so that your "
-         "parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same way; "
-         "examples/tutorial.dom is written so.",
+     .help = "At a terminal the lesson waits until you type the line that it shows, or press Enter; any "
+             "other command may come in between, and 'q' leaves. It runs in a session of its own, so that "
+             "your parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same "
+             "way; examples/tutorial.dom is written so.",
      .see = "help",
      .runs = true,
      .act = run_lesson},

@@ -17,11 +17,10 @@ static const char *no_growth(struct domq_limit limit)
            : limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
                                         "no energy free, a fallen one is as high as an upright one"
            : limit.why == DOM_LOCKS   ? "no growth possible: friction locks even equal dominoes (r = 1)"
-           : limit.why == DOM_OUT_OF_REACH
-               ? "no growth possible: edges this round let even equal dominoes (r = 1) fall past each other "
-                 "at this s; use a smaller s"
-               : "no growth possible: at this s and d even equal dominoes (r = 1) have "
-                 "too little energy to go on";
+           : limit.why == DOM_OUT_OF_REACH ? "no growth possible: edges this round let even equal dominoes "
+                                             "(r = 1) fall past each other at this s; use a smaller s"
+                                           : "no growth possible: at this s and d even equal dominoes (r = "
+                                             "1) have too little energy to go on";
 }
 
 /* Finds the limits with both fuels. The paper's fuel does not include friction or a slope: the limit is NaN
@@ -70,9 +69,8 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
         answer_say(a, "Both end by the reach, r = 1/s, where the fuel does not matter.");
     else if (used->ends != DOM_END_NONE)
-        answer_say(a,
-                   "They differ because the paper's closed form of the fuel leaves out the weights r^(-q i) "
-                   "(25; c7).");
+        answer_say(a, "They differ because the paper's closed form of the fuel leaves out the weights r^(-q "
+                      "i) (25; c7).");
 }
 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
@@ -114,11 +112,11 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         answer_say(a,
                    "A domino that just tips over topples one %s times as large, %.6g of its heights away.\n",
                    measured(limit.r_max, "", 6).text, (double)train.s);
-    return answer_row(a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
-                      limit.ends == DOM_END_NONE
-                          ? "no growth possible: a domino that just tips over does not topple "
-                            "the next one at this s and d"
-                          : NULL);
+    return answer_row(
+        a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
+        limit.ends == DOM_END_NONE
+            ? "no growth possible: a domino that just tips over does not topple the next one at this s and d"
+            : NULL);
 }
 
 static const struct column best_columns[] = {
@@ -221,10 +219,9 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth r, with gaps of S heights (or s)",
      .equation = "(26; c8)",
-     .help =
-         "r increases from 1 until a domino has less energy than it needs to topple the next one, or until "
-         "it "
-         "reaches 1/s (less with rounded edges), where a domino falls past the next one without touching it.",
+     .help = "r increases from 1 until a domino has less energy than it needs to topple the next one, or "
+             "until it reaches 1/s (less with rounded edges), where a domino falls past the next one without "
+             "touching it.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count",
      .echo = "s",
@@ -266,8 +263,7 @@ const struct command limit_commands[] = {
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, with growth R (or r)",
      .help = "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
-             "one that "
-             "is at least H tall. The n-th domino is smaller than H, and topples the next one.",
+             "one that is at least H tall. The n-th domino is smaller than H, and topples the next one.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

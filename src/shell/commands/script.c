@@ -128,9 +128,8 @@ const struct command script_commands[] = {
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write all answers into FILE, too, until 'tee off'",
-     .help =
-         "An existing FILE is overwritten. After 'set output csv' or json it gets the data of all answers. "
-         "'COMMAND > FILE' writes one answer, and writes it into FILE alone.",
+     .help = "An existing FILE is overwritten. After 'set output csv' or json it gets the data of all "
+             "answers. 'COMMAND > FILE' writes one answer, and writes it into FILE alone.",
      .see = "log",
      .files = true,
      .act = run_record},

@@ -40,12 +40,11 @@ static bool height_likely(const struct query *query, struct problem *problem)
     if (given->parameter != parameter_find("h") || given->count < 2 || !quantity_bare(given->quantity[1]) ||
         (ratio < SLIP_OF_UNIT && ratio > 1 / (domq_real)SLIP_OF_UNIT))
         return true;
-    return problem_error(
-        problem,
-        "a height of %s without a unit would be %s, and it is %s now; write 'set h %s m', or "
-        "the unit that you mean",
-        quad_shown(given->number[1]).text, measured(given->number[1], "m", 6).text,
-        measured(now, "m", 4).text, quad_shown(given->number[1]).text);
+    return problem_error(problem,
+                         "a height of %s without a unit would be %s, and it is %s now; write 'set h %s m', "
+                         "or the unit that you mean",
+                         quad_shown(given->number[1]).text, measured(given->number[1], "m", 6).text,
+                         measured(now, "m", 4).text, quad_shown(given->number[1]).text);
 }
 
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
@@ -177,12 +176,10 @@ const struct command session_commands[] = {
                   {.name = "VALUE", .kind = ARGUMENT_VALUE},
                   {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "give a parameter a value",
-     .help =
-         "VALUE is one of the words of the parameter, such as hollow or json, or an expression: 7/48, 4.8 "
-         "cm, "
-         "0.9*s, rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Only the range of VALUE is "
-         "checked here; commands check combinations, such as r s <= 1. NAME may also be an effect: 'set "
-         "friction 0.2', 'set friction off'.",
+     .help = "VALUE is one of the words of the parameter, such as hollow or json, or an expression: 7/48, "
+             "4.8 cm, 0.9*s, rmax. 'set s = 0.3', 'set s to 0.3' and 's = 0.3' mean the same. Only the range "
+             "of VALUE is checked here; commands check combinations, such as r s <= 1. NAME may also be an "
+             "effect: 'set friction 0.2', 'set friction off'.",
      .example = "set d 7 mm / 48 mm; set r 0.99*rmax; show r",
      .see = "show reset",
      .shortest = "se",
@@ -220,9 +217,8 @@ const struct command session_commands[] = {
     {.name = "undo",
      .synonyms = "back revert restore previous",
      .summary = "undo the last change",
-     .help =
-         "A change is a command that changed a parameter, an effect, the row or a variable. All changes of a "
-         "file that was sourced are one. The last 100 changes can be undone, one after the other.",
+     .help = "A change is a command that changed a parameter, an effect, the row or a variable. All changes "
+             "of a file that was sourced are one. The last 100 changes can be undone, one after the other.",
      .example = "set s 0.3; undo; print s",
      .see = "redo diff reset",
      .unswept = "it computes nothing",
@@ -245,24 +241,17 @@ const struct command session_commands[] = {
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
      .summary = "the value of an expression, also in another unit",
-     .help =
-         "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
-         "expression has "
-         "numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of mass (kg g t lb oz), "
-         "of time "
-         "(s ms) and of angle (rad deg); pi; the functions sin cos tan asin acos atan atan2 exp ln log log10 "
-         "sqrt "
-         "abs floor ceil round hypot min max; parameters; what 'let' has defined; 'ans', the last value, and "
-         "'ans.KEY', a number of the last answer; and commands, with a key or without: rmax, "
-         "rmax(0.3).r_max_paper. "
-         "g and t are units directly after a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. "
-         "Comparisons are 1 if they are true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, "
-         "since "
-         "'>' alone begins the name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' "
-         "chooses one "
-         "of two values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d "
-         "0.1', and "
-         "in an expression, in parentheses, '2*(rmax with friction 0.2)'.",
+     .help = "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
+             "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
+             "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "
+             "acos atan atan2 exp ln log log10 sqrt abs floor ceil round hypot min max; parameters; what "
+             "'let' has defined; 'ans', the last value, and 'ans.KEY', a number of the last answer; and "
+             "commands, with a key or without: rmax, rmax(0.3).r_max_paper. g and t are units directly after "
+             "a number or a ')': '10 g'. Elsewhere g is gravity: 'h/g', '2*g'. Comparisons are 1 if they are "
+             "true, and 0 otherwise: < <= >= == !=, and '(a > b)' in parentheses, since '>' alone begins the "
+             "name of a file. 'and', 'or' and 'not' join them, and 'if(r > 1.5, 1, 0)' chooses one of two "
+             "values. 'with' changes parameters and effects for one answer: 'rmax 0.4 with q hollow d 0.1', "
+             "and in an expression, in parentheses, '2*(rmax with friction 0.2)'.",
      .example = "print ln(112 m / h) / ln(rmax)",
      .see = "let set",
      .shortest = "pr",
@@ -290,8 +279,7 @@ const struct command session_commands[] = {
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
      .help = "FILE also gets the effects that are on, the name of the row's file, the gaps that 'place' has "
-             "changed, "
-             "and what 'let' has defined.",
+             "changed, and what 'let' has defined.",
      .see = "source",
      .files = true,
      .run = run_save},
@@ -304,8 +292,7 @@ const struct command session_commands[] = {
      .synonyms = "exit end close bye stop",
      .summary = "leave; so does the end of the input (^D)",
      .help = "If 'place' has changed gaps of the row and they are in no file, the first 'quit' at the prompt "
-             "only "
-             "says so, and the second one leaves.",
+             "only says so, and the second one leaves.",
      .act = run_quit},
     {.name = NULL},
 };

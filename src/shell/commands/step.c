@@ -216,8 +216,7 @@ const struct command walk_commands[] = {
      .summary = "one cycle in N rows, with equal steps of time or tilt",
      .equation = "(12; b8) (21; c3)",
      .help = "N is 12 if it is left out, and BY, which is time or tilt, is time. The events have rows of "
-             "their own, "
-             "too. Energies are in J if 'mass' or 'density' is set.",
+             "their own, too. Energies are in J if 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .rows = true,
@@ -228,9 +227,8 @@ const struct command walk_commands[] = {
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "go to the next event, and say what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
-     .help =
-         "The first step goes to the launch of the first cycle. After the hit comes the next cycle, which is "
-         "larger and slower. The table is a ledger of energy: before - lost + gained = kinetic.",
+     .help = "The first step goes to the launch of the first cycle. After the hit comes the next cycle, "
+             "which is larger and slower. The table is a ledger of energy: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
      .columns = walk_columns,

@@ -211,10 +211,10 @@ bool definition_parse(struct reader *r, struct question *q)
     const char *value = definition_head(r->at, v);
     offer_kind(r, OFFER_VARIABLE);
     if (!value)
-        return problem_error(r->problem,
-                             "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function "
-                             "of 1 .. %d values",
-                             EXPRESSION_ARGUMENTS);
+        return problem_error(
+            r->problem,
+            "a definition is 'let x = 0.9*rmax', or 'let f(s) = rmax(s)*s' for a function of 1 .. %d values",
+            EXPRESSION_ARGUMENTS);
     if (!name_free(r->problem, v->name))
         return false;
     for (int i = 0; i < v->count; i++)

@@ -136,31 +136,28 @@ static void say_launch(const struct place *p)
         return;
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_friction ? "A(0)" : "J(0)";
-    answer_say(
-        p->answer,
-        "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From then "
-        "on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) omega_1(theta_c), "
-        "%s%s = %.6g (22; c4), (24; c6).",
-        omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
-        omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
-        p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
+    answer_say(p->answer,
+               "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From "
+               "then on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) "
+               "omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
+               omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
+               omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
+               p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
         answer_say(p->answer,
                    "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the share that the "
                    "contacts pass on.",
                    p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
-        answer_say(p->answer,
-                   "i(theta) is the inertia of a domino with rounded edges, about its line of contact with "
-                   "the floor, over that with sharp edges.");
+        answer_say(p->answer, "i(theta) is the inertia of a domino with rounded edges, about its line of "
+                              "contact with the floor, over that with sharp edges.");
     if (impulses.bounded)
         answer_say(p->answer,
                    "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
                    impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
-        answer_say(p->answer,
-                   "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, and "
-                   "its impulse has no bound in this model (14; b10).");
+        answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
+                              "0, and its impulse has no bound in this model (14; b10).");
     answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s are left.",
                (double)(100 * p->state->lost / p->state->before),
                p->has_friction ? ""
@@ -171,31 +168,29 @@ static void say_launch(const struct place *p)
         answer_say(p->answer,
                    "There is nothing to climb: the train goes down from the first moment on (26; c8).");
     else
-        answer_say(
-            p->answer,
-            "The train has %s of the energy that it needs to go on: it must climb %s, up to a tilt of %s%s, "
-            "and it %s by %s (26; c8).",
-            measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-            angle_at(p, b.theta_m).text, p->has_friction ? ", friction on the way included" : "",
-            b.margin >= 0 ? "clears the barrier" : "misses the top", energy_at(p, quad(fabs)(b.margin)).text);
+        answer_say(p->answer,
+                   "The train has %s of the energy that it needs to go on: it must climb %s, up to a tilt of "
+                   "%s%s, and it %s by %s (26; c8).",
+                   measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
+                   angle_at(p, b.theta_m).text, p->has_friction ? ", friction on the way included" : "",
+                   b.margin >= 0 ? "clears the barrier" : "misses the top",
+                   energy_at(p, quad(fabs)(b.margin)).text);
 }
 
 static void say_top(const struct place *p)
 {
     const struct domq_state *s = p->state;
     if (p->has_friction)
-        answer_say(
-            p->answer,
-            "The hardest tilt, theta_m = %s: the train has climbed %s, friction has taken %.6g, and %s of "
-            "motion are left. From now on it gains more than friction takes (26; c8).",
-            angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
-            (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
+        answer_say(p->answer,
+                   "The hardest tilt, theta_m = %s: the train has climbed %s, friction has taken %.6g, and "
+                   "%s of motion are left. From now on it gains more than friction takes (26; c8).",
+                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
+                   (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
     else
-        answer_say(
-            p->answer,
-            "Top of the barrier, theta_m = %s. The train is at its highest: it has climbed %s, and %s of "
-            "motion are left, the margin. From now on it goes down (26; c8).",
-            angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
+        answer_say(p->answer,
+                   "Top of the barrier, theta_m = %s. The train is at its highest: it has climbed %s, and %s "
+                   "of motion are left, the margin. From now on it goes down (26; c8).",
+                   angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
 /* Returns the potential energy of a domino, h(theta), in m g h / 2 above the floor at its foot. */
@@ -214,15 +209,14 @@ static void say_fall(const struct place *p)
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
-    answer_say(
-        p->answer,
-        "Domino %zu detaches from domino %zu, which has come to theta_leave = %s: the arm of its force is 0. "
-        "It comes to rest at theta_f = %s with all that follow it, and pushes no more %s. Of the energy set "
-        "free since the launch %s came from it; it keeps %.6g.",
-        domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
-        p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
-        energy_at(p, 0 - p->state->fallen).text,
-        (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
+    answer_say(p->answer,
+               "Domino %zu detaches from domino %zu, which has come to theta_leave = %s: the arm of its "
+               "force is 0. It comes to rest at theta_f = %s with all that follow it, and pushes no more %s. "
+               "Of the energy set free since the launch %s came from it; it keeps %.6g.",
+               domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
+               p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
+               energy_at(p, 0 - p->state->fallen).text,
+               (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
 }
 
 static void say_stop(const struct place *p)
@@ -230,33 +224,31 @@ static void say_stop(const struct place *p)
     struct domq_barrier b;
     if (domq_barrier_find(&p->walk->train, &p->walk->compute, &b) != DOM_STOPS)
         return;
-    answer_say(
-        p->answer,
-        "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the barrier "
-        "is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' says more.",
-        angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
-        p->has_friction ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
-        energy_at(p, -b.margin).text);
+    answer_say(p->answer,
+               "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the "
+               "barrier is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' says more.",
+               angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
+               p->has_friction ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
+               energy_at(p, -b.margin).text);
 }
 
 static void say_hit(const struct place *p)
 {
     const struct domq_state *s = p->state;
     struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
-    answer_say(
-        p->answer,
-        "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; the cycle "
-        "has set free %s, the fuel P (25; c7), and lasted %s.",
-        measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
-        p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
-        omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
-        measured(s->time * p->units.tau, "s", 6).text);
+    answer_say(p->answer,
+               "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; "
+               "the cycle has set free %s, the fuel P (25; c7), and lasted %s.",
+               measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
+               p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
+               omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
+               measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_friction)
         answer_say(p->answer, "Friction between dominoes has taken %s of it.",
                    energy_at(p, s->friction_work).text);
     answer_say(p->answer,
-               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), "
-               "%s (23; c5).",
+               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), %s "
+               "(23; c5).",
                measured(s->time * next.tau, "s", 6).text);
 }
 

@@ -56,11 +56,10 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
                        "Make the dominoes grow less: %s as the one before, and with these gaps %.4g times.\n",
                        widest, most);
         else
-            answer_say(
-                a,
-                "Place the dominoes %s, or make them grow less: %s as the one before, and with these gaps "
-                "%.4g times.\n",
-                way, widest, most);
+            answer_say(a,
+                       "Place the dominoes %s, or make them grow less: %s as the one before, and with these "
+                       "gaps %.4g times.\n",
+                       way, widest, most);
     }
 }
 
@@ -71,10 +70,9 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(a,
-                   "The dominoes that lean on each other are as high as upright ones, or the larger one in "
-                   "front takes up more energy than the smaller ones give: the fuel P = H(0) - H(theta_c) "
-                   "is not positive (25; c7).");
+        answer_say(a, "The dominoes that lean on each other are as high as upright ones, or the larger one "
+                      "in front takes up more energy than the smaller ones give: the fuel P = H(0) - "
+                      "H(theta_c) is not positive (25; c7).");
     else if (b->barrier > 0)
         answer_say(a,
                    "After the collision the train must come over its %s point, where the head has a tilt of "
@@ -94,24 +92,21 @@ static void contact_say(const struct query *query, struct answer *a, const struc
     const char *unit = style_angle_unit(style);
     double tilt = (double)style_angle(style, c->theta);
     if (!isfinite(c->force) || !isfinite(c->impulse))
-        answer_say(
-            a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the impulse "
-               "has no bound, and the assumption of the paper fails (14; b10).");
+        answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
+                      "impulse has no bound, and the assumption of the paper fails (14; b10).");
     else if (c->force > 0 && c->impulse > 0)
-        answer_say(
-            a,
-            "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of the "
-            "weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
-            weight.text, c->domino, tilt, unit);
-    else if (c->force > 0)
         answer_say(a,
-                   "The dominoes do not stay in contact, as the paper assumes: one of them would have to be "
-                   "pulled in the collision. The answer does not hold.");
+                   "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of "
+                   "the weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
+                   weight.text, c->domino, tilt, unit);
+    else if (c->force > 0)
+        answer_say(a, "The dominoes do not stay in contact, as the paper assumes: one of them would have to "
+                      "be pulled in the collision. The answer does not hold.");
     else
         answer_say(
             a,
-            "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be "
-            "pulled with %s of its weight, at a tilt of %.4g %s. From there on the answer does not hold.",
+            "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be pulled "
+            "with %s of its weight, at a tilt of %.4g %s. From there on the answer does not hold.",
             c->domino, weight.text, tilt, unit);
 }
 
