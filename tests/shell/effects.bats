@@ -5,21 +5,6 @@
 
 load common
 
-# Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
-columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
-    awk -v what="$1" -v filled=" $2 " '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
-        NR > 1 {
-            rows++
-            for (key in at) {
-                before = at[key] > 1 ? substr($0, at[key] - 1, 1) : " "
-                here = substr($0, at[key], 1)
-                if (before != " " || (index(filled, " " key " ") && (here == " " || here == ""))) { print what ", " key ": " $0; bad = 1 }
-            }
-        }
-        END { exit bad || rows == 0 }'
-}
-
 @test "effects are off, and entered 0 times; each alone enters its own code" {
     run -0 json effects
     same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"

@@ -62,11 +62,8 @@ c7|fuel
 END
     all_wrong <<'END'
 0|apropos zzzz|^apropos: .*'zzzz'
+8|apropos|^apropos: WORD is missing; usage: apropos WORD
 END
-}
-
-@test "apropos without a word: its usage" {
-    wrong_at 8 apropos '^apropos: WORD is missing; usage: apropos WORD'
 }
 
 @test "help NAME for every command and parameter; its example is what the program prints" {
