@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Questions with everything that their answers depend on: the train or row, and how to compute. */
+/* What a kernel needs to answer a question: the train or row, and how to compute. */
 #ifndef DOM_REQUEST_H
 #define DOM_REQUEST_H
 
@@ -13,11 +13,11 @@ struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
-    dom_real effect[DOM_DYNAMICS_COUNT]; /* values of the effects in the order of DOM_DYNAMICS, 0 for off */
+    dom_real effect[DOM_DYNAMICS_COUNT]; /* values of the effects in the order of DOM_DYNAMICS; 0 means off */
     enum dom_precision precision;
     enum dom_method method;
     bool errors;
-    dom_real near; /* r_max to the digits of a coarser kernel, which found it; 0: unknown */
+    dom_real near; /* r_max as a coarser kernel has found it, or 0 */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
@@ -27,7 +27,7 @@ struct block; /* run.h, in each precision */
 /* The members of struct dom_row and of struct dom_compute. */
 struct row_request {
     const struct dom_domino *domino;
-    const struct block *block; /* of all dominoes, once they are converted to the precision; or NULL */
+    const struct block *block; /* the dominoes, once they are converted to the precision; may be NULL */
     size_t count;
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -40,7 +40,7 @@ struct row_request {
 
 #undef MEMBER
 
-/* Sets every member of a structure of bounds to NaN. */
+/* Sets all members of a structure of error bounds to NaN. */
 static inline void no_bounds(void *bounds, size_t size)
 {
     const dom_real none = DOM_NAN;

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The best separation. Samples give a growth R that some separation allows. Then intervals of s are dropped
- * in which no separation allows more: either no s in the interval has s R > 1, or a bound shows that at R, or
- * at another growth below which a train of the interval has stopped, no train of the interval goes on
- * (strip.h). What remains is halved. Tops of r_max(s) that are wider than BEST_FINEST of s are resolved: of a
- * narrower interval only the middle is computed. With friction there is no bound, and only the samples are
- * known.
+ * The best separation. Samples give a growth R that some separation allows. Then all intervals of s are
+ * excluded in which no separation allows more: either s R > 1 in the whole interval, or a bound (strip.h)
+ * shows that no train of the interval goes on at R, or at a smaller growth at which a train of the interval
+ * stops. The other intervals are halved. Tops of r_max(s) wider than BEST_FINEST of s are resolved; only the
+ * middle of a narrower interval is computed. With friction there is no bound, and only samples are known.
  */
 #include "growth/limit.h"
 
@@ -17,12 +16,12 @@
 
 struct search {
     struct margin_context *c;
-    real s, r_max; /* the best separation up to now */
+    real s, r_max; /* the best separation so far */
     real finest;   /* width of the narrowest interval, over s */
-    real finer;    /* part of slope_step that is used */
+    real finer;    /* the share of slope_step that is used */
 };
 
-/* Returns r_max at s; 0 if even r = 1 does not go on. */
+/* Returns r_max at s, or 0 if not even a train with r = 1 goes on. */
 static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
@@ -35,8 +34,8 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Returns r_max at s. A coarse scan is enough unless s seems to be better: a dip that the scan misses makes
- * r_max larger, never smaller. */
+/* Returns r_max at s, and keeps s if it is the best so far. A coarse scan is enough unless s seems to be
+ * better: a dip that the scan misses makes r_max larger, never smaller. */
 static real search_at(struct search *b, real s)
 {
     b->c->coarse = (real)1e-3;
@@ -51,7 +50,7 @@ static real search_at(struct search *b, real s)
     return r_max;
 }
 
-/* Finds the margin at one growth, as a function of s; without fuel it is negative. */
+/* Finds the margin at one growth as a function of s. Without fuel the margin is negative. */
 static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
 {
     c->s = s;
@@ -63,7 +62,7 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops if no train between lo and hi goes on at the growth r. m: the margin at lo. */
+/* Sets *stops if no train between lo and hi goes on at the growth r. m is the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -121,7 +120,8 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches for a larger growth between lo and hi. witness: a growth at which the trains there may stop. */
+/* Searches for a larger growth between lo and hi. `witness` is a growth at which the trains of the interval
+ * may stop. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -219,7 +219,7 @@ static real margin_slope_by(struct margin_context *c, real s, real r, real h)
     return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
 }
 
-/* Returns d margin / ds at r = r_max(s): it has the sign of d r_max / ds. At the reach r_max = 1/s
+/* Returns d margin / ds at r = r_max(s), which has the sign of d r_max / ds. At the reach r_max = 1/s
  * decreases. */
 static real top_slope(real s, void *context)
 {
@@ -313,8 +313,8 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return c->status;
 }
 
-/* Returns how much lower than the top r_max is at s + step; 0 after a jump, whose lower side does not belong
- * to the top. */
+/* Returns how much lower than the top r_max is at s + step. Returns 0 after a jump, whose lower side does not
+ * belong to the top. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);

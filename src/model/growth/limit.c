@@ -111,7 +111,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* With an equation of motion a domino takes about four times as long. */
+/* The largest number of dominoes if there is an equation of motion, for which a domino takes four times as
+ * long. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

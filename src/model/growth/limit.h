@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The first sign change of the margin as a function of r. scan.c: bounds (strip.h) connect the samples. A
- * strip of growths is passed only if K > B is known for all of it, or if the margin can only decrease through
- * every root in it. probe.c, with friction, where no bound is known: samples, refined where the curvature
- * that they show allows a sign change between two of them.
+ * The first sign change of the margin as a function of r. scan.c samples the margin, and bounds (strip.h)
+ * connect the samples: a strip of growths is passed only if K > B is known in all of it, or if the margin can
+ * only decrease at every root in it. With friction no bound is known. probe.c then refines the samples
+ * wherever their curvature allows a sign change between two of them.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -17,13 +17,14 @@ struct edge {
     struct margin margin;
 };
 
-/* What is known of the margin between two samples, the first of which is not negative. */
-enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL /* decreasing through 0 at most once */ };
+/* What is known about the margin between two samples, the first of which is not negative. KNOWN_TO_FALL means
+ * that the margin has at most one root there, at which it decreases. */
+enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 
 /* Finds the bounds between two growths. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
-/* Finds what is known between lo and hi. hi->margin is computed unless its kinetic energy is known. */
+/* Finds what is known between lo and hi. Computes hi->margin unless its kinetic energy is already known. */
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
                                   enum known *known);
 
@@ -36,12 +37,12 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
                                     real *r);
 
 /* Finds the root next to `near`, which is a root to half of the digits of this arithmetic. *found is false if
- * it is not there. */
+ * there is no root. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
 /*
- * Finds a root from a guess, for an endless train without friction, and proves that it is the first after
- * *from. If *found is false, the margin is positive up to *from, which has moved up.
+ * Guesses a root of an endless train without friction, finds it, and proves that it is the first root after
+ * *from. If *found is false, *from has moved up, and the margin is positive up to *from.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 
@@ -50,9 +51,9 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
                                  real *r);
 
 /*
- * Finds the first r > from->r at which the margin, >= 0 at from->r, is negative, without friction. If there
- * is none, *ends is DOM_END_REACH and *r the reach. A dip of the margin, or an interval where it is above 0,
- * can be missed if it is narrower than SCAN_FINEST in ln r.
+ * Finds the first r > from->r at which the margin, which is >= 0 at from->r, becomes negative, without
+ * friction. If there is none, *ends is DOM_END_REACH and *r is the reach. A dip of the margin below 0, or an
+ * interval above 0, can be missed if it is narrower than SCAN_FINEST in ln r.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);
@@ -64,9 +65,9 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
 KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found);
 
 /*
- * Finds the first growth after from->r at which the margin changes its sign, between *before and *after.
- * *found is false if there is none up to the reach. This proves nothing: a dip can be missed that shows
- * neither in its neighbours nor in the middle between them.
+ * Finds the first growth after from->r at which the margin changes its sign, which is between *before and
+ * *after. *found is false if there is none up to the reach. This is no proof: a dip that neither the samples
+ * around it nor the middle between them show is missed.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
                                     struct edge *after, bool *found);
@@ -74,7 +75,7 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
 struct limit {
     real r_max;
     enum dom_end ends;
-    enum dom_status why; /* the reason why r_max does not exist */
+    enum dom_status why; /* the reason if r_max does not exist */
 };
 
 /* Finds r_max at the separation c->s. */
@@ -83,7 +84,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 /* Finds a bound of the error of r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Begins to count the work of a search, which then ends with DOM_TOO_LONG at a limit. */
+/* Begins to count the work of a search, which ends with DOM_TOO_LONG when it takes too much. */
 KERNEL void limit_begin(struct margin_context *c);
 
 #endif

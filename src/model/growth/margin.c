@@ -2,11 +2,11 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* About as many passes need the far tail of one growth. */
+/* The approximate number of passes that use the far tail of one growth. */
 #define FAR_PASSES 2
 
-/* Finds the barrier to compare with the kinetic energy, as the context asks. near: the tilt from
- * barrier_near, or NULL. */
+/* Finds the barrier to compare with the kinetic energy, in the way that the context says. `near` has the sums
+ * at the tilt from barrier_near, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -17,7 +17,7 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
         m->most = true;
         return DOM_OK;
     }
-    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* for every barrier */
+    if (c->how != MARGIN_SURE && m->kinetic <= 0) { /* the margin is negative for every barrier */
         m->barrier = 0;
         return DOM_OK;
     }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* Samples for a factor e of r, far from the reach; then for each decade of 1 - r s. */
+/* The number of samples in each factor e of r far from the reach, and then in each decade of 1 - r s. */
 #define PROBE_PER_E   8
 #define PROBE_DECADES 8
 
-/* Returns sample k of r between 1 and the reach, span / s. The last sample is the reach itself, which larger
- * k give again. */
+/* Returns sample k of r between 1 and the reach, span / s. The last sample is the reach itself, and larger k
+ * return it again. */
 static real probe_place(real span, real s, int k)
 {
     const real near = (real)0.1;
@@ -18,12 +18,13 @@ static real probe_place(real span, real s, int k)
     return k - far > PROBE_DECADES ? span / s : fmax((1 - short_of) * span / s, 1);
 }
 
-/* The most times that an interval is halved: an interval a factor e^(1/8) wide then has 1e-3 of r. */
+/* The largest number of halvings of an interval. An interval of a factor e^(1/8) is then 1e-3 of r wide. */
 #define PROBE_HALVES 7
 
 /*
- * The margin keeps its sign if it is more than this number times its deviation from a straight line. The
- * deviation of a parabola between two samples is a quarter of that over twice the distance.
+ * The margin counts as keeping its sign between two samples if it is more than this number times its
+ * deviation from a straight line. The deviation of a parabola between two samples is a quarter of that over
+ * twice the distance.
  */
 #define PROBE_SAFETY 3
 

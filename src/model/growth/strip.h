@@ -23,27 +23,27 @@ struct strip {
      * infinite if a follower is before theta_u.
      */
     real grows;
-    real cut;   /* the most that the followers beyond those of `grows` can still lose */
+    real cut;   /* upper bound of the height that followers beyond those of `grows` can still lose */
     real drops; /* upper bound of -d barrier / d ln r, or of -d barrier / ds, over the strip, >= 0 */
-    /* Upper bounds of d margin / d ln r over a strip in r: everywhere, and where the barrier is kinetic_least
-     * or more, as at every root. */
+    /* Upper bounds of d margin / d ln r over a strip in r. The first holds everywhere, the second where the
+     * barrier is at least kinetic_least, as it is at every root. */
     real margin_slope, root_slope;
-    /* true: K exceeds `enough` over the strip; the walk ended there, and only kinetic_least is set */
-    bool clear;
+    bool clear; /* K exceeds `enough` over the whole strip; the walk has ended, and only kinetic_least is set
+                 */
 };
 
 /*
- * Computes the bounds for the trains between lo and hi: hi has the larger r, or the larger s, and there is no
- * friction. The walk ends as soon as K > enough is known for all of them. tol: the tolerance of K for the
- * tails of the chains. DOM_INTERRUPTED, DOM_TOO_LONG: as for every walk.
+ * Computes the bounds for the trains between lo and hi, without friction. hi has the larger r, or the larger
+ * s. The walk ends as soon as K > enough is known for all trains. tol is the tolerance of K that is left to
+ * the tails of the chains.
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
 
 /*
  * Return bounds of the barriers of all trains in the strip: an upper bound from the barrier of hi, and a
- * lower bound from that of lo. most: an upper bound of every barrier. width: ln r, or s, of hi minus that of
- * lo.
+ * lower bound from the barrier of lo. `most` is an upper bound of every barrier, and `width` is ln r, or s,
+ * of hi minus that of lo.
  */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);

@@ -12,9 +12,9 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Marks functions of the kernels, which every precision has for itself, without names for the linker. */
+/* Marks functions of the kernels. Each precision has its own copy, whose name the linker does not see. */
 #define KERNEL static __attribute__((unused))
-/* Marks the body of the loops along a train: a call there costs as much as the arithmetic. */
+/* Marks functions in the loops along a train, where a call would cost as much as the arithmetic. */
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 
 /* The functions of <math.h> that exist in every precision: X(name) with one argument, Y(name) with two. */
@@ -101,8 +101,7 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Returns the larger number without a call. C's fmax must distinguish a NaN from a number, which needs a call
- * of the library does. */
+/* Returns the larger number without a call. C's fmax must treat NaN in its own way, which needs a call. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;

@@ -14,16 +14,16 @@
 /* Separations are multiples of 1/GRID: half a tenth of a millimetre on a standard domino. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* So many dominoes more than the fewest are tried; and so many in sequence without a shorter row end the
- * search for the shortest one, few of them where an engine runs each row. */
+/* Rows with up to this many dominoes more than the fewest are tried. The search for the shortest row ends
+ * after so many rows in sequence that are not shorter, and after fewer if an engine runs each row. */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* Tolerances that follow one that fails are rougher by this factor, up to the roughest. */
+/* After a failure the tolerance is multiplied by this factor, up to the roughest tolerance. */
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 
-/* What a search keeps. Once status is not DOM_OK, no train or row is computed any more, and none is enough.
- */
+/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and none is
+ * enough. */
 struct planner {
     struct dom_train train;
     struct dom_compute compute; /* of the search: in double, whatever the answer's precision */
@@ -50,7 +50,7 @@ static dom_real separation(int k)
     return (dom_real)k / GRID;
 }
 
-/* Returns the growth that takes the first domino to the last one in so many steps. */
+/* Returns the growth that leads from the first height to the last one in so many steps. */
 static dom_real growth(const struct planner *p, size_t steps)
 {
     return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
@@ -59,8 +59,8 @@ static dom_real growth(const struct planner *p, size_t steps)
 /* ---- What a train and a row have over what they need ---- */
 
 /*
- * Returns true if an answer that ended with this status is to be tried again, with a rougher tolerance: where
- * the digits of the arithmetic do not suffice for the sums, few digits of a ratio are still known.
+ * Returns true if a question with this status should be asked again, and makes its tolerance rougher: if the
+ * arithmetic has too few digits for the sums, a few digits of a ratio can still be known.
  */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
@@ -80,7 +80,7 @@ static void failure_keep(struct planner *p, enum dom_status status)
         p->status = status;
 }
 
-/* Returns the kinetic energy of the endless train over its barrier; 0 where it does not go on at all. */
+/* Returns the kinetic energy of the endless train over its barrier, or 0 if the train has no cycle. */
 static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 {
     struct dom_barrier barrier;
@@ -102,8 +102,8 @@ static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
     return 0;
 }
 
-/* Keeps the domino that has least over what it needs. The start decides about the first one, not the row.
- * Returns false, which ends the row, if that is too little for the search. */
+/* Keeps the domino with the smallest ratio, except for the first domino, about which the start decides.
+ * Returns false, which ends the run, if the ratio is too small for the search. */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
@@ -115,7 +115,7 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
     return p->whole || p->least >= p->wish->safety;
 }
 
-/* Makes room for a row of so many dominoes, and writes it. */
+/* Writes a row, after it has made room for its dominoes. */
 static bool row_write(struct planner *p, struct choice c)
 {
     size_t count = c.steps + 1;
@@ -149,8 +149,8 @@ static struct dom_row row_of(const struct planner *p, struct choice c, dom_real 
     return row;
 }
 
-/* Returns the least energy of the row's dominoes over what they need, and without times a number below the
- * safety if that is less; 0 where not all of them fall. */
+/* Returns the smallest kinetic / barrier of the row's dominoes, or 0 if not all of them fall. Without times
+ * the run ends at the first ratio below the safety. */
 static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -214,7 +214,7 @@ static dom_real length_of(const struct planner *p, struct choice c)
     return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
 }
 
-/* Returns the largest k with which the row is not longer than a hall; less than 1: none is. */
+/* Returns the largest k with which the row fits into a hall, or a number below 1 if it never fits. */
 static int widest(const struct planner *p, size_t steps, dom_real hall)
 {
     dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
@@ -224,7 +224,8 @@ static int widest(const struct planner *p, size_t steps, dom_real hall)
 
 /* ---- The separation ---- */
 
-/* Returns the largest growth at which the train has the safety, to 1e-7; 0 where it has not at r = 1. */
+/* Returns the largest growth at which the train has the safety, to 1e-7, or 0 if it does not have it at r
+ * = 1. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -240,8 +241,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
 }
 
 /*
- * Finds the separation at which the train may grow most and still has the safety, on the grid: first in
- * coarse steps, then in steps that are halved. Returns that growth, 0 if there is none.
+ * Finds the separation on the grid at which a train with the safety may grow most, first in coarse steps and
+ * then in steps that are halved. Returns that growth, or 0 if there is none.
  */
 static dom_real separation_find(struct planner *p, int *best)
 {
@@ -267,8 +268,8 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Returns the separation nearest to k, in steps away from there and not above `most`, with which the row
- * passes the test; 0: none. */
+/* Returns the separation nearest to k, in steps away from k and not above `most`, with which the row passes
+ * the test, or 0 if there is none. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -281,7 +282,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation down to which the row has the safety, from one with which it has. */
+/* Returns the smallest separation down to which the row has the safety, starting from one with which it has
+ * it. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -297,7 +299,8 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Steps of the search for a separation. An engine takes as long for a row as the model for hundreds. */
+/* Steps of the search for a separation. An engine takes as long for one row as the model takes for hundreds.
+ */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
@@ -308,7 +311,7 @@ static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row from so many steps on; false if none has the safety. */
+/* Finds the shortest row with at least so many steps. Returns false if none has the safety. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
@@ -334,12 +337,12 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that fits into the hall; false if none with so many steps does. */
+/* Finds the row with the fewest dominoes that fits into the hall. Returns false if there is none. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
         int most = widest(p, n, p->wish->hall);
-        if (most <= 0) /* and more dominoes leave less */
+        if (most <= 0) /* a row with more dominoes does not fit either */
             return false;
         *best = (struct choice){nearest(p, n, k, most, STEP, enough), n};
         if (best->k > 0 && p->wish->engine)

@@ -18,7 +18,7 @@
 /* The probability that an interval of 95 % leaves out at each end. */
 #define TAIL 0.025
 
-/* Rows in a task: enough to make the memory that a task allocates cheap. */
+/* Number of rows in a task, so large that the memory which a task allocates hardly counts. */
 enum { BATCH = 16 };
 
 /* Returns a seed for row i. Its bits are mixed (Steele et al., splitmix64, 2014), since neighbouring values
@@ -50,8 +50,8 @@ struct batch {
 };
 
 /*
- * Returns a standard normal number, from two independent ones: a generator of GSL has a seed of 32 bits, and
- * a million rows would have some seeds in common.
+ * Returns a number with a standard normal distribution from two generators: a generator of GSL has a seed of
+ * 32 bits, so that some of a million rows would have the same seed.
  */
 static double normal(const struct batch *b)
 {
@@ -222,8 +222,7 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-/* Returns the status of what is wrong with a study, and of what its errors of the gaps or its tolerance would
- * hide. */
+/* Checks a study, including values of the row that its errors of the gaps or its tolerance would replace. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
@@ -314,7 +313,7 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     return status;
 }
 
-/* Keeps what is known of the answer, for a search that is interrupted. */
+/* Keeps what is known about the answer, in case that the search is interrupted. */
 static void known(struct budget *b, double lo, double hi)
 {
     b->lo = b->of_answer ? lo : b->lo;
@@ -338,8 +337,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the first of doubled sigmas at which fewer than the share fall; infinite if it is larger than the
- * widest gap. */
+/* Finds the sigma at which the share falls, first by doubling. It is infinite if it is larger than the widest
+ * gap. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
@@ -358,8 +357,8 @@ static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 }
 
 /*
- * Returns the count at the end of those that chance explains if the share is the true one: so many or more of
- * the rows, or so many or fewer, would have a probability below 2.5 %.
+ * Returns the first count that chance hardly explains if the share is the true probability: that so many rows
+ * or more fall, or so many or fewer, has a probability below 2.5 %.
  */
 static double unlikely(double share, double rows, bool at_least)
 {

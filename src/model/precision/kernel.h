@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The functions of a precision, or of a method to compare with; NULL: it has no such answer. The members are
- * the functions of domino.h without "dom_". They find bounds if the request asks for errors.
+ * The kernel of a precision, or of a method for comparison, as a table of functions with the names of those
+ * in domino.h without "dom_". A function is NULL if the method does not give that answer. Error bounds are
+ * found if the request has `errors` set.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H
