@@ -213,7 +213,7 @@ all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are writte
         done
     done
 }
-wrong_at() { all_wrong <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE
+wrong_at() { all_wrong stdin <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE
 
 # The libraries that a program needs to link a library that was built for checkers.
 checked() {

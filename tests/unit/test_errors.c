@@ -43,9 +43,8 @@ static struct domq_compute compute, exact;
 
 static double uniform(double lo, double hi)
 {
-    static uint64_t state = 1;
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return lo + (hi - lo) * (double)(state >> 11) / 9007199254740992.0;
+    static uint64_t seed = 1;
+    return lo + (hi - lo) * random_unit(&seed);
 }
 
 static double either(double a, double b)

@@ -187,35 +187,35 @@ TEST(best_separation)
  */
 TEST(detaching_at_small_angles)
 {
-    struct asked train = asked_default();
-    struct domq_angles angles;
-    struct domq_fuels fuels;
-    struct domq_energy energy;
-    train.tol = 1e-15;
-    train.s = 3.3218168398828681e-05;
-    train.r = 321.25105028829063;
-    train.d = 0.14583333333333334;
-    train.q = 3;
-    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
-    assert_near("theta_f", angles.theta_f, 0.021341907012756661, 2e-15);
-    train.s = 3.7116290225179591e-05;
-    train.r = 76.735199681883813;
-    train.d = 2.2877715991300551;
-    train.q = 1.5150948304658971;
-    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
-    assert_near("paper", fuels.paper, -0.013015394059843347, 2e-15);
-    train.s = 1.9049790079244013e-05;
-    train.r = 407.93455594939269;
-    train.d = 0.43502259373183116;
-    train.q = 0.5;
-    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
-    assert_near("exact", fuels.exact, -0.0034097934075310566, 4e-15);
-    train.s = 2.4458569011092586e-05;
-    train.r = 414.98468406832978;
-    train.d = 2.484130149454693;
-    train.q = 0.65668514063612715;
-    assert_status(ask_energy_find(&train, 0.0014198964972401396, &energy, NULL), DOM_OK);
-    assert_near("dH", energy.dH, 0.003549098981117767, 4e-15);
+    static const struct {
+        const char *quantity;
+        double s, r, d, q, value, bound;
+    } known[] = {
+        {"theta_f", 3.3218168398828681e-05, 321.25105028829063, 0.14583333333333334, 3, 0.021341907012756661,
+         2e-15},
+        {"paper", 3.7116290225179591e-05, 76.735199681883813, 2.2877715991300551, 1.5150948304658971,
+         -0.013015394059843347, 2e-15},
+        {"exact", 1.9049790079244013e-05, 407.93455594939269, 0.43502259373183116, 0.5,
+         -0.0034097934075310566, 4e-15},
+        {"dH", 2.4458569011092586e-05, 414.98468406832978, 2.484130149454693, 0.65668514063612715,
+         0.003549098981117767, 4e-15},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        struct asked train = asked_default();
+        struct domq_angles angles;
+        struct domq_fuels fuels;
+        struct domq_energy energy;
+        train.tol = 1e-15;
+        train.s = known[i].s;
+        train.r = known[i].r;
+        train.d = known[i].d;
+        train.q = known[i].q;
+        assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
+        assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
+        assert_status(ask_energy_find(&train, 0.0014198964972401396, &energy, NULL), DOM_OK);
+        const domq_real value[] = {angles.theta_f, fuels.paper, fuels.exact, energy.dH};
+        assert_near(known[i].quantity, value[i], known[i].value, known[i].bound);
+    }
 }
 
 /* Checks where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
