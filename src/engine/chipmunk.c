@@ -2,12 +2,10 @@
 #include "chipmunk.h"
 #include "room.h"
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 static struct chipmunk functions;
 static bool loaded;
@@ -21,21 +19,19 @@ static bool find(void *library, const char *name, void *member)
     return address;
 }
 
-/* Makes a first space. The library then writes its name to standard output, which is redirected meanwhile. */
+/*
+ * Makes a first space, with which the library prints its name.  Meanwhile the variable `stdout` is another
+ * stream.  The descriptor stays what it is, because a signal handler or another thread may write answers.
+ */
 static void make_first(void)
 {
-    fflush(stdout);
-    int out = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    if (out >= 0 && nowhere >= 0)
-        dup2(nowhere, STDOUT_FILENO);
+    FILE *standard = stdout, *nowhere = fopen("/dev/null", "we");
+    if (nowhere)
+        stdout = nowhere;
     functions.cpSpaceFree(functions.cpSpaceNew());
-    fflush(stdout);
-    if (out >= 0) {
-        dup2(out, STDOUT_FILENO);
-        close(out);
-    }
-    if (nowhere >= 0)
-        close(nowhere);
+    stdout = standard;
+    if (nowhere)
+        fclose(nowhere);
 }
 
 static void load(void)
