@@ -50,8 +50,7 @@ static void add_node(struct integral *k, double t)
     mpfr_abs(k->e, k->sums.dH, N);
     mpfr_add(k->e, k->e, K, N);
     mpfr_div(k->e, k->e, k->t, N);
-    mpfr_mul(k->x, k->x, k->e, N);
-    mpfr_add(k->size, k->size, k->x, N);
+    mpfr_fma(k->size, k->x, k->e, k->size, N);
 }
 
 /* Adds all nodes j h on level 0, the odd nodes on finer levels. Nodes far out weigh less than 2^-digits. */

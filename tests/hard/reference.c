@@ -22,10 +22,8 @@ struct geometry {
 static void lean_at(const struct ref *ref, struct geometry *l)
 {
     mpfr_sin_cos(l->sin, l->cos, l->theta, N);
-    mpfr_mul(l->h, ref->in[REF_D], l->sin, N);
-    mpfr_add(l->h, l->h, l->cos, N);
-    mpfr_mul(l->h_prime, ref->in[REF_D], l->cos, N);
-    mpfr_sub(l->h_prime, l->h_prime, l->sin, N);
+    mpfr_fma(l->h, ref->in[REF_D], l->sin, l->cos, N);
+    mpfr_fms(l->h_prime, ref->in[REF_D], l->cos, l->sin, N);
 }
 
 /* Returns true if the domino has a follower. At the reach a domino at tilt 0 has one, with slope 1: the limit
@@ -38,8 +36,7 @@ static bool has_follower(const struct ref *ref, mpfr_srcptr theta)
 static void geometry_follow(const struct ref *ref, struct geometry *l)
 {
     mpfr_srcptr r = ref->in[REF_R];
-    mpfr_mul(l->X, ref->L, l->cos, N);
-    mpfr_sub(l->X, l->X, ref->in[REF_D], N);
+    mpfr_fms(l->X, ref->L, l->cos, ref->in[REF_D], N);
     mpfr_mul(l->X, l->X, r, N);
     if (mpfr_cmp_ui(l->X, 1) > 0) /* r = 1/s, rounded up */
         mpfr_set_ui(l->X, 1, N);
@@ -112,8 +109,7 @@ static void find_train_at_zero(struct ref *ref)
         mpfr_mul(t, w, slope, N);
         if (mpfr_zero_p(t) || -(double)mpfr_get_exp(t) > cut)
             break;
-        mpfr_mul(t, w, l.h, N);
-        mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
+        mpfr_fma(ref->fuel_exact, w, l.h, ref->fuel_exact, N);
         geometry_follow(ref, &l);
         mpfr_mul(slope, slope, l.slope, N);
         mpfr_set(l.theta, l.next, N);
@@ -124,14 +120,12 @@ static void find_train_at_zero(struct ref *ref)
         mpfr_mul(wr, wr, ref->rq, N);
         mpfr_div(wr, wr, ref->in[REF_R], N);
         mpfr_sqr(t, slope, N);
-        mpfr_mul(t, t, wr, N);
-        mpfr_add(ref->T, ref->T, t, N);
+        mpfr_fma(ref->T, t, wr, ref->T, N);
         keep_energy(ref, &l);
     }
     /* The tilt after the last domino is that of far followers, or theta_f. */
     mpfr_sub(t, l.h, ref->h_f, N);
-    mpfr_mul(t, t, w, N);
-    mpfr_add(ref->fuel_exact, ref->fuel_exact, t, N);
+    mpfr_fma(ref->fuel_exact, t, w, ref->fuel_exact, N);
     mpfr_clears(w, wr, slope, t, (mpfr_ptr)0);
     mpfr_clears(LEAN_ALL(&l));
 }
@@ -180,8 +174,7 @@ static void add_fallen(const struct ref *ref, size_t i, mpfr_srcptr weight, stru
     mpfr_set(w, weight, N);
     for (; i < ref->n; i++) {
         mpfr_sub(t, ref->h_f, ref->h0[i], N);
-        mpfr_mul(t, t, w, N);
-        mpfr_add(sums->dH, sums->dH, t, N);
+        mpfr_fma(sums->dH, t, w, sums->dH, N);
         mpfr_mul(w, w, ref->rq, N);
     }
     mpfr_clears(w, t, (mpfr_ptr)0);
@@ -191,16 +184,14 @@ static void add_domino(const struct ref *ref, const struct geometry *l, size_t i
                        struct ref_sums *sums)
 {
     mpfr_sub(t, l->h, ref->h0[i], N);
-    mpfr_mul(t, t, wsv[0], N);
-    mpfr_add(sums->dH, sums->dH, t, N);
+    mpfr_fma(sums->dH, t, wsv[0], sums->dH, N);
     mpfr_mul(t, wsv[0], wsv[1], N);
     mpfr_mul(t, t, l->h_prime, N);
     mpfr_add(sums->dH_prime, sums->dH_prime, t, N);
     mpfr_abs(t, t, N);
     mpfr_add(sums->dH_prime_size, sums->dH_prime_size, t, N);
     mpfr_sqr(t, wsv[1], N);
-    mpfr_mul(t, t, wsv[2], N);
-    mpfr_add(sums->J, sums->J, t, N);
+    mpfr_fma(sums->J, t, wsv[2], sums->J, N);
 }
 
 static void walk(struct ref *ref, mpfr_srcptr tilt, bool keep, struct ref_sums *sums)
