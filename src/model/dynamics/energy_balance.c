@@ -139,7 +139,8 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    enum dom_status status = geometry_tilt(geometry, end - by, &head);
+    /* Where the motion begins, the difference may be below the lean by a rounding error. */
+    enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);
     if (status == DOM_OK)

@@ -116,10 +116,11 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
     /* The energy reaches the highest point but for a rounding error: the row rests there. */
-    bool at_top = solver == NUM_NOT_BRACKETED && st->status == DOM_OK;
-    /* The segment begins at edge[0] but for a rounding error. */
-    *theta = fmax(at_top ? hi : *theta, st->lo);
-    return at_top ? DOM_OK : model_status(st->status, solver);
+    if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
+        *theta = hi;
+        return DOM_OK;
+    }
+    return model_status(st->status, solver);
 }
 
 KERNEL real slowness(real theta, void *context)
