@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Answers with a proof: numbers between which the true answer is, for every growth and every tilt in between.
+ * Answers with a proof: each is a pair of bounds between which the true answer surely is.
  *
- * The functions of <domino.h> compute answers to a tolerance; these prove them, by interval arithmetic in
- * double with outward rounding. domino-model(7) has the proof. They share no formula with the functions of
- * <domino.h>.
+ * The functions of <domino.h> compute answers to a tolerance. The functions of this header prove bounds, by
+ * interval arithmetic in double with outward rounding, and share no formula with the others. domino-model(7)
+ * has the proof.
  *
  * A proof holds for all trains whose s, d and q (unless q is a whole number) round to the doubles given:
  * decimals and fractions such as 7/48 are among them. A train with friction or a slope has no proof. In
@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-/* Why a proof is not whole: X(name, meaning). */
+/* Why a proof is incomplete: X(name, meaning). */
 #define DOM_PROOF_GAPS(X)                                                                                    \
     X(NONE, "nothing is missing")                                                                            \
     X(EFFECT, "trains with friction, a slope or rounded edges have no proof")                                \
@@ -37,44 +37,47 @@ enum dom_proof_gap {
 /* Returns the meaning of a gap: one line without a full stop. */
 const char *dom_proof_gap_text(enum dom_proof_gap gap);
 
-/* What a proof took. */
+/* The work that a proof took. */
 struct dom_proof_work {
     size_t boxes;  /* parts of the plane of tilts and growths */
     size_t chains; /* passes down the train */
 };
 
-/* What is proved of the largest growth. */
+/* What is proved about the largest growth. */
 enum dom_proof_end {
     DOM_PROVED_BARRIER, /* every growth from `from` to `low` goes on; at `high` the train stops */
     DOM_PROVED_REACH,   /* every growth from `from` up to 1/s goes on; low <= 1/s <= high */
-    DOM_PROVED_NONE,    /* the train stops at r = 1; of a pair: and no larger growth was found that goes on */
-    DOM_PROVED_PARTLY /* every growth from `from` to `low` goes on (low is NaN: none); `gap` says why no more
+    DOM_PROVED_NONE,  /* the train stops at r = 1; for a pair, no larger growth was found that goes on either
                        */
+    DOM_PROVED_PARTLY /* every growth from `from` to `low` goes on, or none is proved if `low` is NaN; see
+                         `gap` */
 };
 
 struct dom_proof {
     enum dom_proof_end ends;
-    double
-        from; /* 1; of a pair in which equal dominoes fail, but larger ones succeed, a growth of that band */
+    /* 1, or a growth in the band that goes on, for a pair in which equal dominoes fail but larger ones
+     * succeed. */
+    double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */
-    int decimals; /* with DOM_PROVED_BARRIER, low and high are decimals with so many places */
+    int decimals; /* with DOM_PROVED_BARRIER, the number of decimal places of low and high */
     enum dom_proof_gap gap;
     struct dom_proof_work work;
 };
 
 /*
- * Prove the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair find it, between
- * decimals compute->tol apart: relative, at least 1e-15. Where rounding leaves them farther apart they are no
- * less true. Of compute only tol and interrupt are used. After an interrupt the status is DOM_OK, and the gap
- * DOM_PROOF_INTERRUPTED. Statuses: DOM_BAD_..., DOM_NO_MEMORY.
+ * Prove bounds of the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair find it.
+ * The bounds are decimals with a relative distance of compute->tol, but at least 1e-15. Rounding may leave
+ * them farther apart, and they are true then as well. Of compute only tol and interrupt are used. After an
+ * interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED. Other statuses are DOM_BAD_... and
+ * DOM_NO_MEMORY.
  */
 enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_proof *proof);
 enum dom_status dom_prove_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_proof *proof);
 
-/* What is proved of one growth. */
+/* What is proved about one growth. */
 enum dom_proof_verdict {
     DOM_PROVED_GOES_ON,
     DOM_PROVED_STOPS,        /* the kinetic energy is below the barrier */
@@ -89,21 +92,22 @@ struct dom_interval {
 
 struct dom_proof_cycle {
     enum dom_proof_verdict verdict;
-    struct dom_interval kinetic, barrier, margin; /* as in struct dom_barrier; NaN where there is none */
+    struct dom_interval kinetic, barrier, margin; /* as in struct dom_barrier; NaN if nothing is proved */
     enum dom_proof_gap gap;
     struct dom_proof_work work;
 };
 
-/* Proves whether a train goes on at train->r, or at any growth that rounds to this double, and how high its
- * barrier is, as dom_barrier_find finds it. Statuses as dom_prove_rmax. */
+/* Proves whether a train goes on at train->r and at all growths that round to this double, and bounds of its
+ * barrier, as dom_barrier_find finds it. The statuses are those of dom_prove_rmax. */
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *proof);
 
 /*
- * Proves the smallest n with first r^n >= height, as dom_count_find finds it: `least` <= n <= `most`, which
- * differ if the last digit of a height or of r decides. For powers that are exact in double, such as those of
- * r = 2, the doubles decide. Infinite: no n is enough. Where nothing is proved, the bounds are 0 and
- * infinity. DOM_BAD_HEIGHT, DOM_BAD_R.
+ * Proves bounds of the smallest n with first r^n >= height, as dom_count_find finds it: `least` <= n <=
+ * `most`. The bounds differ if the last digit of a height or of r decides. For powers that are exact in
+ * double, such as those of r = 2, the doubles themselves decide. Infinity means that no n is enough. If
+ * nothing is proved, the bounds are 0 and infinity. The status is DOM_BAD_HEIGHT or DOM_BAD_R for a number
+ * outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

@@ -19,7 +19,7 @@ const char *dom_status_text(enum dom_status status)
     return "unknown status";
 }
 
-/* Returns the text with a number, or "unknown" for a number that has none. */
+/* Returns text number k, or "unknown" if there is none. */
 static const char *text_at(const char *const *text, size_t count, size_t k)
 {
     return k < count ? text[k] : "unknown";

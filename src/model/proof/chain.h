@@ -2,8 +2,8 @@
 /*
  * A train for a whole interval of growths, and its dominoes for a whole interval of tilts.
  *
- * A tilt theta travels as v = 1 - cos theta, which is 0 for an upright domino and increases with theta. The
- * sine is sqrt(v (2 - v)): no function of libm is asked.
+ * A tilt theta is represented by v = 1 - cos theta, which is 0 for an upright domino and increases with
+ * theta. The sine is sqrt(v (2 - v)), so that no function of libm is needed.
  *
  * Monotony. theta_1(theta, r) = theta + asin X, X = r (L cos theta - d), increases with theta up to
  * min(theta_leave, theta_inf) and stays there what it is, since a follower detaches there: it is
@@ -17,7 +17,8 @@
 
 #include "proof/span.h"
 
-/* A train without its growth. Its numbers are intervals around the doubles: decimals are in them, too. */
+/* A train without its growth. Its numbers are intervals around the doubles, which contain the decimals as
+ * well. */
 struct shape {
     struct span s, d, L, q;
     struct span v_inf; /* of theta_inf: cos theta_inf = d/L (40; A16), so v = s/L */
@@ -28,11 +29,11 @@ struct shape {
     bool pair;         /* two dominoes instead of the endless train */
 };
 
-/* What a chain needs at one growth r. */
+/* The quantities of a chain at one growth r. */
 struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
-    struct span leave;            /* v at min(theta_leave, theta_inf): there F ends to increase */
+    struct span leave;            /* v at min(theta_leave, theta_inf), from where F is constant */
     double last;                  /* upper bound of v of all followers: of theta_f or theta_inf */
 };
 
@@ -59,8 +60,8 @@ struct contact {
     struct span x;     /* sin theta_i */
     struct span step;  /* dF/dtheta */
     struct span shift; /* dF/dr */
-    bool held;         /* theta_i is beyond theta_leave for the whole box: the follower stays at theta_f */
-    bool may_hold;     /* for a part of it */
+    bool held;     /* theta_i is beyond theta_leave in the whole box, so that the follower stays at theta_f */
+    bool may_hold; /* theta_i is beyond theta_leave in a part of the box */
 };
 
 struct shape shape_make(double s, double d, double q);

@@ -19,25 +19,25 @@ struct proof {
     struct shape shape;
     struct upright box, point; /* of the interval, and of its upper end */
     struct link *links;        /* memory of both */
-    size_t boxes, chains;      /* that the proof took */
+    size_t boxes, chains;      /* the work of the proof so far */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* False: out of memory. */
+/* Returns false if memory is exhausted. */
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
-/* Returns true after an interrupt: every stage ends soon then, since one pass down a long train takes a few
- * ms. */
+/* Returns true after an interrupt. Every stage then ends soon, since a pass down a long train takes a few
+ * milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
 /* Proves that the train goes on for every growth from r_low to r_high: K > D for every tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
 /*
- * The same in parts that are no narrower than `finest`, upwards from *done, which is moved to where the proof
- * has come. *stop is the end of the part that failed.
+ * Proves that the train goes on from *done to r_high, upwards in parts that are no narrower than `finest`.
+ * *done moves up with the proof, and *stop is the end of the part that failed.
  */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
@@ -47,8 +47,8 @@ bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 /* Proves that D < level for all tilts at all growths of the interval. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, and of where the barrier is highest. It proves nothing. NaN:
- * numbers are out of range, or an interrupt. */
+/* Returns an estimate of the margin K - B, and of the tilt where the barrier is highest, which proves
+ * nothing. Returns NaN if numbers are out of range, or after an interrupt. */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

@@ -15,23 +15,24 @@ struct link {
     struct span weight; /* r^(-q i) */
 };
 
-/* The train with an upright head, from which all differences are taken, and what it gives: K. */
+/* The train with an upright head, relative to which all differences are taken, and its kinetic energy K. */
 struct upright {
     struct growth growth;
-    struct link *link;         /* room for LINKS_MOST + 1 */
-    int n;                     /* the sums have dominoes 0 ... n - 1 and a remainder */
-    bool exact_end;            /* all dominoes from n on stay at theta_f during the cycle: no remainder */
-    double g_last;             /* lower bound of h - 1 of all dominoes from n on */
-    double drop_rest;          /* upper bound of sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
-    double slide_rest;         /* upper bound of -sum r^(-q i) dh(theta_i0)/dr, i >= n */
-    struct span fuel, inertia; /* P, T */
+    struct link *link; /* room for LINKS_MOST + 1 */
+    int n;             /* the sums consist of dominoes 0 ... n - 1 and a remainder */
+    bool exact_end;    /* all dominoes from n on stay at theta_f during the cycle: the remainder is 0 */
+    double g_last;     /* lower bound of h - 1 of all dominoes from n on */
+    double drop_rest;  /* upper bound of sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
+    double slide_rest; /* upper bound of -sum r^(-q i) dh(theta_i0)/dr, i >= n */
+    struct span fuel, inertia;         /* P, T */
     struct span kinetic, kinetic_by_r; /* K and dK/dr; the latter may be infinite */
     bool by_r;                         /* derivatives with respect to r are finite */
 };
 
 /*
  * Finds the train of `shape` with an upright head for the growths r_low to r_high. The remainder of the
- * energy is at most `rest`. False: more dominoes matter than there is room for, or numbers are out of range.
+ * energy is at most `rest`. Returns false if more dominoes matter than there is room for, or if numbers are
+ * out of range.
  */
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
@@ -45,7 +46,7 @@ struct climb {
 
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
-/* Returns 2 sin(theta_c/2), as an upper or a lower bound for all growths. */
+/* Return an upper and a lower bound of 2 sin(theta_c/2) for all growths. */
 double upright_hit_above(const struct upright *upright);
 double upright_hit_below(const struct upright *upright);
 

@@ -15,8 +15,8 @@ enum limit_kind {
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
-    int decimals;         /* the numbers are decimals with so many places, each as the nearest double */
-    enum outcome outcome; /* with LIMIT_PARTLY: why no more is proved */
+    int decimals;         /* number of decimal places of the numbers, each of which is the nearest double */
+    enum outcome outcome; /* with LIMIT_PARTLY, the reason why no more is proved */
 };
 
 /* Proves where the first growth is, raised from 1, at which the train stops, within a relative tolerance. */

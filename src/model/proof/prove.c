@@ -45,8 +45,8 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
-/* These are not asked of the library, since a program that uses <domino_quad.h> alone has no part in double.
- */
+/* The default does not come from dom_compute_default, since a program that uses only <domino_quad.h> does not
+ * link the part of the library in double. */
 static double tolerance_of(const struct dom_compute *compute)
 {
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) default_

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Intervals that contain the truth: every operation is + - * / or sqrt in double, followed by one step
+ * Intervals that contain the true value: every operation is + - * / or sqrt in double, followed by one step
  * outwards.
  *
  * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
@@ -46,7 +46,7 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* Clip a bound of what is known to be >= 0, or <= 1; NaN becomes the bound that is always true. */
+/* Clip a bound of a number that is known to be >= 0, or <= 1. NaN becomes the bound that is always true. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
@@ -72,7 +72,7 @@ static inline struct span span_of(double x)
     return (struct span){x, x};
 }
 
-/* Returns the numbers that are rounded to x: decimals and fractions that were typed, for example. */
+/* Returns the numbers that are rounded to x, such as decimals and fractions that a person has typed. */
 static inline struct span span_around(double x)
 {
     return (struct span){down(x), up(x)};
