@@ -45,11 +45,6 @@ static enum dom_status request_check(const struct request *q)
 }
 #undef CHECK
 
-struct dom_compute compute_or_default(const struct dom_compute *compute)
-{
-    return compute ? *compute : dom_compute_default();
-}
-
 /* Lists the values of the effects, in the order of their numbers. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,

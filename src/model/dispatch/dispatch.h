@@ -30,7 +30,10 @@ extern const struct kernel *const kernels[];
 enum dom_status precision_check(enum dom_precision precision);
 
 /* Returns the defaults if compute is NULL. */
-struct dom_compute compute_or_default(const struct dom_compute *compute);
+static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
+{
+    return compute ? *compute : dom_compute_default();
+}
 
 /* Checks a train and how to compute. */
 struct question question_make(const struct dom_train *train, const struct dom_compute *compute);
