@@ -23,7 +23,7 @@ load common
 @test "--version and --help" {
     for option in --version -V; do
         run -0 "$DOMINO" "$option"
-        [[ $output =~ ^domino\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+        [[ $output =~ ^domino\ [0-9]+(\.[0-9]+)+$ ]]
     done
     for option in --help -h; do
         run -0 --separate-stderr "$DOMINO" "$option"
