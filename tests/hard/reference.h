@@ -122,13 +122,15 @@ double ref_scale(struct ref *ref, enum ref_quantity quantity);
 double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough);
 double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
-/* with inputs set: finds the geometry and the train at tilt 0 */
-void ref_start(struct ref *ref);                  /* with inputs set: geometry and the train at tilt 0 */
-struct ref *ref_near(struct ref *ref, int input); /* NULL for an input without any effect */
+/* Finds the geometry and the train at tilt 0, once the inputs are set. */
+void ref_start(struct ref *ref);
+/* Returns NULL for an input without any effect. */
+struct ref *ref_near(struct ref *ref, int input);
 void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
 void ref_sums_clear(struct ref_sums *sums);
 void ref_walk(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums);
-void ref_walk_at_tilt(struct ref *ref); /* finds REF_THETA_1 to REF_J */
+/* Finds REF_THETA_1 to REF_J. */
+void ref_walk_at_tilt(struct ref *ref);
 void ref_set_real(mpfr_t z, domq_real x);
 void ref_find_barrier(struct ref *ref);
 void ref_find_stop(struct ref *ref);

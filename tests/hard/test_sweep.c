@@ -15,13 +15,13 @@ static const double units_allowed[REF_COUNT] = {
 /* Half of the bounds are at most this many times the error. */
 static const double closeness = 100;
 
-struct swept {
+struct outcome {
     struct sweep sweep;
     long done;
     struct tally tally[REF_COUNT];
 };
 
-static struct swept sweeps[] = {
+static struct outcome sweeps[] = {
     {.sweep = {DOM_DOUBLE, 3, 20000, .barriers = 6, .durations = 25, .growths = 20, .pairs = 50}},
     {.sweep = {DOM_FLOAT, 2, 4000, .barriers = 8, .durations = 50, .growths = 20, .pairs = 20}},
     {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
@@ -31,13 +31,13 @@ static struct swept sweeps[] = {
  * means little. */
 static double size;
 
-static const char *label(const struct swept *swept)
+static const char *label(const struct outcome *outcome)
 {
-    return domq_arithmetic(swept->sweep.precision)->name;
+    return domq_arithmetic(outcome->sweep.precision)->name;
 }
 
 /* Runs a check in each precision of this machine; it returns the number of quantities that violate it. */
-static void check_all(int (*violations)(const struct swept *swept))
+static void check_all(int (*violations)(const struct outcome *outcome))
 {
     int failures = 0;
     for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++)
@@ -46,27 +46,28 @@ static void check_all(int (*violations)(const struct swept *swept))
     assert_int_equal(failures, 0);
 }
 
-static void report(const struct swept *swept)
+static void report(const struct outcome *outcome)
 {
     for (int k = 0; k < REF_COUNT; k++) {
-        const struct tally *t = &swept->tally[k];
+        const struct tally *t = &outcome->tally[k];
         if (t->checked > 0)
             fprintf(stderr,
                     "# %-6s %-15s %6ld: %8.3g units, %8.3g of tol, %8.3g of bound, bound %8.3g times\n",
-                    label(swept), ref_name((enum ref_quantity)k), t->checked,
+                    label(outcome), ref_name((enum ref_quantity)k), t->checked,
                     fmax(t->units.excess, TALLY_UNITS), t->tol.excess, t->bound.excess, tally_median(t));
     }
 }
 
 /* Every quantity that is not for a whole curve must occur. */
-static int missing(const struct swept *swept)
+static int missing(const struct outcome *outcome)
 {
     const long least = (long)(8 * size);
-    int missing = swept->done != swept->sweep.points || swept->tally[REF_THETA_C].checked < swept->done;
+    int missing =
+        outcome->done != outcome->sweep.points || outcome->tally[REF_THETA_C].checked < outcome->done;
     for (int k = 0; k <= REF_PAIR; k++)
-        if (swept->tally[k].checked < least) {
-            fprintf(stderr, "# %s %s was checked %ld times\n", label(swept), ref_name((enum ref_quantity)k),
-                    swept->tally[k].checked);
+        if (outcome->tally[k].checked < least) {
+            fprintf(stderr, "# %s %s was checked %ld times\n", label(outcome), ref_name((enum ref_quantity)k),
+                    outcome->tally[k].checked);
             missing++;
         }
     return missing;
@@ -76,32 +77,32 @@ TEST(all_points_are_checked)
 {
     size = sweep_size();
     for (size_t k = 0; k < sizeof sweeps / sizeof *sweeps; k++) {
-        struct swept *swept = &sweeps[k];
-        swept->sweep.points = (int)ceil(size * swept->sweep.points);
-        if (domq_arithmetic(swept->sweep.precision)->bits == 0)
+        struct outcome *outcome = &sweeps[k];
+        outcome->sweep.points = (int)ceil(size * outcome->sweep.points);
+        if (domq_arithmetic(outcome->sweep.precision)->bits == 0)
             continue;
-        swept->done = sweep_run(&swept->sweep, swept->tally);
-        report(swept);
+        outcome->done = sweep_run(&outcome->sweep, outcome->tally);
+        report(outcome);
     }
     check_all(missing);
 }
 
 /* Prints a quantity whose worst sample is beyond its limit; returns whether it is. */
-static int beyond(const struct swept *swept, int k, const struct sample *worst, const char *what,
+static int beyond(const struct outcome *outcome, int k, const struct sample *worst, const char *what,
                   double allowed)
 {
     if (worst->excess <= allowed)
         return 0;
     fprintf(stderr, "# %s, %.3g allowed\n", what, allowed);
-    tally_print(label(swept), (enum ref_quantity)k, worst);
+    tally_print(label(outcome), (enum ref_quantity)k, worst);
     return 1;
 }
 
-static int beyond_units(const struct swept *swept)
+static int beyond_units(const struct outcome *outcome)
 {
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++)
-        failures += beyond(swept, k, &swept->tally[k].units, "units of error",
+        failures += beyond(outcome, k, &outcome->tally[k].units, "units of error",
                            units_allowed[k] > 0 ? units_allowed[k] : 16);
     return failures;
 }
@@ -111,11 +112,11 @@ TEST(errors_are_those_of_the_inputs)
     check_all(beyond_units);
 }
 
-static int beyond_tolerance(const struct swept *swept)
+static int beyond_tolerance(const struct outcome *outcome)
 {
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++)
-        failures += beyond(swept, k, &swept->tally[k].tol, "of tolerance and conditioning", 1);
+        failures += beyond(outcome, k, &outcome->tally[k].tol, "of tolerance and conditioning", 1);
     return failures;
 }
 
@@ -124,14 +125,14 @@ TEST(tolerances_are_kept)
     check_all(beyond_tolerance);
 }
 
-static int beyond_bound(const struct swept *swept)
+static int beyond_bound(const struct outcome *outcome)
 {
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++) {
-        const struct tally *t = &swept->tally[k];
-        failures += beyond(swept, k, &t->bound, "of the library's bound", 1);
+        const struct tally *t = &outcome->tally[k];
+        failures += beyond(outcome, k, &t->bound, "of the library's bound", 1);
         if (t->without_bound && ++failures)
-            fprintf(stderr, "# %s %s: %ld values have no bound\n", label(swept),
+            fprintf(stderr, "# %s %s: %ld values have no bound\n", label(outcome),
                     ref_name((enum ref_quantity)k), t->without_bound);
     }
     return failures;
@@ -142,15 +143,15 @@ TEST(bounds_hold)
     check_all(beyond_bound);
 }
 
-static int wide(const struct swept *swept)
+static int wide(const struct outcome *outcome)
 {
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++) {
-        if (swept->tally[k].bounds == 0 || tally_median(&swept->tally[k]) <= closeness)
+        if (outcome->tally[k].bounds == 0 || tally_median(&outcome->tally[k]) <= closeness)
             continue;
         failures++;
         fprintf(stderr, "# %s %s: half of the bounds are more than %.3g times the error, %.3g allowed\n",
-                label(swept), ref_name((enum ref_quantity)k), tally_median(&swept->tally[k]), closeness);
+                label(outcome), ref_name((enum ref_quantity)k), tally_median(&outcome->tally[k]), closeness);
     }
     return failures;
 }
@@ -162,17 +163,17 @@ TEST(bounds_are_close)
     check_all(wide);
 }
 
-static int contradictions(const struct swept *swept)
+static int contradictions(const struct outcome *outcome)
 {
     int failures = 0;
     for (int k = 0; k < REF_COUNT; k++) {
-        const struct tally *t = &swept->tally[k];
+        const struct tally *t = &outcome->tally[k];
         if (!t->wrong)
             continue;
         failures++;
-        fprintf(stderr, "# %s %s: wrong %ld times, first: %s\n", label(swept), ref_name((enum ref_quantity)k),
-                t->wrong, t->what);
-        tally_print(label(swept), (enum ref_quantity)k, &t->mistake);
+        fprintf(stderr, "# %s %s: wrong %ld times, first: %s\n", label(outcome),
+                ref_name((enum ref_quantity)k), t->wrong, t->what);
+        tally_print(label(outcome), (enum ref_quantity)k, &t->mistake);
     }
     return failures;
 }
