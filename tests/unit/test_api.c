@@ -195,7 +195,8 @@ static bool link_same(const struct domq_link *link, void *context)
     const struct domq_link q = *link;
     SAME(i)
     SAME(theta)
-    SAME(slope) SAME(arm_a) SAME(arm_b) SAME(weight) SAME(error.theta) SAME(error.slope) SAME(error.weight)
+    SAME(slope)
+    SAME(arm_a) SAME(arm_b) SAME(weight) SAME(error.theta) SAME(error.slope) SAME(error.weight)
         /* Geometry has bounds even with friction. */
         assert_true(seen->has_bounds == !isnan(d.error.theta) && seen->has_bounds == !isnan(d.error.weight));
     return seen->compared < KEPT;

@@ -188,7 +188,7 @@ TEST(one_top_if_concave)
         for (int k = 0; k <= 16; k++) {
             struct sums at;
             assert_status(chain_second_derivative(&geometry, upright,
-                                                       tilt_half(geometry_half_u(&geometry) * k / 16), &at),
+                                                  tilt_half(geometry_half_u(&geometry) * k / 16), &at),
                           DOM_OK);
             if (!(at.H2 < 0))
                 fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", geometry.s,

@@ -237,8 +237,7 @@ void line_prompt(struct session *session)
     history_load(session);
     readline_begin();
     fprintf(session->output->out,
-            "domino " DOM_VERSION
-            ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
+            "domino " DOM_VERSION ": how far can a domino row grow? Try 'count 112', 'lesson' or 'help'.\n");
     fflush(session->output->out);
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
     sigprocmask(SIG_BLOCK, &signals.blocked, &signals.awake);
