@@ -193,12 +193,17 @@ static bool link_same(const struct domq_link *link, void *context)
     struct seen *seen = context;
     const struct dom_link d = seen->link[seen->compared++];
     const struct domq_link q = *link;
-    SAME(i)
-    SAME(theta)
-    SAME(slope)
-    SAME(arm_a) SAME(arm_b) SAME(weight) SAME(error.theta) SAME(error.slope) SAME(error.weight)
-        /* Geometry has bounds even with friction. */
-        assert_true(seen->has_bounds == !isnan(d.error.theta) && seen->has_bounds == !isnan(d.error.weight));
+    SAME(i);
+    SAME(theta);
+    SAME(slope);
+    SAME(arm_a);
+    SAME(arm_b);
+    SAME(weight);
+    SAME(error.theta);
+    SAME(error.slope);
+    SAME(error.weight);
+    /* Geometry has bounds even with friction. */
+    assert_true(seen->has_bounds == !isnan(d.error.theta) && seen->has_bounds == !isnan(d.error.weight));
     return seen->compared < KEPT;
 }
 
@@ -234,7 +239,11 @@ static bool force_same(const struct domq_force *force, void *context)
     struct seen *seen = context;
     const struct dom_force d = seen->force[seen->compared++];
     const struct domq_force q = *force;
-    SAME(i) SAME(force) SAME(of_own) SAME(impulse) return seen->compared < KEPT;
+    SAME(i);
+    SAME(force);
+    SAME(of_own);
+    SAME(impulse);
+    return seen->compared < KEPT;
 }
 
 /* Checks that a walk of either header has the same steps. */
@@ -267,7 +276,11 @@ static void check_events(const struct both *b)
     for (int k = 0; k < count; k++) {
         struct dom_event d = events[k];
         struct domq_event q = eventsq[k];
-        SAME(kind) SAME(theta) SAME(time) SAME(domino) double theta = -1;
+        SAME(kind);
+        SAME(theta);
+        SAME(time);
+        SAME(domino);
+        double theta = -1;
         domq_real wide = -1;
         assert_status(dom_cycle_tilt(&b->train, &b->compute, d.time, &theta),
                       domq_cycle_tilt(&b->trainq, &b->computeq, (domq_real)d.time, &wide));
@@ -281,7 +294,10 @@ static void check_forces(const struct both *b)
     struct domq_least_force q = {0};
     assert_status(dom_cycle_least_force(&b->train, &b->compute, &d),
                   domq_cycle_least_force(&b->trainq, &b->computeq, &q));
-    SAME(force) SAME(theta) SAME(domino) SAME(impulse)
+    SAME(force);
+    SAME(theta);
+    SAME(domino);
+    SAME(impulse);
     {
         struct dom_floor f = {0};
         struct domq_floor fq = {0};

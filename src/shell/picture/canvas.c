@@ -142,7 +142,7 @@ void canvas_sample(const struct canvas *c, enum ink ink, int dash, char sample[4
     for (int k = 0, used = 0; k < (c->look.braille ? 3 : 1); k++)
         used +=
             dots_text(c, (dash_on(c, dash, 2 * k) ? 0x04u : 0) | (dash_on(c, dash, 2 * k + 1) ? 0x20u : 0),
-                      ink, sample + used);
+                      (int)ink, sample + used);
 }
 
 /* ---- Text and shades ---- */
