@@ -83,7 +83,7 @@ static void failure_keep(struct planner *p, enum dom_status status)
 /* Returns the kinetic energy of the endless train over its barrier, or 0 if the train has no cycle. */
 static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 {
-    struct dom_barrier barrier;
+    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
     if (p->status != DOM_OK || s * r > 1)
         return 0;
     p->train.s = s;

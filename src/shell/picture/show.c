@@ -108,7 +108,8 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     if (!a->path)
         graphics_size(a->out, &width, &height);
     if (stage) {
-        sheet = sheet_of(stage, STAGE_LEAST, height * SHEET_WIDTH / width);
+        int sheet_height = height * SHEET_WIDTH / width;
+        sheet = sheet_of(stage, STAGE_LEAST, sheet_height);
         height = (int)(sheet.height * width / SHEET_WIDTH);
     }
     if (!a->path)

@@ -115,7 +115,8 @@ static bool row_times(struct row_film *f)
     if (!isfinite(f->row.end))
         return problem_no_answer(film->problem,
                                  "one domino comes so close to a stop that later times have no value");
-    double moving = ceil((f->row.end - begins) / step - 1e-9), held = HELD * 100 / film->delay;
+    double moving = ceil((f->row.end - begins) / step - 1e-9);
+    int held = HELD * 100 / film->delay;
     if (moving + held > FRAMES_MOST)
         return problem_no_answer(
             film->problem,

@@ -101,8 +101,8 @@ static enum dom_status sample_write(const struct cycle *c, const struct domq_eve
                                     int lines, struct answer *a)
 {
     const struct scene *scene = c->query->scene;
-    struct tilts tilts;
-    struct domq_energy energy;
+    struct tilts tilts = {.theta = {0}};
+    struct domq_energy energy = {.dH = DOMQ_NAN};
     struct domq_value omegasq = {.value = DOMQ_NAN};
     enum dom_status status = domq_energy_find(&scene->train, &scene->compute, theta, &energy);
     if (status == DOM_OK)
