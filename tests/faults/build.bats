@@ -11,7 +11,7 @@ root=$BATS_TEST_DIRNAME/../..
     local folder
     for folder in one 'the other folder/below'; do
         mkdir -p "$BATS_TEST_TMPDIR/$folder"
-        cp -r "$root/Makefile" "$root/src" "$root/include" "$root/man" "$BATS_TEST_TMPDIR/$folder"
+        cp -r "$root/Makefile" "$root/src" "$root/include" "$root/man" "$root/examples" "$BATS_TEST_TMPDIR/$folder"
         (cd "$BATS_TEST_TMPDIR/$folder" &&
             env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES -u B -u CFLAGS -u LDFLAGS -u CC \
                 timeout -k 1 300 make -s "-j$(nproc)" all)

@@ -144,7 +144,7 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
                struct quantity *quantity, domq_real *number, struct problem *problem)
 {
     struct quantity q = {.value = item->number};
-    struct evaluation e;
+    struct evaluation e = {.of_value = false};
     if (text && item->at)
         problem->place = text_column(text, item->at);
     if (item->value && !query_evaluate(query, &e, item->value, &q, problem))
