@@ -189,11 +189,13 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;
-    const char *version = engine_version(), *motion_why, *motion;
+    const char *version = NULL, *motion_why, *motion;
     bool is_row = scene->effect[DOM_EFFECT_row].on, is_pushed = scene->effect[DOM_EFFECT_push].on,
          is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
          has_friction = domq_law(&scene->train)->dissipates;
     char engine[96];
+    if (is_engine) /* a scene that needs no engine does not load its library */
+        version = engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");
     motion_why = is_engine ? scene_engine_why(scene) : has_friction ? "friction is on" : "no losses";
