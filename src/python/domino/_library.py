@@ -35,7 +35,7 @@ def _load() -> ctypes.CDLL:
 
 
 lib = _load()
-version: str = lib.dom_version().decode() if hasattr(lib, "dom_version") else ""
+version: str = lib.dom_version().decode()
 
 
 class DominoError(ArithmeticError):
@@ -120,24 +120,16 @@ def interruptible(compute: api.dom_compute) -> Iterator[None]:
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 _pool = ThreadPoolExecutor(CORES + 1, "domino")
-_busy = threading.local()
 
 
 def run(function: Any, *arguments: Any) -> Any:
     """Calls a function of the library on another thread, so that this one can see ^C."""
-    if getattr(_busy, "here", False):  # already on a thread of the pool, which must not wait for another
-        return function(*arguments)
-    return _pool.submit(_marked, function, arguments).result()
-
-
-def _marked(function: Any, arguments: Any) -> Any:
-    _busy.here = True
-    return function(*arguments)
+    return _pool.submit(function, *arguments).result()
 
 
 def run_all(calls: list[Any]) -> list[Any]:
     """Calls functions without arguments on all cores, and returns their results in order."""
-    return [future.result() for future in [_pool.submit(_marked, call, ()) for call in calls]]
+    return [future.result() for future in [_pool.submit(call) for call in calls]]
 
 
 @api.dom_parallel
@@ -161,8 +153,3 @@ def parallel(count: int, task: Any, context: int, pool: int) -> int:
     for thread in threads:
         thread.join()
     return api.dom_status.DOM_OK
-
-
-def text(value: bytes) -> str:
-    """Returns a text of the library."""
-    return value.decode()

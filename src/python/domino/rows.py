@@ -10,7 +10,7 @@ import re
 from typing import Any, Iterable, NamedTuple
 
 from . import _api as api
-from ._library import DominoError, OutOfRange, computing, interruptible, lib, parallel, raise_status, run, text
+from ._library import DominoError, OutOfRange, computing, interruptible, lib, parallel, raise_status, run
 from .trains import Train
 
 STATUS = api.dom_status
@@ -263,7 +263,7 @@ class Row:
         v = api.dom_verdict()
         self._call(lib.dom_row_run, True, api.dom_fall_visit(), None, ctypes.byref(v), wrong=v)
         end = api.dom_row_end(v.end)
-        return Verdict(end == api.dom_row_end.DOM_ROW_FALLS, text(lib.dom_row_end_text(end)), v.domino, v.short_by,
+        return Verdict(end == api.dom_row_end.DOM_ROW_FALLS, lib.dom_row_end_text(end).decode(), v.domino, v.short_by,
                        v.seconds, v.weakest, v.spare)  # fmt: skip
 
     def tolerance(self, of: str = "gap") -> list[Window]:
