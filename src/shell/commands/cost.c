@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * cost. It runs on one thread: what it answers is time, and other threads would share caches, memory and the
- * clock of the processor with what is measured.
+ * The command cost, which measures computing time. It runs on a single thread, because other threads would
+ * compete for the caches, the memory and the clock of the processor, and would distort the times.
  */
 #include "commands/cost.h"
 #include "commands/tables.h"
@@ -9,7 +9,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 
-/* ---- The answers that have a tolerance ---- */
+/* ---- The quantities that can be measured ---- */
 
 enum { COST_FUEL, COST_LAUNCH, COST_BARRIER, COST_DURATION, COST_RMAX, COST_PAIR };
 
@@ -67,7 +67,9 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 double seconds_of(bool (*answer)(void *context), void *context)
 {
-    const double shortest = 2e-4, slow = 0.1; /* of a batch, in seconds; slow batches are not repeated */
+    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. A batch longer
+     * than `slow` seconds is the last one. */
+    const double shortest = 2e-4, slow = 0.1;
     const int batches = 7;
     double least = HUGE_VAL;
     long repeats = 1;
@@ -122,7 +124,7 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* of the time of the whole table, roughly, for the progress */
+    double share; /* rough fraction of the time of the whole table, for the progress display */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
@@ -136,19 +138,20 @@ enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
 
 _Static_assert((int)CONTENDERS *(int)TOLERANCES <= COST_ROWS + 1, "room for every row");
 
-/* Measures a method in a precision, until it has no smaller tolerance or would take too long. */
+/* Measures one method in one precision with smaller and smaller tolerances, until the precision allows no
+ * smaller one or the next measurement would take too long. */
 static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
 {
-    const double longest = 2; /* seconds of a row */
+    const double longest = 2; /* most seconds that one measurement may be expected to take */
     const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
     for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
         struct cost_row *row = &cost->row[cost->rows];
         *row = (struct cost_row){.method = contenders[contender].method,
                                  .precision = contenders[contender].precision,
                                  .tol = tolerances[t]};
-        /* Each digit takes up to ten times as many of the paper's steps. */
+        /* With the paper's method, each further digit takes up to ten times as many steps. */
         if (t > 0 && row->method == DOM_METHOD_PAPER &&
             row[-1].seconds * tolerances[t - 1] / tolerances[t] > longest)
             break;
@@ -214,9 +217,10 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * Adds rows of the same limit with a proof. Their error is half of the distance between the two proved
- * bounds. Each proof takes long, and is measured once. Returns the seconds of the proof to 1e-12, or NaN if
- * there is none.
+ * If the measured quantity is r_max, of a train or of two dominoes, adds rows for the time that a proof of it
+ * takes. The error in such a row is half of the distance between the two proved bounds, divided by the lower
+ * one. Each proof takes long and is timed only once. Returns the time in seconds of the proof to 1e-12, or
+ * NaN if there is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
@@ -242,7 +246,8 @@ static double cost_proved(const struct query *query, struct answer *a, const str
     return twelve;
 }
 
-/* Returns the seconds of the quickest row with at most this relative error, or NaN if there is none. */
+/* Returns the time in seconds of the quickest measurement by this method, in this precision, whose relative
+ * error is at most `error`. Returns NaN if there is none. */
 static double seconds_for(const struct cost *cost, enum dom_method method, enum dom_precision precision,
                           double error)
 {
@@ -254,14 +259,15 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
     return least;
 }
 
-/* Says "A takes 12 times B", unless one of the times is missing. */
+/* Prints a sentence such as "A takes 12 times B.", unless one of the two times is missing. */
 static void times_say(struct answer *a, const char *what, double seconds, double others, const char *than)
 {
     if (isfinite(seconds / others))
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Compares in sentences what digits cost: by the errors that were achieved, not by the tolerances. */
+/* Prints sentences that compare the times for 3, 6 and 12 correct digits. A measurement counts by the error
+ * that it achieved, not by its tolerance. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

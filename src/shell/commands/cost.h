@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What accuracy costs in time: one answer is computed with every method and precision, to one tolerance after
- * the other. A row has its true error, which is its distance from a finer reference, and its time.
+ * Measures what accuracy costs in computing time. One quantity is computed with every method and precision,
+ * and with smaller and smaller tolerances. Each measurement has its time and its true error, which is the
+ * distance from a more accurate reference.
  */
 #ifndef SHELL_COST_H
 #define SHELL_COST_H
 
 #include "session/query.h"
 
-/* The list, for names.h, of the answers that can be measured. */
+/* Lists, in the form that names.h expects, the names of the quantities that can be measured. */
 const char *cost_names(const void *context, int k);
 
+/* One measurement. */
 struct cost_row {
     enum dom_method method;
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* the members below are valid only if it is DOM_OK */
-    domq_real error;        /* relative; at least the bound of the reference's own error */
+    domq_real error;        /* relative error, never less than the error bound of the reference */
     struct dom_work work;
-    double seconds; /* the shortest of several runs */
+    double seconds; /* shortest time of several runs */
 };
 
 enum { COST_ROWS = 64 };
@@ -26,14 +28,15 @@ enum { COST_ROWS = 64 };
 struct cost {
     struct cost_row row[COST_ROWS];
     int rows;
-    double cheapest; /* seconds of the quickest row */
+    double cheapest; /* time of the quickest measurement, in seconds */
 };
 
-/* Measures answer number `which` of cost_names for the train of the scene. Returns false with a problem. */
+/* Measures the quantity with index `which` in cost_names for the train of the scene. If this fails, sets
+ * *problem and returns false. */
 bool cost_measure(const struct query *query, int which, struct cost *cost, struct problem *problem);
 
-/* Returns the seconds that an answer takes: the shortest of several batches, each of which is long enough for
- * the clock. Returns NaN if the answer fails. */
+/* Times the callback `answer`. Calls it in several batches, each long enough for the clock to resolve, and
+ * returns the seconds per call in the fastest batch. Returns NaN if a call returns false. */
 double seconds_of(bool (*answer)(void *context), void *context);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* count: how many dominoes it takes to topple one of a given height. */
+/* The command count: how many dominoes it takes to topple one of a given height. */
 #include "commands/tables.h"
 #include "language/quad.h"
 #include <string.h>
@@ -15,7 +15,7 @@ const struct column count_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns "hollow", "solid" or "q = 3.5". */
+/* Returns a name for the dominoes with mass exponent q, such as "hollow", "solid" or "q = 3.5". */
 static const char *mass_name(domq_real q, char name[32])
 {
     const char *word = parameter_word(parameter_find("q"), q);
@@ -25,7 +25,8 @@ static const char *mass_name(domq_real q, char name[32])
     return name;
 }
 
-/* Finds whether a train goes on. Sets *why to the reason if it does not, and to NULL if it does. */
+/* Finds out whether a train keeps falling. If it does not, sets *why to the reason and returns DOM_OK.
+ * Otherwise sets *why to NULL and returns the status of the computation. */
 static enum dom_status count_feasible(const struct domq_train *train, const struct domq_compute *compute,
                                       const char **why)
 {
@@ -40,8 +41,8 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
     return *why ? DOM_OK : status;
 }
 
-/* Says whether one kind of domino can fall with this growth, and how few would be enough with its largest
- * growth. */
+/* Prints whether a train of one kind of domino can fall with the growth train.r, and how many dominoes are
+ * enough with the largest growth that this kind allows. */
 static bool kind_say(const struct query *query, struct answer *a, struct problem *problem,
                      struct domq_train train, domq_real height)
 {
@@ -68,7 +69,7 @@ static bool kind_say(const struct query *query, struct answer *a, struct problem
     return true;
 }
 
-/* Returns a growth in this many digits, or in more if it would be shown as 1. */
+/* Formats a growth with this many digits, or with more if a growth other than 1 would be rounded to 1. */
 static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
 {
     while (strcmp(quad_text(r, digits, text), "1") == 0 && r != 1)
@@ -76,7 +77,7 @@ static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-/* Says this for each kind of domino that has a name, and for the kind of the session. */
+/* Calls kind_say for each kind of domino that has a name, and for the kind of the session if it has none. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height)
 {
@@ -89,8 +90,9 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
         struct domq_train kind = *train;
         kind.q = w->value;
         has_name = has_name || kind.q == train->q;
+        /* Synonyms are neighbours in the list, and only the last one is printed. */
         if (!(w[1].name && w[1].value == w->value) && !kind_say(query, a, problem, kind, height))
-            return false; /* synonyms stand beside each other */
+            return false;
     }
     return has_name || kind_say(query, a, problem, *train, height);
 }
@@ -108,7 +110,7 @@ static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
     return text;
 }
 
-/* Answers the quiz in three lines. */
+/* Prints the answer to the quiz in three lines. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
                       domq_real height, domq_real first, bool feasible)
 {

@@ -4,7 +4,7 @@
 #include "language/quad.h"
 #include "session/parameters.h"
 
-/* Returns why a cycle sets no energy free. */
+/* Returns a message that explains why a cycle releases no energy. */
 static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;
@@ -127,7 +127,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     enum dom_status status = domq_fuel_find(&query->scene->train, &compute, &f);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The closed form holds for sharp edges only. */
+    /* The paper's closed form holds only for sharp edges. */
     struct cell exact = CELL_OF(f, exact),
                 paper = query->scene->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
     struct cell used = query->scene->train.fuel == DOM_FUEL_PAPER ? paper : exact;
@@ -141,7 +141,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
 }
 
-/* Describes where the train stops. */
+/* Writes the reason for a train that stops, with the tilt at which it stops if this tilt is known. */
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;
@@ -157,8 +157,9 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 }
 
 /*
- * Returns true if a command can answer, and sets *why to the reason why numbers are missing in the answer, or
- * to NULL if the cycle comes to its end. Otherwise describes the problem.
+ * Decides whether a command can print an answer after a computation that ended with `status`. If so, returns
+ * true and sets *why to the reason why numbers are missing from the answer, or to NULL if the cycle is
+ * complete; the text may be in `reason`. Otherwise sets *problem and returns false.
  */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)

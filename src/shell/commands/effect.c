@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* effect, effects and scene: turn effects on, measure what they cost, and show how the scene is computed. */
+/* The commands effect, effects and scene, which turn effects on and off, measure how much time effects take,
+ * and show how the scene is computed. */
 #include "commands/cost.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
@@ -7,8 +8,8 @@
 
 /* ---- effects ---- */
 
-/* Computes one answer of the scene: whether the train goes on, or whether the whole row falls. The engine
- * runs a row once, with coarse steps. */
+/* Computes the main result of a scene: whether the train keeps falling, or whether the whole row falls. If
+ * the scene needs the rigid-body engine, runs the row in the engine once, with coarse steps. */
 static enum dom_status scene_answer(const struct scene *scene, const struct scene_row *row,
                                     struct dom_work *work)
 {
@@ -35,8 +36,10 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
 }
 
 /*
- * Counts the work of one answer of the scene without errors of placement, because the work of random rows is
- * not counted. With `placed` it adds the work of one random row. Returns false with a problem.
+ * Counts the work of one answer of the scene, and sets *dominoes to the length of its row. Errors of
+ * placement are turned off for this, because a study of random rows does not count the work of its rows. If
+ * `placed` is true, also runs one random row, which only counts that the code of placement was entered. If
+ * this fails, sets *problem and returns false.
  */
 static bool scene_work(const struct query *query, struct problem *problem, bool placed, struct dom_work *work,
                        size_t *dominoes)
@@ -54,7 +57,7 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     return status == DOM_OK || problem_status(problem, query->scene, status);
 }
 
-/* A scene and its row, to be timed. */
+/* A scene that is to be timed, and its row. */
 struct priced {
     const struct scene *scene;
     struct scene_row row;
@@ -66,7 +69,7 @@ static bool priced_answer(void *context)
     return scene_answer(p->scene, &p->row, NULL) == DOM_OK;
 }
 
-/* Returns the seconds of one answer of a scene, or NaN if there is no answer. */
+/* Returns how many seconds one answer of a scene takes, or NaN if the scene has no answer. */
 static double scene_price(const struct scene *scene)
 {
     struct problem ignored = {.kind = PROBLEM_NONE};
@@ -79,13 +82,14 @@ static double scene_price(const struct scene *scene)
 }
 
 /*
- * Returns the seconds of an answer with an effect and the effects that it needs, or without the effect.
- * Returns NaN if there is no such answer. Random rows stop early and have no floor, so that the other effects
- * are timed without errors of placement. The engine has no floor either.
+ * Returns how many seconds an answer takes with an effect and the effects that it needs or, if `on` is false,
+ * without the effect and those that need it. Returns NaN if there is no such answer. Other effects than
+ * placement are timed without errors of placement, because random rows stop early. The effect floor is turned
+ * off while placement, feet or bounce is timed, because neither random rows nor the engine can include it.
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* borrows the row */
+    struct scene scene = *query->scene; /* the copy shares the row with the original */
     effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
     if (name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
@@ -112,7 +116,7 @@ static const struct column effects_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns the quickest method that includes an effect. */
+/* Returns the name of the quickest method that includes effect k. */
 static const char *quickest_method(int k)
 {
     return k >= DOM_EFFECT_COUNT ? "engine" : effect_at(k)->dissipates ? "motion" : "balance";
@@ -145,7 +149,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     size_t dominoes;
     if (!scene_work(query, problem, query->scene->effect[DOM_EFFECT_placement].on, &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds"); /* these two columns are below the table, for people */
+    answer_leave_out(a, "adds"); /* for people, effects_say prints these two columns below the table */
     answer_leave_out(a, "source");
     for (int k = 0; k < EFFECT_COUNT; k++) {
         char setting[EFFECT_SETTING];
@@ -185,7 +189,7 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Lists how a train or a row is computed, with sums over at most n dominoes. */
+/* Adds a row for each part of the computation of a train or a row. No sum is over more than n dominoes. */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;
@@ -194,7 +198,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
          is_engine = scene_has_engine(scene), is_rounded = scene->train.rho != 0,
          has_friction = domq_law(&scene->train)->dissipates;
     char engine[96];
-    if (is_engine) /* a scene that needs no engine does not load its library */
+    if (is_engine) /* the engine's library is loaded only for a scene that needs the engine */
         version = engine_version();
     snprintf(engine, sizeof engine, "rigid-body engine, Chipmunk %s, steps halved until nothing changes",
              version ? version : "7 (not installed)");

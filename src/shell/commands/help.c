@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help, which comes from the tables of commands and parameters. */
+/* The commands help, apropos and complete. The texts of help come from the tables of commands and parameters.
+ */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
@@ -9,7 +10,7 @@
 #include "session/session.h"
 #include <string.h>
 
-/* What 'help' begins with: lines to type, in this order, and what they do. */
+/* The introduction that 'help' prints first: lines to type, in this order, and what each of them does. */
 static const struct first_line {
     const char *line, *does;
 } first_lines[] = {
@@ -52,7 +53,7 @@ static void help_list(FILE *out)
 
 /* ---- A parameter or an effect ---- */
 
-/* Prints the values that an effect takes, with their ranges. */
+/* Prints the arguments of an effect with their ranges. */
 static void help_effect_values(const struct session *session, const struct parameter *p)
 {
     char range[64], text[512];
@@ -72,7 +73,7 @@ static void help_parameter(struct session *session, const struct topic *t)
     const struct parameter *p = t->parameter;
     const struct effect_state *effect = &session->state.scene.effect[p->which];
     char range[64], text[WIDE_TEXT], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
-    const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* behind "set" or "effect" */
+    const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* skips "set" or "effect" */
     FILE *out = session->output->out;
     help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
     putc('\n', out);
@@ -102,7 +103,8 @@ static void help_parameter(struct session *session, const struct topic *t)
 
 /* ---- A command ---- */
 
-/* Runs the example in a session of its own, with the defaults, so that its output is what the reader gets. */
+/* Runs an example in a separate session with default parameters, so that its output does not depend on what
+ * the user has changed. */
 static void help_example(struct session *session, const char *example)
 {
     struct session fresh;
@@ -119,7 +121,7 @@ static void help_example(struct session *session, const char *example)
     session_close(&fresh);
 }
 
-/* Shows the parameters, as 'show' does. */
+/* Prints the table of parameters, as the command 'show' does. */
 static void help_show(struct session *session)
 {
     const struct arguments none = {.count = 0};
@@ -135,10 +137,11 @@ static void help_show(struct session *session)
     run_show(&query, &answer, &ignored);
 }
 
-/* Explains the numbers of an answer, or refers to the first command whose answer has the same. */
+/* Explains the columns of a command's answer. If an earlier command has the same columns, refers to that
+ * command instead. */
 static void help_columns(FILE *out, const struct command *c)
 {
-    int key = 12, unit = 6; /* at least, so that most pages are alike */
+    int key = 12, unit = 6; /* least widths of the two columns, so that most pages look alike */
     struct topic first;
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;
@@ -185,8 +188,8 @@ static void help_command(struct session *session, const struct topic *t)
 
 /* ---- help ---- */
 
-/* Explains all topics of this name, or, for programs, all topics if it is NULL. A command comes before a
- * parameter. */
+/* Explains all topics with this name, a command before a parameter. A NULL name stands for all topics; it is
+ * used only in output for programs. */
 static void help_name(struct session *session, struct answer *a, const char *name)
 {
     struct topic topic;
@@ -207,7 +210,7 @@ static void help_name(struct session *session, struct answer *a, const char *nam
     }
 }
 
-/* Explains what 'let' has defined. */
+/* Explains a variable or function that was defined with 'let'. */
 static void help_variable(const struct session *session, const struct arguments *given, struct answer *a)
 {
     const struct variable *v = given->variable;
@@ -224,7 +227,7 @@ static void help_variable(const struct session *session, const struct arguments 
              v->name);
 }
 
-/* Lists the topics of which a word is a synonym. */
+/* Lists the topics that have this word as a synonym. */
 static void help_several(FILE *out, const char *word)
 {
     const char *name;
@@ -269,7 +272,8 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
     struct topic topic;
     if (!people)
         topic_rows_begin(a);
-    for (int details = 0; details < 2; details++) /* the topics about the word come first */
+    for (int details = 0; details < 2;
+         details++) /* topics about the word come before those that only mention it */
         for (int k = 0; topic_at(k, &topic); k++) {
             bool is_about = topic_mentions(&topic, word);
             if (details ? is_about || !topic_details_mention(&topic, word) : !is_about)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * lesson: shows the lines of a script while it runs them: comments as text, commands as at the prompt. At a
- * terminal each command waits until the reader has typed it. The script is the rest of the file in which
- * 'lesson' stands; elsewhere it is the tutorial, which the build copies from examples/tutorial.dom into
- * tutorial.h.
+ * The command lesson, which shows the lines of a script while it runs them: comments as text, and commands as
+ * at the prompt. At a terminal it waits before each command until the reader has typed it. In a file, the
+ * script is the remainder of the file after the command 'lesson'. Otherwise it is the tutorial, which the
+ * build copies from examples/tutorial.dom into tutorial.h.
  */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
@@ -21,7 +21,8 @@ static char tutorial[] = {
 
 static const char prompt[] = "domino> ";
 
-/* Opens the tutorial and skips its beginning, up to the line 'lesson'. Returns NULL if there is no memory. */
+/* Opens the tutorial as a stream and skips the lines up to and including 'lesson'. Returns NULL if memory
+ * runs out. */
 static FILE *tutorial_open(void)
 {
     FILE *in = fmemopen(tutorial, sizeof tutorial, "r");
@@ -32,8 +33,8 @@ static FILE *tutorial_open(void)
 }
 
 /*
- * Waits until the reader types the command, or presses Enter instead. Runs any other line, and waits again.
- * Returns false if the lesson ends here: after 'q', 'quit', ^C or ^D.
+ * Waits until the reader types the command or just presses Enter. If the reader types another line, runs that
+ * line and waits again. Returns false if the reader ends the lesson with 'q', 'quit', ^C or ^D.
  */
 static bool reader_types(struct session *reader, const char *command)
 {
@@ -77,7 +78,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
                 struct problem *problem)
 {
     (void)given;
-    struct session reader; /* its parameters are the defaults, and those of the session do not change */
+    struct session reader; /* has default parameters, and leaves those of `session` alone */
     bool in_file = session->source.stream && strcmp(session->source.name, "stdin") != 0;
     int width, height;
     bool waits = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);
@@ -93,7 +94,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     reader.standard.messages = session->output->messages;
     reader.means.safe = session->means.safe;
     reader.source.prompt_width = waits ? (int)strlen(prompt) : 0;
-    progress_end(); /* the time that the reader takes is no computation */
+    progress_end(); /* waiting for the reader must not be shown as a computation */
     if (waits)
         fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
               "commands in between. Your own parameters stay as they are. 'q' leaves.\n",

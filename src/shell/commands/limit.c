@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about the limits of growth. */
+/* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
 
-/* Returns the i-th argument, or the fallback if it is missing. */
+/* Returns argument i, or the fallback if the call has no such argument. */
 static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
 {
     return i < call->count ? call->number[i] : fallback;
@@ -23,8 +23,8 @@ static const char *no_growth(struct domq_limit limit)
                                              "1) have too little energy to go on";
 }
 
-/* Finds the limits with both fuels. The paper's fuel does not include friction or a slope: the limit is NaN
- * with them. */
+/* Finds the largest growth with each of the two formulas for the fuel. The paper's formula does not cover
+ * friction, slopes or rounded edges: with one of these, paper->r_max is NaN. */
 static enum dom_status limits_find(struct domq_train train, const struct domq_compute *compute,
                                    struct domq_limit *exact, struct domq_limit *paper)
 {
@@ -46,7 +46,7 @@ static const struct column rmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Says what the largest growth means, and why it ends there. */
+/* Prints what the largest growth means, and what prevents a larger one. */
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
     if (used->ends == DOM_END_NONE)
@@ -59,7 +59,8 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                                                : "With a larger growth there is too little energy to go on.");
 }
 
-/* Says why the two fuels give different limits, or why one is missing. */
+/* Prints why the two formulas for the fuel give different limits or the same one, or why one limit is
+ * missing. */
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {
@@ -152,14 +153,15 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data of a worker: what to compute, which is the same for all workers, and what the worker has found. */
+/* The data of one worker thread: what to compute, which is the same for all workers, and the worker's
+ * results. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool has_missing;       /* there was no growth at a point */
-    enum dom_status status; /* of the last point */
+    bool has_missing;       /* no growth was possible at one of the points */
+    enum dom_status status; /* status of the last point */
 };
 
 static bool curve_point(void *own, size_t k, FILE *out)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* prove: answers with a proof. */
+/* The command prove, which computes rigorous bounds of an answer. */
 #include "commands/tables.h"
 #include "domino_proof.h"
 #include "language/quad.h"
@@ -47,10 +47,11 @@ static struct dom_compute proof_compute(const struct query *query)
     return compute;
 }
 
-/* Enough digits for an exact round trip: a bound that is rounded may be wrong. */
+/* Enough digits for an exact round trip. A proved bound must not be rounded, since the rounded bound might be
+ * false. */
 enum { ALL_DIGITS = 17 };
 
-/* Returns a cell with this many digits behind the decimal point, or with all digits if decimals is 0. */
+/* Returns a cell with this many digits after the decimal point, or with all digits if decimals is 0. */
 static struct cell cell_proved(double value, int decimals)
 {
     struct cell cell = cell_real(value);
@@ -69,19 +70,19 @@ static void prove_row(struct answer *a, double s, enum what what, struct cell lo
                reason);
 }
 
-/* Writes why a proof is incomplete. Returns NULL if it is complete. */
+/* Writes into `reason` why a proof is incomplete, and returns it. Returns NULL if the proof is complete. */
 static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON])
 {
     snprintf(reason, ANSWER_REASON, "not proved: %s", dom_proof_gap_text(gap));
     return gap == DOM_PROOF_NONE ? NULL : reason;
 }
 
-/* Says what is proved about the largest growth. */
+/* Prints what is proved about the largest growth. */
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
         pair ? "a first domino that just tips over topples the next one" : "the train goes on";
-    /* Less than what is proved: 12 digits that were rounded up would claim too much. */
+    /* Slightly less than the proved bound: printing 12 digits may round up and so claim too much. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
         answer_say(a, "Proved: for every growth from %.12g to %.*f %s; at %.*f it %s.", p->from, p->decimals,
@@ -124,7 +125,7 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* Says what is proved about one growth. */
+/* Prints what is proved about the growth of the session's train. */
 static void say_cycle(const struct query *query, struct answer *a, const struct dom_proof_cycle *p)
 {
     static const char *const says[] = {

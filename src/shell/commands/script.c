@@ -37,7 +37,8 @@ static bool run_source(struct session *session, const struct arguments *given, s
 
 /* ---- Text ---- */
 
-/* Parses the rest of the command as one text. A text between double quotes may contain ';', '>' and '#'. */
+/* Parses the remainder of the command as a single text. Inside double quotes the text may contain ';', '>'
+ * and '#'. */
 static bool echo_parse(struct reader *r, struct question *q)
 {
     const char *begin = r->at, *end = text_end(begin, ";>");
@@ -77,7 +78,7 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 
 /* ---- Records ---- */
 
-/* Begins or ends the record of 'log' or 'tee'. */
+/* Runs 'log' or 'tee': starts a record of the session in a file, or ends it if the argument is 'off'. */
 static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
                        struct problem *problem)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands about the session: its parameters, their changes, and its end. */
+/* Commands that set, reset, save and undo the parameters of the session, and that end the session. */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "io/output.h"
@@ -10,8 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Says which values 'on' has chosen, since nobody typed them. With csv and json it is a note on standard
- * error. */
+/* Prints the value that an effect got from the word 'on', because the user did not type this value. If the
+ * output is for programs, as with csv and json, prints a note to standard error instead. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
@@ -28,11 +28,12 @@ static void effect_say(const struct query *query, struct answer *a, const struct
         means_note(query->means, "%s", text);
 }
 
-/* A height without a unit is probably a mistake if it is more than this many times as large, or as small, as
- * the height of the session. */
+/* A height without a unit is probably a mistake if it differs from the session's height by more than this
+ * factor. */
 #define SLIP_OF_UNIT 50
 
-/* Refuses a height without a unit that is far from the height of the session: 'set h 5' would be 5 m. */
+/* Rejects a height without a unit that is far from the session's height, because 'set h 5' would mean 5 m
+ * where 5 cm was probably meant. If so, sets *problem and returns false. */
 static bool height_likely(const struct query *query, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -58,7 +59,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* The next line of a file may set the other parameter, too. */
+    /* Not said in a script, because the next line of the script may set the other parameter, too. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;
@@ -76,7 +77,7 @@ static const struct column step_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Answers 'undo' and 'redo'. */
+/* Runs the commands 'undo' and 'redo'. */
 static bool run_undo(struct session *session, const struct arguments *given, struct answer *a,
                      struct problem *problem)
 {
@@ -122,8 +123,8 @@ static void variables_save(const struct variables *variables, FILE *out)
     }
 }
 
-/* Returns the absolute path of the folder of a file, which the caller frees. Returns NULL for a device or a
- * FIFO. */
+/* Returns the absolute path of the directory that contains a file; the caller frees the path. Returns NULL
+ * for a device or a FIFO, or if the path cannot be found. */
 static char *folder_of(const char *path)
 {
     struct stat status;

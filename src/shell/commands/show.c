@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parameters, effects and variables of the session as tables. */
+/* The commands show and diff, which print the parameters, effects and variables of the session as a table. */
 #include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -17,13 +17,13 @@ const struct column show_columns[] = {
 
 enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 
-/* The cells of a parameter's row, and the texts in them. */
+/* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
 struct shown {
     char range[64], value[EFFECT_SETTING], fallback[WIDE_TEXT];
     struct cell cell[SHOW_COLUMNS];
 };
 
-/* Adds the word for a number: "4 (solid)". */
+/* Appends the word that a parameter has for a number, if there is one, as in "4 (solid)". */
 static void word_add(const struct parameter *p, domq_real value, char *text, size_t size)
 {
     const char *word = parameter_word(p, value);
@@ -56,7 +56,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
     memcpy(shown->cell, cells, sizeof cells);
 }
 
-/* Adds a variable with its value and unit, or a function with its text. */
+/* Adds a row for a variable, with its value and unit, or for a function, with its text. */
 static void variable_row(struct answer *a, const struct variable *v)
 {
     char head[VARIABLE_HEAD], unit[48], value[WIDE_TEXT];
@@ -68,7 +68,8 @@ static void variable_row(struct answer *a, const struct variable *v)
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 
-/* Leaves out the columns for which a narrow terminal has no room. The last column is wrapped. */
+/* Leaves out columns that do not fit on a narrow terminal. The last column is always shown, since its text is
+ * wrapped. */
 static void columns_fit(struct answer *a)
 {
     static const char *const first[] = {"default", "range", "unit", NULL};
@@ -91,8 +92,8 @@ static bool is_changed(const struct query *query, const struct parameter *p)
     return parameter_get(query->state, p) != parameter_fallback(query->state, p);
 }
 
-/* Lists the parameter or variable that the call names. Without a name, lists the parameters that `listed`
- * chooses, and all variables. */
+/* Prints a table of the parameter or variable that the arguments name. If they name none, prints the
+ * parameters that `listed` selects, and all variables. */
 static bool list(const struct query *query, struct answer *a, enum listed listed)
 {
     const struct arguments *given = query->given;
@@ -100,7 +101,7 @@ static bool list(const struct query *query, struct answer *a, enum listed listed
     const bool people = answer_for_people(a);
     struct column *columns = answer_columns(a, show_columns);
     struct shown shown;
-    for (int pass = people ? 0 : 1; pass < 2; pass++) { /* the first pass only finds the widths */
+    for (int pass = people ? 0 : 1; pass < 2; pass++) { /* the first pass only finds the column widths */
         if (people && pass == 1)
             columns_fit(a);
         for (const struct parameter *p = session_parameters; p->name; p++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands that go through a cycle: cycle, step, back, goto, where and why. */
+/* Commands that walk through the cycles of the train from event to event: step, back, goto and where. Their
+ * table also lists cycle and why, which are defined in walk_cycle.c and why.c. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -22,7 +23,8 @@ static const struct column walk_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Begins a walk if there is none in this train, and sets *begun to whether it did. */
+/* Begins a new walk if the session has none, or if the parameters have changed since its walk began. Sets
+ * *begun to whether a new walk was begun. If this fails, sets *problem and returns false. */
 static bool walk_ready(const struct query *query, struct answer *answer, struct problem *problem,
                        struct walk *w, bool *begun)
 {
@@ -35,7 +37,7 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
                        .compute = query->scene->compute,
                        .tol = query->scene->compute.tol,
                        .cycle = 1};
-    /* The sentences have six digits, which are right at any tolerance. */
+    /* The sentences print six digits, which have to be right even if the session's tolerance is large. */
     w->compute.tol = quad_smaller(
         w->compute.tol, quad_larger(domq_arithmetic(w->compute.precision)->tol_floor, (domq_real)1e-9));
     w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
@@ -82,7 +84,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 
 /* ---- Moving ---- */
 
-/* Moves to the next event. Returns false if there is none. */
+/* Moves to the next event, which may be in the next cycle. Returns false if there is none. */
 static bool walk_forward(struct walk *w)
 {
     if (w->event + 1 < w->count) {
@@ -97,7 +99,7 @@ static bool walk_forward(struct walk *w)
     return true;
 }
 
-/* Moves to the event before the place. Returns false if there is none. */
+/* Moves to the last event before the current position. Returns false if there is none. */
 static bool walk_backward(struct walk *w)
 {
     bool is_between = w->theta > w->events[w->event].theta;
@@ -113,7 +115,7 @@ static bool walk_backward(struct walk *w)
     return true;
 }
 
-/* Describes why the walk does not go farther. Returns false. */
+/* Reports why the walk cannot move any farther in this direction. Always returns false. */
 static bool walk_ended(const struct walk *w, struct problem *problem, bool forward)
 {
     if (!forward)
@@ -125,14 +127,15 @@ static bool walk_ended(const struct walk *w, struct problem *problem, bool forwa
                              CYCLES_MAX);
 }
 
-/* Moves by the number of steps in the call. A walk that ends before answers for the steps that it has made,
- * and then describes why it ended. */
+/* Moves by the number of steps that the arguments give, or by one. If the walk ends earlier, still prints an
+ * answer if it has moved at all, and then reports why it ended. */
 static bool walk_by(const struct query *query, struct answer *a, struct problem *problem, struct walk *w,
                     bool begun, bool forward)
 {
     long steps = query->given->count > 0 ? (long)query->given->number[0] : 1;
     bool moved = begun, goes_on = true;
-    for (steps -= begun && forward; goes_on && steps > 0; steps--) { /* a walk begins at its first launch */
+    /* A new walk begins at the launch of the first cycle, which counts as its first step forward. */
+    for (steps -= begun && forward; goes_on && steps > 0; steps--) {
         goes_on = forward ? walk_forward(w) : walk_backward(w);
         moved = moved || goes_on;
     }
@@ -140,7 +143,8 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
            (goes_on || walk_ended(w, problem, forward));
 }
 
-/* Moves to the tilt in the call, or to the event, which is given as -1 - its kind. */
+/* Moves to the tilt in the first argument. A negative argument is not a tilt, but stands for the event of
+ * kind -1 - argument. */
 static bool walk_to(const struct query *query, struct answer *a, struct problem *problem, struct walk *w)
 {
     domq_real place = query->given->number[0];
@@ -173,7 +177,7 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
         done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
                                  : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
     if (query->next)
-        query->next->scene.walk = walk; /* even after a problem, such as the end of the walk */
+        query->next->scene.walk = walk; /* saved even after a problem, such as the end of the walk */
     return done;
 }
 

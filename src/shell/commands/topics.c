@@ -115,7 +115,7 @@ void topic_row(struct answer *answer, const struct topic *t)
 
 /* ---- For people ---- */
 
-/* Returns the width of the terminal, but no more than reads well. */
+/* Returns the width of the terminal, but no more than 100 columns, because longer lines are hard to read. */
 static int help_width(FILE *out)
 {
     int width = terminal_width(out);
@@ -138,7 +138,7 @@ void help_say(FILE *out, const char *format, ...)
     help_wrapped(out, text, 0);
 }
 
-/* Returns the column in which summaries begin: behind the longest usage of a command. */
+/* Returns the column in which summaries begin: two columns after the longest usage of a command. */
 static int summary_column(void)
 {
     struct topic topic;
@@ -150,7 +150,9 @@ static int summary_column(void)
 
 void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary)
 {
-    enum { ROOM = 30, INDENT = 6 }; /* columns for a summary beside the usage; blanks before one below */
+    /* ROOM is the least width of a summary beside the usage. INDENT is the indentation of a summary below the
+     * usage. */
+    enum { ROOM = 30, INDENT = 6 };
     int column = summary_column() + (int)strlen(prefix);
     bool below = help_width(out) < column + ROOM;
     if (below)

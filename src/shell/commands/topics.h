@@ -5,7 +5,8 @@
 
 #include "interpreter/command.h"
 
-/* What the tables say about a topic. Texts that a topic lacks are NULL. */
+/* A topic of help, with its texts from the tables of commands and parameters. A text that it does not have is
+ * NULL. */
 struct topic {
     const struct command *command;     /* NULL for other topics */
     const struct parameter *parameter; /* a parameter or an effect; NULL for other topics */
@@ -13,33 +14,34 @@ struct topic {
     char usage[96], keys[ANSWER_HEAD], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
 };
 
-/* Describes topic k: first the commands, in the order of 'help', and then the parameters and effects. Returns
- * false behind the last topic. */
+/* Fills in topic number k. The commands come first, in the order of 'help', and then the parameters and
+ * effects. Returns false if there are no more than k topics. */
 bool topic_at(int k, struct topic *topic);
 
-/* Describes a variable or function. */
+/* Fills in the topic for a variable or function that was defined with 'let'. */
 void topic_of_variable(const struct variable *variable, struct topic *topic);
 
-/* Returns true if the word is in the name, the summary or the synonyms of a topic; or, for
- * topic_details_mention, in the other texts. Capital letters do not matter. */
+/* topic_mentions returns true if the word occurs in the name, the summary or the synonyms of a topic, or in
+ * the words for a parameter's values. topic_details_mention returns true if the word occurs in the help text,
+ * the equations or the columns. Both ignore case. */
 bool topic_mentions(const struct topic *topic, const char *word);
 bool topic_details_mention(const struct topic *topic, const char *word);
 
-/* Writes a topic for programs, after topic_rows_begin. */
+/* Print topics for programs: topic_rows_begin sets the columns, and then topic_row prints one topic. */
 void topic_rows_begin(struct answer *answer);
 void topic_row(struct answer *answer, const struct topic *topic);
 
-/* Writes "rmax [S]   the largest growth" behind a prefix: the usage, and the summary beside it, or below it
- * on a narrow terminal. */
+/* Prints a prefix and an entry such as "rmax [S]   the largest growth". The summary stands beside the usage,
+ * or below it on a narrow terminal. */
 void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary);
 
 /* ---- Paragraphs ---- */
 
-/* Writes text that may begin in another column than the first, wrapped to the width of help, and a line end.
- */
+/* Prints a text that is wrapped to the width of help pages, with all its lines starting at the column `left`,
+ * and then a newline. */
 void help_wrapped(FILE *out, const char *text, int left);
 
-/* Writes a sentence, wrapped, and a line end. */
+/* Formats and prints a text that is wrapped to the width of help pages, and then a newline. */
 void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

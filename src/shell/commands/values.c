@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* print and let: values of expressions, their units and their names. */
+/* The commands print and let: print shows the value of an expression, in any unit, and let gives a value a
+ * name. */
 #include "commands/tables.h"
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
@@ -16,13 +17,13 @@ const struct column print_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The unit to which a value is converted. */
+/* The unit to which print converts a value. */
 struct conversion {
     struct quantity unit;
     char name[48];
 };
 
-/* Lists the units of the same kind as a quantity, with a blank before each. */
+/* Lists the units that a quantity can be converted to, with a blank before each unit. */
 static void units_list(struct quantity kind, char *text, size_t size)
 {
     const char *name;
@@ -87,7 +88,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
     if (!conversion_find(problem, name, c))
         return false;
     if (quantity_bare(*q) &&
-        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* as for an argument that is an angle */
+        quantity_alike(c->unit, (struct quantity){.angle = 1})) /* a plain number is an angle here */
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
@@ -96,7 +97,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
            problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
                          c->name,
                          quantity_bare(c->unit) ? "for a plain number"
-                         : of == wanted         ? "" /* "in m s^-1" */
+                         : of == wanted         ? "" /* `of` is a text such as "in m s^-1" */
                                                 : "a unit of ",
                          quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
@@ -119,7 +120,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     }
     int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
-        digits = 15; /* a whole number is shown with all its digits */
+        digits = 15; /* show all digits of an integer */
     bool people = answer_for_people(a);
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
@@ -140,7 +141,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
 
 /* ---- let ---- */
 
-/* The list, for names.h, of words that are operators or conversions. */
+/* Lists, in the form that names.h expects, words with a meaning in expressions, which cannot be names. */
 static const char *language_words(const void *context, int k)
 {
     static const char *const words[] = {"to", "log", "with", "and", "or", "not", NULL};
@@ -148,7 +149,7 @@ static const char *language_words(const void *context, int k)
     return words[k];
 }
 
-/* Returns true if a name has no meaning yet. Otherwise describes the problem. */
+/* Returns true if a name has no other meaning. Otherwise sets *problem and returns false. */
 static bool name_free(struct problem *problem, const char *name)
 {
     const char *is = parameter_find(name)                             ? "a parameter"
@@ -160,14 +161,14 @@ static bool name_free(struct problem *problem, const char *name)
     return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
 
-/* A parsed definition. The body of a function is in the arena. */
+/* A parsed definition of a variable or function. The body of a function is in the parser's arena. */
 struct definition {
     struct variable variable;
     struct item value;
 };
 
-/* Parses the text of a function, up to the end of the command. Names in it are resolved when the function is
- * used. */
+/* Parses the body of a function, up to the end of the command. Names in the body are resolved only when the
+ * function is called. */
 static bool body_parse(struct reader *r, struct variable *v)
 {
     char shown[NAMES_SHOWN], word[NAMES_SHOWN];
@@ -187,7 +188,8 @@ static bool body_parse(struct reader *r, struct variable *v)
     return v->body || problem_error(r->problem, "out of memory");
 }
 
-/* Returns the variable if its name is the whole definition, as in 'let x'. Returns NULL otherwise. */
+/* If the definition is only the name of a variable, as in 'let x', returns this variable. Otherwise returns
+ * NULL. */
 static const struct variable *defined_parse(struct reader *r)
 {
     char name[VARIABLE_NAME];

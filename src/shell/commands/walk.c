@@ -26,7 +26,7 @@ struct walk_units walk_units(const struct query *query, int cycle)
     };
 }
 
-/* Returns true if everything that an answer depends on is as it was when the walk began. */
+/* Returns true if nothing that affects the results has changed since the walk began. */
 static bool same_train(const struct walk *walk, const struct scene *scene)
 {
     const struct domq_train *a = &walk->train, *b = &scene->train;
@@ -72,7 +72,7 @@ struct measured angle_text(const struct query *query, domq_real theta, int digit
 
 /* ---- In words ---- */
 
-/* What the sentences about a place of the walk need. */
+/* The data for the sentences about the current position of a walk. */
 struct place {
     const struct query *query;
     const struct walk *walk;
@@ -87,7 +87,7 @@ static struct measured angle_at(const struct place *p, domq_real theta)
     return angle_text(p->query, theta, 6);
 }
 
-/* Returns "10.3 rad/s" for tau omega. */
+/* Formats an angular velocity, given as the dimensionless tau omega, for example as "10.3 rad/s". */
 static struct measured omega_at(const struct place *p, domq_real omega)
 {
     struct measured text = angle_text(p->query, omega / p->units.tau, 6);
@@ -104,7 +104,7 @@ static struct measured energy_at(const struct place *p, domq_real energy)
     return text;
 }
 
-/* The first impulses of the collision. */
+/* A list of the impulses at the first few contacts in the collision. */
 struct impulses {
     const struct walk_units *units;
     char text[160];
@@ -116,7 +116,7 @@ static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
     size_t used = strlen(i->text);
-    if (f->i > 0 && isnan(f->impulse)) /* no domino leans on the last one */
+    if (f->i > 0 && isnan(f->impulse)) /* the last domino, on which no other one leans */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
     snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->count ? ", " : "",
@@ -193,7 +193,8 @@ static void say_top(const struct place *p)
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
-/* Returns the potential energy of a domino, h(theta), in m g h / 2 above the floor at its foot. */
+/* Returns h(theta), the potential energy of a domino relative to the floor at its foot, in units of m g h
+ * / 2. */
 static domq_real height_of(const struct domq_train *train, domq_real theta)
 {
     const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;
@@ -290,8 +291,8 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The tilt may have been rounded up to the 6 digits of a table: a picture does not show the difference.
-     */
+    /* The user may have copied the tilt from a table in which it was rounded up to 6 digits, so a tilt that
+     * is slightly too large is accepted. A picture does not show the difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))
         return problem_error(problem, "the train does not come to T = %s: it stops at %s, below the barrier",
                              angle_text(query, theta, 10).text, angle_text(query, stop.value, 10).text);

@@ -5,36 +5,42 @@
 
 #include "session/query.h"
 
-/* The units of the model in a given cycle: they grow from cycle to cycle. */
+/* The units of the model in one cycle of the train. They grow from cycle to cycle, as the head does. */
 struct walk_units {
-    domq_real height; /* of the head, in m */
-    domq_real tau;    /* in s */
-    domq_real
-        energy; /* m g h / 2 of the head: in J, or divided by that of the first head if no mass is known */
+    domq_real height; /* height of the head, in m */
+    domq_real tau;    /* unit of time, in s */
+    /* The unit of energy, m g h / 2 of the head: in J, or relative to that of the first head if no mass is
+     * known. */
+    domq_real energy;
     const char *energy_unit;
-    domq_real weight; /* m g of the head: in N, or divided by that of the first head */
+    /* The weight m g of the head: in N, or relative to that of the first head if no mass is known. */
+    domq_real weight;
     const char *weight_unit;
 };
 
+/* Returns the units in a cycle. The first cycle has the number 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
-/* Returns the session's walk, or NULL if none has begun in the train that the session has now. */
+/* Returns the session's walk, or NULL if there is none or the train has changed since the walk began. */
 const struct walk *walk_now(const struct query *query);
 
-/* Gives an answer its columns with energies in J; walk_columns_in does it only if a mass is known. */
+/* columns_in_joules changes the unit of all energies in the columns of an answer from mgh/2 to J.
+ * walk_columns_in does so only if the mass of the dominoes is known. */
 void columns_in_joules(struct answer *answer);
 void walk_columns_in(const struct query *query, struct answer *answer);
 
-/* The reason why no cycle begins. */
+/* The message for a train in which no cycle begins, because falling releases no energy. */
 extern const char walk_no_start[];
 
-/* Returns true if the train moves and comes to this tilt. Otherwise describes the problem. */
+/* Returns true if the train moves and its head reaches the tilt theta. Otherwise sets *problem and returns
+ * false. */
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
 
-/* Returns "28.65 deg" or "0.5 rad", for sentences. */
+/* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
 
-/* Describes the place of a walk, with the symbols of the paper and the numbers of its equations. */
+/* Prints what happens at the current position of a walk, with the symbols of the paper and the numbers of its
+ * equations. */
 void walk_say(const struct query *query, const struct walk *walk, const struct domq_state *state,
               struct answer *answer);
 

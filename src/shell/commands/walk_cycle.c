@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* cycle: one cycle of the train as a table. */
+/* The command cycle, which prints one cycle of the train as a table. */
 #include "commands/tables.h"
 #include "commands/walk.h"
 
@@ -27,7 +27,7 @@ static bool follower_add(const struct domq_link *k, void *context)
     return k->i < 2;
 }
 
-/* Returns a cell for a narrow column, with four digits. */
+/* Returns a cell with an angle in four digits, for a narrow column. */
 static struct cell cell_angle(domq_real theta)
 {
     struct cell cell = cell_real(theta);
@@ -35,7 +35,7 @@ static struct cell cell_angle(domq_real theta)
     return cell;
 }
 
-/* The context of cycle_row. */
+/* The context of the callback cycle_row. */
 struct cycle_table {
     const struct query *query;
     struct answer *answer;
@@ -49,7 +49,7 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     struct cycle_table *table = context;
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
-    /* The walk down the chain ends at a domino that has detached, which lies at theta_f. */
+    /* domq_chain_walk stops at the first domino that has detached. Detached dominoes lie at theta_f. */
     struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
     table->status = domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, &f);
     if (table->status != DOM_OK)

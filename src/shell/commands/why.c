@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* why: what decides whether the train goes on. */
+/* The command why, which explains why the train keeps falling or stops. */
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
@@ -31,7 +31,8 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
                    domq_law(&query->scene->train)->dissipates ? ", friction included" : "");
 }
 
-/* Says in one sentence without symbols how much dominoes may grow, or what to change if the train stops. */
+/* Prints one sentence without symbols: how much the dominoes may grow or, if the train stops, what to change.
+ */
 static void advice_say(const struct query *query, struct answer *a, bool falls,
                        const struct domq_limit *limit)
 {
@@ -84,7 +85,7 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
                    t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
 }
 
-/* Says whether the dominoes stay in contact during the cycle, as the paper assumes. */
+/* Prints whether the dominoes stay in contact during the cycle, as the paper assumes. */
 static void contact_say(const struct query *query, struct answer *a, const struct domq_least_force *c)
 {
     const struct answer_style *style = &query->state->settings.style;
