@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Designs a row: from a first height and a last one to a separation, a growth and a number of dominoes with
- * which every cycle has a multiple of the energy that it needs. The search asks the same questions as the
- * public functions, so that a designed row holds by the same verdict as one that a person enters.
+ * Designs a row: given the heights of the first and the last domino, finds a separation, a growth and a
+ * number of dominoes with which every cycle has `safety` times the energy that it needs. The search runs the
+ * same computations as the public functions, so that a designed row gets the same verdict as one that a user
+ * enters.
  */
 #include "dispatch/dispatch.h"
 #ifdef DOMQ
@@ -11,35 +12,38 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations are multiples of 1/GRID: half a tenth of a millimetre on a standard domino. */
+/* Separations are multiples of 1/GRID, which is half a tenth of a millimetre for the standard domino. The
+ * search for the best separation starts with steps of COARSE/GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
-/* Rows with up to this many dominoes more than the fewest are tried. The search for the shortest row ends
- * after so many rows in sequence that are not shorter, and after fewer if an engine runs each row. */
+/* The search tries rows with up to MORE dominoes more than the fewest that may suffice. The search for the
+ * shortest row ends after LONGER rows in sequence that are not shorter than the best one, or after
+ * LONGER_IN_ENGINE if an engine runs each row. */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
-/* After a failure the tolerance is multiplied by this factor, up to the roughest tolerance. */
+/* After a failure the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 
-/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and none is
- * enough. */
+/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and every test
+ * of a train or row fails. */
 struct planner {
     struct dom_train train;
-    struct dom_compute compute; /* of the search: in double, whatever the answer's precision */
+    /* settings of the search, which runs in double whatever the precision of the result */
+    struct dom_compute compute;
     const struct dom_wish *wish;
-    struct dom_domino *domino; /* room for `room` dominoes */
+    struct dom_domino *domino; /* array with room for `room` dominoes */
     size_t room;
     enum dom_status status;
-    dom_real failed; /* separation at which a train or a row could not be computed; 0: none */
-    bool whole;      /* false: a row may end where it has not the safety */
-    size_t weakest;  /* of the last row */
-    dom_real least;  /* energy over the energy that is needed, there */
-    dom_real seconds, engine_seconds; /* of the last row, by the model and by the engine */
-    bool engine_refused;              /* a row that has the safety does not fall in the engine */
+    dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
+    bool whole;      /* if false, a run may end at the first domino without the safety */
+    size_t weakest;  /* number of the domino with the smallest ratio in the last row */
+    dom_real least;  /* kinetic / barrier of that domino */
+    dom_real seconds, engine_seconds; /* duration of the last row, by the model and by the engine */
+    bool engine_refused; /* some row had the safety in the model, but did not fall in the engine */
 };
 
-/* A separation k/GRID and a number of steps. */
+/* A candidate row: the separation k/GRID, and the number of steps from the first domino to the last. */
 struct choice {
     int k;
     size_t steps;
@@ -50,18 +54,17 @@ static dom_real separation(int k)
     return (dom_real)k / GRID;
 }
 
-/* Returns the growth that leads from the first height to the last one in so many steps. */
+/* Returns the growth that leads from the first height to the last one in this number of steps. */
 static dom_real growth(const struct planner *p, size_t steps)
 {
     return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
 }
 
-/* ---- What a train and a row have over what they need ---- */
+/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/*
- * Returns true if a question with this status should be asked again, and makes its tolerance rougher: if the
- * arithmetic has too few digits for the sums, a few digits of a ratio can still be known.
- */
+/* Returns true if a computation that ended with this status should be repeated, and then raises its
+ * tolerance. If the arithmetic has too few digits for the sums, a few digits of a ratio can still be
+ * found. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
@@ -70,8 +73,9 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
     return true;
 }
 
-/* Ends the search after a status that has nothing to do with this train or row. A separation without an
- * answer is passed over, so that a row at another one is still found. */
+/* Records a failure. A status that has nothing to do with this train or row ends the search. A separation at
+ * which the computation did not converge is only skipped, so that a row at another separation can still be
+ * found. */
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
@@ -80,7 +84,7 @@ static void failure_keep(struct planner *p, enum dom_status status)
         p->status = status;
 }
 
-/* Returns the kinetic energy of the endless train over its barrier, or 0 if the train has no cycle. */
+/* Returns the kinetic energy of the endless train divided by its barrier, or 0 if the train has no cycle. */
 static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
 {
     struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
@@ -102,8 +106,9 @@ static dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
     return 0;
 }
 
-/* Keeps the domino with the smallest ratio, except for the first domino, about which the start decides.
- * Returns false, which ends the run, if the ratio is too small for the search. */
+/* Called for each domino: remembers the domino with the smallest ratio. The first domino does not count,
+ * since its energy depends on the push. Returns false, which ends the run, if the ratio is already too
+ * small. */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
@@ -115,7 +120,8 @@ static bool ratio_seen(const struct dom_fall *fall, void *context)
     return p->whole || p->least >= p->wish->safety;
 }
 
-/* Writes a row, after it has made room for its dominoes. */
+/* Writes the dominoes of a candidate row, and enlarges the array if necessary. Returns false if memory is
+ * exhausted. */
 static bool row_write(struct planner *p, struct choice c)
 {
     size_t count = c.steps + 1;
@@ -136,7 +142,7 @@ static bool row_write(struct planner *p, struct choice c)
     return true;
 }
 
-/* Returns the row that was written last. */
+/* Returns the row whose dominoes were written last. */
 static struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                              const struct dom_engine *engine)
 {
@@ -149,8 +155,8 @@ static struct dom_row row_of(const struct planner *p, struct choice c, dom_real 
     return row;
 }
 
-/* Returns the smallest kinetic / barrier of the row's dominoes, or 0 if not all of them fall. Without times
- * the run ends at the first ratio below the safety. */
+/* Returns the smallest kinetic / barrier of the row's dominoes, or 0 if not all of them fall. Unless `times`
+ * is set, the run ends at the first ratio below the safety. */
 static dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -181,8 +187,8 @@ static bool enough(struct planner *p, struct choice c)
     return train_enough(p, c) && row_ratio(p, c, p->wish->push, false) >= p->wish->safety;
 }
 
-/* Returns true if the row has the safety by the model, and all its dominoes also fall in the engine. A row
- * that the engine cannot decide does not fall. */
+/* Returns true if the row has the safety in the model, and all its dominoes also fall in the engine. A row
+ * that the engine cannot decide counts as one that does not fall. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -199,7 +205,8 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- Lengths ---- */
 
-/* Returns the length from the first domino's back to the last one's front, at s = s_feet and thickness d. */
+/* Returns the length from the back of the first domino to the front of the last one, while all stand, for the
+ * separation s and the thickness d of the train. */
 static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
 {
     dom_real r = growth(p, steps), height = p->wish->first, sum = 0;
@@ -208,13 +215,14 @@ static dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
     return sum;
 }
 
-/* Returns the length with the last domino lying in front of its foot. */
+/* Returns the length of the row after the last domino has fallen forwards. */
 static dom_real length_of(const struct planner *p, struct choice c)
 {
     return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
 }
 
-/* Returns the largest k with which the row fits into a hall, or a number below 1 if it never fits. */
+/* Returns the largest k with which the row fits into a hall of this length, or a number below 1 if the row
+ * does not fit with any k. */
 static int widest(const struct planner *p, size_t steps, dom_real hall)
 {
     dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
@@ -224,8 +232,8 @@ static int widest(const struct planner *p, size_t steps, dom_real hall)
 
 /* ---- The separation ---- */
 
-/* Returns the largest growth at which the train has the safety, to 1e-7, or 0 if it does not have it at r
- * = 1. */
+/* Returns the largest growth at which the train has the safety, with a relative tolerance of 1e-7. Returns 0
+ * if the train does not have the safety at r = 1. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -240,10 +248,9 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/*
- * Finds the separation on the grid at which a train with the safety may grow most, first in coarse steps and
- * then in steps that are halved. Returns that growth, or 0 if there is none.
- */
+/* Finds the separation on the grid with which a train can grow most and still have the safety, first in
+ * coarse steps and then in steps that are halved. Returns the growth at that separation, or 0 if no train has
+ * the safety. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -268,8 +275,8 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Returns the separation nearest to k, in steps away from k and not above `most`, with which the row passes
- * the test, or 0 if there is none. */
+/* Returns the index of the separation nearest to k with which the row passes the test, or 0 if none does. The
+ * search moves away from k in both directions in multiples of `step`, and never above `most`. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -282,8 +289,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation down to which the row has the safety, starting from one with which it has
- * it. */
+/* Returns the smallest separation down to which the row keeps the safety. With the separation `good` the row
+ * must have the safety. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -299,19 +306,20 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Steps of the search for a separation. An engine takes as long for one row as the model takes for hundreds.
- */
+/* Steps of the search for a separation, in units of 1/GRID. For one row an engine takes as long as the model
+ * takes for hundreds. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the next number of steps to try: with an engine, the more have failed the farther away. */
+/* Returns the next number of steps to try. With an engine, the increments grow, since every row takes
+ * long. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row with at least so many steps. Returns false if none has the safety. */
+/* Finds the shortest row with at least `fewest` steps. Returns false if no row has the safety. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
@@ -337,7 +345,7 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that fits into the hall. Returns false if there is none. */
+/* Finds the row with the fewest dominoes that fits into the hall. Returns false if no row does. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
@@ -353,7 +361,8 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push with which the row has the safety, to four digits, or NaN. */
+/* Returns the weakest push with which the row has the safety, with a relative tolerance of 1e-4. Returns NaN
+ * if no push was found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -370,7 +379,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest safety that a train of any separation and growth has: that of equal dominoes. */
+/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth has. Equal
+ * dominoes (r = 1) have it. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;
@@ -379,7 +389,7 @@ static dom_real safety_most(struct planner *p)
     return most;
 }
 
-/* Fills the design with what was chosen. */
+/* Computes the chosen row with the requested precision, and fills the design with the result. */
 static void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
                         struct dom_design *design)
 {

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What saves a row that does not fall, another gap or a stronger push, and the largest growth of a row. */
+/* Changes that make a row fall that does not fall yet: another gap or a stronger push. Also finds the largest
+ * growth at which a row falls. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* Gaps farther back than this do not save a row, since what happens there has no effect so many dominoes
- * later. */
+/* Only the gap at which the row ends and this many gaps before it are tried. A change farther back has no
+ * effect so many dominoes later. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Finds the nearest gap on the way to `end` with which all fall. Returns false if there is none. */
+/* Finds the nearest gap between the present one and `end` with which all dominoes fall. Returns false if
+ * there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
@@ -34,7 +36,8 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the smallest change of the gap of the trial that saves the row. Returns false if there is none. */
+/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. Returns false if
+ * there is none. */
 static bool gap_mend(struct trial *t, struct dom_mend *mend)
 {
     struct dom_mend wider;
@@ -46,10 +49,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/*
- * Tries the gaps up to the one after the domino at which the row ends, since later gaps do not matter. If
- * that gap is out of reach, only that gap is tried.
- */
+/* Tries the gaps up to the one after the domino at which the row ends, since later gaps do not matter. If the
+ * row ended because that gap is out of reach, no other gap is tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -98,8 +99,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the push that turns the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 = I omega^2 /
- * 2. */
+/* Returns the angular velocity that just tips the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 =
+ * I omega^2 / 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -123,7 +124,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
             good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
-            /* Rounds up, so that the push is still enough. */
+            /* Round up, so that the push still suffices. */
             dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
@@ -135,7 +136,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth is raised by these factors. The second one is for rows that do not fall in an engine. */
+/* The growth is raised by GROWTH_STEP. Where an engine runs the row and the search is for a growth at which
+ * the row falls, it is raised by GROWTH_STEP_OF_ENGINE. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -147,11 +149,9 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/*
- * Raises r in steps to the first growth at which the row falls, if `falls` is false, or does not fall;
- * *before gets the growth before that one. Returns false if there is none up to `highest`. Bisection alone
- * would not be enough: a row may fall again beyond a growth at which it does not.
- */
+/* Raises r in steps until the row no longer falls (if `falls` is true) or first falls (if it is false).
+ * *before receives the growth one step earlier. Returns false if r reaches `highest` without such a change.
+ * Bisection alone would not do: a row may fall again beyond a growth at which it does not. */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -164,8 +164,8 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds the growths at which the row falls. A row that stops at r = 1 may fall at larger growths: its gaps
- * grow as well, so that the first domino tips over before it hits the second. */
+/* Finds the smallest and the largest growth at which the row falls. A row that stops at r = 1 may fall at
+ * larger growths: its gaps grow as well, so that the first domino tips over before it hits the second. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows with random errors, in batches that may run in parallel. The random numbers of a row depend on the
- * seed and the number of the row alone. */
+/* Studies of rows with random placement errors, in batches that may run in parallel. The random numbers of a
+ * row depend only on the seed and on the number of the row. */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_cdf.h>
@@ -12,17 +12,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Only the sign of the margin counts for a verdict: more digits would change one row in a billion. */
+/* A verdict depends only on the sign of the margin: a smaller tolerance would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
-/* The probability that an interval of 95 % leaves out at each end. */
+/* The probability that a 95 % confidence interval leaves out at each end. */
 #define TAIL 0.025
 
-/* Number of rows in a task, so large that the memory which a task allocates hardly counts. */
+/* Number of rows in a task. It is so large that the memory that each task allocates hardly costs time. */
 enum { BATCH = 16 };
 
-/* Returns a seed for row i. Its bits are mixed (Steele et al., splitmix64, 2014), since neighbouring values
- * of a plain counter would give similar random numbers. */
+/* Returns the seed of row i. Its bits are mixed with splitmix64 (Steele et al., 2014), since the consecutive
+ * values of a plain counter would give similar random numbers. */
 static unsigned long row_seed(unsigned long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -38,7 +38,7 @@ struct shared {
     const struct dom_placement *placement;
     atomic_int status; /* the first status that was not DOM_OK */
     atomic_size_t done, fall, unknown;
-    atomic_size_t *stops; /* unless NULL, the number of rows that ended at each domino */
+    atomic_size_t *stops; /* number of rows that ended at each domino, or NULL if not requested */
 };
 
 /* The data of one batch. */
@@ -46,20 +46,19 @@ struct batch {
     gsl_rng *random[2];
     struct dom_domino *domino;
     const struct kernel *kernel;
-    struct random_row *sample; /* runs the rows; NULL if an engine does */
+    struct random_row *sample; /* runs the rows; NULL if an engine runs them */
 };
 
-/*
- * Returns a number with a standard normal distribution from two generators: a generator of GSL has a seed of
- * 32 bits, so that some of a million rows would have the same seed.
- */
+/* Returns a random number with a standard normal distribution. It combines two generators, because a
+ * generator of GSL takes a seed of 32 bits, and with one generator some of a million rows would have the same
+ * seed. */
 static double normal(const struct batch *b)
 {
     return (gsl_ran_gaussian_ziggurat(b->random[0], 1) + gsl_ran_gaussian_ziggurat(b->random[1], 1)) *
            M_SQRT1_2;
 }
 
-/* Makes row number i. */
+/* Draws row number i: writes its gaps, heights and masses with random errors to b->domino. */
 static void row_draw(const struct batch *b, const struct dom_row *row, const struct dom_placement *p,
                      size_t i)
 {
@@ -73,7 +72,7 @@ static void row_draw(const struct batch *b, const struct dom_row *row, const str
         if (k > 0 && p->sigma > 0)
             d->gap = (dom_real)(gap > 0 ? gap : 0);
         if (p->heights > 0) {
-            double grown = fmax(1 + (double)p->heights * normal(b), 0.01); /* every domino has some height */
+            double grown = fmax(1 + (double)p->heights * normal(b), 0.01); /* no domino shrinks to nothing */
             d->height = self->height * (dom_real)grown;
             d->mass = self->mass * (dom_real)grown;
         }
@@ -108,7 +107,7 @@ static enum dom_status row_try(const struct batch *b, struct shared *s, size_t i
     return DOM_OK;
 }
 
-/* Checks the row, and takes the memory to run others like it. */
+/* Checks the row, and allocates the memory for runs of rows with the same number of dominoes. */
 static enum dom_status batch_begin(struct batch *b, const struct shared *s)
 {
     struct row_question q = row_question_make(s->row, &s->compute);
@@ -117,7 +116,7 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     return ASK(q, row_sample, &b->sample);
 }
 
-/* Runs batch number `index` of the rows, unless another batch has failed: a dom_task. */
+/* A dom_task: runs batch number `index` of the rows, unless another batch has failed. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
@@ -144,7 +143,7 @@ static void batch_run(size_t index, void *context)
     free(b.domino);
 }
 
-/* Runs one task after the other: a dom_parallel without a pool. */
+/* A dom_parallel without a thread pool: runs one task after the other. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -154,10 +153,11 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
 }
 
 /*
- * Returns the probability that at least k, or at most k, of n rows fall, each with the probability p. The
- * terms of the binomial distribution are computed from that of k by their ratios, and divided by the sum of
- * all: there are no factorials, and no term is far from the term that it is added to. gsl_cdf_beta_P, the
- * same as a function of p, fails at some p from a million rows on, where its continued fraction does not end.
+ * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
+ * probability p. Every term of the binomial distribution is computed from its neighbour by their ratio,
+ * starting at the term of k, and the sum is divided by the sum of all terms. So there are no factorials, and
+ * all terms are relative to that of k. gsl_cdf_beta_P computes the same probability, but from a million rows
+ * on it fails at some p, where its continued fraction does not converge.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -186,11 +186,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the probability at which the tail has its value. Halves the interval, since the tail is flat where it
- * is 0. */
+/* Finds the probability p of a single row at which the tail of the distribution equals TAIL. Bisection is
+ * used, since the tail is flat where it is 0. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 for the digits, and 64 for a root as small as that of one row among the most that are possible */
+    /* 50 halvings give the digits. Up to 64 more reach a root as small as that for one row out of the largest
+     * possible number of rows. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
@@ -206,7 +207,9 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
 }
 
-/* The exact interval for n of N: at its ends, so many or so few rows have a probability of 2.5 %. */
+/* The exact confidence interval for n of N rows. If its lower end is the true probability, n or more rows
+ * fall with a probability of 2.5 %; if its upper end is, n or fewer do. At the upper end, rows whose outcome
+ * is unknown are counted as fallen. */
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)
@@ -222,7 +225,8 @@ enum dom_status dom_study_interval(struct dom_study *s)
     return status;
 }
 
-/* Checks a study, including values of the row that its errors of the gaps or its tolerance would replace. */
+/* Checks the arguments of a study. The gaps and the tolerance are checked here, since the study replaces them
+ * before the model sees them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
@@ -246,7 +250,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
     shared.status = (int)study_check(row, &shared.compute, p);
     if (shared.status != DOM_OK)
         return (enum dom_status)shared.status;
-    shared.compute.work = NULL; /* rows run side by side */
+    shared.compute.work = NULL; /* rows may run in parallel, and must not share the counters */
     if (shared.compute.tol < VERDICT_TOL)
         shared.compute.tol = VERDICT_TOL;
     shared.stops = stops ? calloc(row->count, sizeof *shared.stops) : NULL;
@@ -257,7 +261,7 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                                                     batch_run, &shared, p->pool);
     if (shared.status != DOM_OK)
         status = (enum dom_status)shared.status;
-    else if (status == DOM_OK && shared.done < p->rows) /* the pool has left some batches out */
+    else if (status == DOM_OK && shared.done < p->rows) /* the pool has not run all batches */
         status = DOM_INTERRUPTED;
     if (work)
         work->entered[DOM_EFFECT_placement] += p->rows;
@@ -282,18 +286,19 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    double widest;  /* largest gap of the row */
-    double lo, hi;  /* the share falls with lo, and no longer with hi, as far as is known */
-    bool of_answer; /* lo and hi are being found, not the interval around the answer */
+    double widest; /* the largest gap of the row */
+    /* the best known bounds of sigma: at lo at least the share of rows falls, at hi fewer do */
+    double lo, hi;
+    bool of_answer; /* sigma itself is being searched for, not the ends of its confidence interval */
     struct {
         double sigma, share;
-    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask for many of them again
-                          */
+        /* cache of the last results, many of which the searches for the interval need again */
+    } seen[BUDGET_SEEN];
     int answers;
 };
 
-/* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
- * or shorter, so that only sigma differs. */
+/* Finds the fraction of the rows that fall. Every sigma uses the same random numbers, so that two studies
+ * differ only in the size of the errors of the gaps. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -313,14 +318,14 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     return status;
 }
 
-/* Keeps what is known about the answer, in case that the search is interrupted. */
+/* Records the bounds of sigma that are known so far, for the case that the search is interrupted. */
 static void known(struct budget *b, double lo, double hi)
 {
     b->lo = b->of_answer ? lo : b->lo;
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds sigma to a thousandth between lo, where more than the share fall, and hi, where fewer do. */
+/* Finds sigma with a relative tolerance of 1e-3. At lo at least the share of rows falls, at hi fewer do. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* smaller than any error of real rows */
@@ -337,8 +342,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the sigma at which the share falls, first by doubling. It is infinite if it is larger than the widest
- * gap. */
+/* Finds the largest sigma at which the share of rows falls, by doubling and then by bisection. *sigma is
+ * infinite if it is larger than the widest gap. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
@@ -356,10 +361,9 @@ static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
     }
 }
 
-/*
- * Returns the first count that chance hardly explains if the share is the true probability: that so many rows
- * or more fall, or so many or fewer, has a probability below 2.5 %.
- */
+/* If `at_least` is true, returns the smallest count such that this many rows or more fall with a probability
+ * below 2.5 %, where `share` is the true probability of a single row. Otherwise returns the largest count
+ * such that this many or fewer fall with a probability below 2.5 %, or -1 if there is none. */
 static double unlikely(double share, double rows, bool at_least)
 {
     double lo = at_least ? 0 : -1, hi = lo + rows + 1;

@@ -23,7 +23,7 @@ bool trial_falls(struct trial *t)
     return trial_judged(t);
 }
 
-/* Runs the unchanged row, and keeps what later runs of nearly the same row need. */
+/* Runs the unchanged row, and keeps the state that later runs of nearly the same row start from. */
 static enum dom_status trial_course(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);
@@ -56,10 +56,8 @@ void trial_end(struct trial *t)
     free(t->domino);
 }
 
-/*
- * This is bisection, and neither num_root nor a solver of GSL: a test has no values to interpolate, the
- * answer must be a point that was tested, and GSL computes in double alone.
- */
+/* Plain bisection is used, neither num_root nor a solver of GSL: a test returns no numbers to interpolate,
+ * the result must be a point that was tested, and GSL computes only in double. */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
 {
@@ -79,12 +77,13 @@ dom_real digit_of(dom_real value, int places)
 
 /* ---- One value of the row ---- */
 
-/* Values are rounded to this relative size, so that a person can type them. */
+/* Values are rounded to this relative precision, so that a person can type them. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* The same for rows that an engine runs, whose answers are good to a percent. */
+/* The relative precision for rows that an engine runs, whose results are accurate to one percent. */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* The number of values that are tried on each way; an engine takes thousands of times as long for each. */
+/* The number of values that are tried in each direction. An engine takes thousands of times as long for each
+ * value. */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)
@@ -119,14 +118,14 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* A place at the end of the reach is not out of it by the rounding of the sum. */
+        /* A domino at the end of the reach must not get out of reach by the rounding of the sum. */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)
             d[1].gap = fmax(d[1].gap - by, 0);
         break;
     case DOM_WINDOW_HEIGHT:
-        d->mass *= value / d->height; /* its density stays */
+        d->mass *= value / d->height; /* the density does not change */
         d->height = value;
         break;
     case DOM_WINDOW_FRICTION:
@@ -149,7 +148,7 @@ bool falls_with(dom_real value, void *context)
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
-            t->status = DOM_OK; /* a row that an engine cannot decide does not count as falling */
+            t->status = DOM_OK; /* a row that an engine cannot decide counts as one that does not fall */
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)
@@ -164,10 +163,11 @@ bool falls_with(dom_real value, void *context)
 }
 
 /*
- * Returns what edge_find returns for falls_with, from fewer trials. Where the row stops beyond the edge, the
- * spare energy of a trial (verdict.spare) changes its sign at the edge, so that every other trial is placed
- * where the straight line through both ends is zero, moved by half of `absolute` towards the end that is
- * farther away, so that this end comes close as well.
+ * Does the same as edge_find with the test falls_with, in fewer trials. Where the row stops on the far side
+ * of the edge, the spare energy of a trial (verdict.spare) changes its sign at the edge. Every other trial is
+ * therefore placed where the straight line through the spare energies at both ends is zero. The point is then
+ * moved by half of `absolute` towards the end that is farther away, so that this end comes close to the edge
+ * as well.
  */
 static dom_real value_find(struct trial *t, dom_real good, dom_real bad, dom_real absolute)
 {

@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far each value of a row may change: windows of gaps, places, heights, leans and of the friction. */
+/* Windows: how far each gap, position, height or lean of a row, or its friction, may change while all
+ * dominoes still fall. */
 #include "planning/trial.h"
 
-/* The height of a domino is tried from a share of its present height to a multiple. The friction is tried up
- * to this value, or to a multiple of its present value. */
+/* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction
+ * is tried up to FRICTION_MOST, or up to four times its present value. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Heights on a slope, and leans, keep this relative distance from those at which a domino falls over by
- * itself. It is more than the rounding of float. */
+/* Heights on a slope, and leans, keep this relative distance from the values at which a domino falls over by
+ * itself. The distance is larger than the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
-/* The values that are tried. */
+/* The range of values that are tried. */
 struct range {
     dom_real lowest, highest;
-    enum dom_row_end above; /* how the row ends above the highest value; DOM_ROW_FALLS if that is not known */
+    /* how the row ends above the highest value, or DOM_ROW_FALLS if that is unknown */
+    enum dom_row_end above;
 };
 
-/*
- * Returns the heights that are tried. On a slope, and if it leans, a domino stands only up to the height foot
- * / tan |tilt|. Rounded edges make the foot shorter, each by its radius, and a domino is taller than two
- * radii.
- */
+/* Returns the range of heights that are tried. On a slope, or if it leans, a domino stands only up to the
+ * height foot / tan |tilt|. Each rounded edge makes the foot shorter by its radius, and a domino must be
+ * taller than two radii. */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
@@ -38,7 +38,8 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* Up to the place where it touches the next domino, or is out of reach of the domino before it. */
+        /* Up to the position where the domino touches the next one, or is out of reach of the one before
+         * it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -61,10 +62,9 @@ static struct range range_of(const struct trial *t)
     return (struct range){0, d[-1].height, DOM_ROW_MISSES};
 }
 
-/*
- * Finds how far the value can change towards `end`, and how the row ends just beyond that value. Then goes on
- * to find whether the row falls again with values farther away.
- */
+/* Returns how far the value can change towards `end` while all dominoes still fall. *beyond is set to how the
+ * row ends just beyond that value. The search then continues to `end`, and sets *others if the row falls
+ * again at a value farther away. */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
     dom_real now = trial_now(t), edge = end, good = now;
@@ -74,17 +74,17 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            *beyond = t->ends; /* of the last row that did not fall, the closest to the edge */
+            *beyond = t->ends; /* of the last row that did not fall, which is the one closest to the edge */
             open = false;
         }
         *others = falls && !open;
         good = falls ? x : good;
     }
-    /* Rounding to few digits must not move the edge past the present value. */
+    /* Rounding to a few digits must not move the edge past the present value. */
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window around the value of a row that falls. */
+/* Finds the window around the present value, for a row that falls. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -95,7 +95,8 @@ static void window_around(struct trial *t, struct dom_window *w)
     w->others = below || above;
 }
 
-/* Finds the window below the highest value, for a domino that is out of reach at present. */
+/* Finds the window that ends at the highest value of the range, for a domino that is out of reach at
+ * present. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -111,7 +112,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the window nearest to the present value of a row that does not fall. */
+/* Finds the window nearest to the present value, for a row that does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);

@@ -8,7 +8,7 @@ struct shape shape_make(double s, double d, double q)
     shape.q = q == floor(q) && q <= 64 ? span_of(q) : span_around(q);
     shape.L = span_add(shape.s, shape.d);
     shape.v_inf = span_over(shape.s, shape.L);
-    /* sqrt(1 + d^2) - 1 = d^2/(1 + sqrt(1 + d^2)), and 1 - cos theta_u is that over sqrt(1 + d^2). */
+    /* sqrt(1 + d^2) - 1 = d^2/(1 + sqrt(1 + d^2)). Divided by sqrt(1 + d^2), this is 1 - cos theta_u. */
     struct span square = span_square(shape.d), root = span_sqrt(span_add(span_of(1), square));
     shape.steepest = root.hi;
     shape.g_top = span_over(square, span_add(span_of(1), root));
@@ -16,8 +16,8 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/* The sine of one tilt: v (2 - v) and its root have relative errors below 2 2^-53 in all, and 1 -+ 2^-51
- * covers these and its own rounding. */
+/* Bounds of the sine of a single tilt. v (2 - v) and its square root together have a relative error below 2
+ * 2^-53. The factor 1 -+ 2^-51 covers this error and the rounding of the multiplication itself. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));
@@ -56,7 +56,8 @@ struct span tilt_rise(const struct shape *shape, struct span v)
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }
 
-/* Sine and cosine of the turn at one tilt and one growth: X decreases, and Y increases, with v. */
+/* Sine and cosine of the turn theta_1 - theta at one tilt and one growth: X decreases, and Y increases, with
+ * v. */
 struct turn {
     struct span X, Y;
 };
@@ -75,7 +76,7 @@ static struct turn corner_turn(const struct corner *c, double v)
     return t;
 }
 
-/* 1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta: all terms are >= 0. */
+/* Bounds of 1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta, a sum of terms >= 0. */
 static double turned_below(struct turn t, double v)
 {
     double square = down(down(t.X.lo * t.X.lo) / up(1 + t.Y.hi));
@@ -88,14 +89,15 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* F at the lower corner: any theta_1(t) with t <= theta is below the running maximum. */
+/* Lower bound of F, taken at the lower corner of a box. The value of theta_1(t) for any t <= theta will do,
+ * since it cannot exceed the running maximum. */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
     return turned_below(corner_turn(c, t), t);
 }
 
-/* F at the upper corner. */
+/* Upper bound of F, taken at the upper corner of a box. */
 static double follow_above(const struct corner *c, double v)
 {
     if (v >= c->leave.lo)
@@ -108,9 +110,9 @@ static struct corner corner_make(const struct shape *shape, double r)
     struct corner c = {.r = r};
     struct span s = shape->s, of_r = span_of(r);
     c.rs = span_times(of_r, s);
-    c.rs.hi = most_1(c.rs.hi); /* r s <= 1 is a condition of every statement */
+    c.rs.hi = most_1(c.rs.hi); /* every statement assumes r s <= 1 */
     c.rL = span_times(of_r, shape->L);
-    /* The fma rounds once. */
+    /* An fma rounds only once. */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};
     /* (41; A17): 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2). */
     struct span over = span_times(span_times(span_add(shape->d, shape->d), shape->L), span_square(of_r));
@@ -149,8 +151,8 @@ struct span chain_follow(const struct growth *growth, struct span v)
 struct contact chain_contact(const struct growth *growth, struct span v)
 {
     struct contact c;
-    /* Beyond theta_leave F stays what it is there; dF/dtheta = 0 there, so that F has continuous derivatives.
-     */
+    /* F is constant beyond theta_leave. Since dF/dtheta = 0 at theta_leave, the derivatives of F are
+     * continuous. */
     struct span u = {smaller(v.lo, growth->leave.lo), smaller(v.hi, growth->leave.hi)};
     struct turn low = corner_turn(&growth->low, u.hi), high = corner_turn(&growth->high, u.lo);
     c.X = (struct span){low.X.lo, high.X.hi};
@@ -163,7 +165,8 @@ struct contact chain_contact(const struct growth *growth, struct span v)
                            most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)
         c.step = span_of(0);
-    /* d asin(X)/dr = (X/r)/Y, where X/r = L cos theta - d: it decreases with theta and increases with r. */
+    /* d asin(X)/dr = (X/r)/Y, where X/r = L cos theta - d. This derivative decreases with theta and increases
+     * with r. */
     c.shift =
         (struct span){down(down(c.X.lo / growth->r.lo) / c.Y.hi), up(up(c.X.hi / growth->r.hi) / c.Y.lo)};
     c.shift.lo = least_0(c.shift.lo);
@@ -185,7 +188,8 @@ struct domino chain_last(const struct growth *growth)
 {
     struct span leave = growth->leave;
     struct contact at = chain_contact(growth, leave);
-    /* theta_f = theta_1(theta_leave), where the slope is 0: only dF/dr is left of its derivative. */
+    /* theta_f = theta_1(theta_leave). The slope is 0 at theta_leave, so only dF/dr remains of the
+     * derivative. */
     return (struct domino){.v = {follow_below(&growth->low, growth->low.leave.lo), growth->high.last},
                            .shift = at.shift};
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the train has to climb: H(theta) - H(0) on a box of tilts and growths. */
+/* The barrier that a train has to climb: H(theta) - H(0) on a box of tilts and growths. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
@@ -9,10 +9,10 @@ static struct span everything(void)
 }
 
 /*
- * Adds what dominoes from n on contribute. They are beyond theta_u, where h decreases, and lean at least as
- * far as in the upright train: so their part is not above 0. For theta <= theta_c it is not below -r^(-q n)
- * (h(theta_n0)
- * - h(theta_last)), since theta_i <= theta_i+1 0 and the differences telescope (rest_of_fuel).
+ * Adds the contribution of dominoes n and later. They are beyond theta_u, where h decreases, and lean at
+ * least as far as in the upright train: so their contribution is not above 0. For theta <= theta_c it is not
+ * below -r^(-q n) (h(theta_n0) - h(theta_last)), since theta_i <= theta_i+1 0 and the sum of the differences
+ * telescopes (as in rest_of_fuel).
  */
 static void climb_rest(const struct upright *u, const struct domino *domino, struct contact contact,
                        struct climb *climb)

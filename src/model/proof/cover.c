@@ -35,13 +35,16 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
     return climb_find(upright, low, high, derivatives);
 }
 
-/* What has to be more than D: K, or a level; with its derivative. */
+/* The level below which D has to stay, K or a constant: its bounds on the whole strip and at the upper end of
+ * the strip, and its derivative with respect to r. If `refute` is set, D above the level at the upper end is
+ * a refutation. */
 struct level {
     struct span box, point, by_r;
     bool refute;
 };
 
-/* Returns by how much K - D may be less in the strip than at its upper end: see 3. below. */
+/* Returns an upper bound of how much smaller K - D may be inside the strip than at its upper end: see 3. in
+ * cover_tilts. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);
@@ -74,8 +77,9 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* At larger growths the head falls farther. Wherever another tilt of the box is in the cycle, this one
-     * is, too: only there are the bounds of D those of a train. */
+    /* At larger growths the head falls farther. So at every growth at which any other tilt of the box
+     * belongs to the cycle, this tilt belongs to it, too. Outside the cycle the bounds of D are not those
+     * of a train. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));
@@ -102,7 +106,7 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Finds both trains; their sums leave out no more than `rest`. */
+/* Finds the trains of the strip and of its upper end. The sums of their energies leave out at most `rest`. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;
@@ -112,7 +116,7 @@ static bool strip_begin(struct proof *proof, double r_low, double r_high, double
 
 static enum outcome cover_all(struct proof *proof, const struct level *level)
 {
-    /* A wide strip that needs many parts is better halved. */
+    /* A wide strip that needs many boxes is better halved. */
     const struct span r = proof->box.growth.r;
     size_t left = r.hi - r.lo > 1e-4 * r.hi ? PER_WIDE_STRIP : PER_STRIP;
     return cover_tilts(proof, level, 0, upright_hit_above(&proof->box), 0, &left);
@@ -193,7 +197,7 @@ double proof_guess(struct proof *proof, double r, double *top)
             *top = hit * k / SAMPLES;
         }
     }
-    /* By the sign of the slope, between the neighbours of the highest sample. */
+    /* Bisect by the sign of the slope, between the neighbours of the highest sample. */
     double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         double at = 0.5 * (low + high);

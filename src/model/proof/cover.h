@@ -8,23 +8,24 @@
 
 enum outcome {
     OUTCOME_PROVED,  /* the train goes on, for all growths of the interval */
-    OUTCOME_REFUTED, /* it stops at the upper end of the interval */
-    OUTCOME_OPEN,    /* neither could be shown on an interval so wide */
-    OUTCOME_LIMIT,   /* more dominoes or boxes than allowed */
+    OUTCOME_REFUTED, /* the train stops at the upper end of the interval */
+    OUTCOME_OPEN,    /* neither could be shown on so wide an interval */
+    OUTCOME_LIMIT,   /* the proof would need more dominoes or boxes than allowed */
     OUTCOME_INTERRUPTED
 };
 
 /* A proof in progress. */
 struct proof {
     struct shape shape;
-    struct upright box, point; /* of the interval, and of its upper end */
-    struct link *links;        /* memory of both */
-    size_t boxes, chains;      /* the work of the proof so far */
+    /* the train on the interval of growths, and at the upper end of the interval */
+    struct upright box, point;
+    struct link *links;   /* memory for the links of both trains */
+    size_t boxes, chains; /* the work of the proof so far */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Returns false if memory is exhausted. */
+/* Begins a proof, and ends it by freeing its memory. proof_begin returns false if memory is exhausted. */
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 
@@ -35,20 +36,22 @@ bool proof_interrupted(const struct proof *proof);
 /* Proves that the train goes on for every growth from r_low to r_high: K > D for every tilt of the cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
-/*
- * Proves that the train goes on from *done to r_high, upwards in parts that are no narrower than `finest`.
- * *done moves up with the proof, and *stop is the end of the part that failed.
- */
+/* Proves that the train goes on for all growths from *done to r_high, upwards in strips that are no narrower
+ * than `finest`. *done moves up with the proof. Unless all is proved, *stop is set to the upper end of the
+ * strip that failed. */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
-/* Proves that the train stops at every growth from r_low to r_high, by the tilt 2 sin(theta/2) = top. */
+/* Proves that the train stops at every growth from r_low to r_high, because at the tilt 2 sin(theta/2) =
+ * top its kinetic energy is less than the height that it has climbed. Returns false if that could not be
+ * shown. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Proves that D < level for all tilts at all growths of the interval. */
 enum outcome proof_below(struct proof *proof, double r_low, double r_high, double level);
 
-/* Returns an estimate of the margin K - B, and of the tilt where the barrier is highest, which proves
- * nothing. Returns NaN if numbers are out of range, or after an interrupt. */
+/* Returns an estimate of the margin K - B, and sets *top to an estimate of the tilt 2 sin(theta/2) at the
+ * top of the barrier. An estimate proves nothing. Returns NaN if numbers are out of range, or after an
+ * interrupt. */
 double proof_guess(struct proof *proof, double r, double *top);
 
 #endif

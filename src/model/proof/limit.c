@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The first growth at which a train stops. Strips of growths are proved upwards from r = 1: the next one is
- * twice as wide where a strip succeeded, half as wide where it did not. Where the end of a strip seems to
- * stop, an estimated root says for which two decimals around it a proof is tried; a wrong estimate makes that
- * proof fail, nothing else.
+ * The first growth at which a train stops. Strips of growths are proved upwards from r = 1. After a strip has
+ * been proved, the next one is twice as wide; otherwise it is half as wide. Where the train seems to stop at
+ * the upper end of a strip, the estimated root of the margin gives two decimals around the root, for which a
+ * proof is tried. A wrong estimate makes that proof fail, and does no other harm.
  */
 #include "proof/limit.h"
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates where the margin has a root, between a growth that goes on and one that stops. */
+/* Estimates the root of the margin between a growth at which the train goes on and one at which it stops. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -31,7 +31,7 @@ static double root_between(struct proof *proof, double low, double high, double 
     return low;
 }
 
-/* The decimals that a proof is tried for: n / unit. */
+/* The decimals for which a proof is tried are n / unit with whole numbers n. */
 struct grid {
     double unit;
     int decimals;
@@ -47,8 +47,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal, from n on and upwards, at which the train stops. The decimal lies between the neighbours
- * of the double that is nearest to it. */
+/* Finds a decimal above n / unit at which the train stops. A decimal lies between the neighbours of its
+ * nearest double, so the proof covers both neighbours. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -61,7 +61,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that every growth goes on up to a decimal that is at most n, and as near to it as can be. */
+/* Proves that the train goes on at every growth up to a decimal that is at most n / unit, and as close to it
+ * as possible. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -79,10 +80,8 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
     return limit->outcome == OUTCOME_PROVED;
 }
 
-/*
- * Proves both sides of the root that the guess sees between *done and high. False: the train stops earlier,
- * at *stop, or the outcome says what failed.
- */
+/* Proves both sides of the estimated root between *done and `high`. If it returns false, the train stops
+ * earlier, at *stop (limit->outcome is OUTCOME_REFUTED), or limit->outcome tells what failed. */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
 {
@@ -94,7 +93,7 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
         limit->outcome = OUTCOME_INTERRUPTED;
         return false;
     }
-    /* A coarse decimal may be beyond the next root, or beyond the reach. */
+    /* If the decimal is too coarse, it may be beyond the next root, or beyond the reach. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);
@@ -145,10 +144,9 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
     return limit;
 }
 
-/*
- * Looks for a growth at which a pair goes on, where equal dominoes do not. Returns one that is proved, just
- * above the lowest root that samples show, as a decimal; NaN if there is none.
- */
+/* Looks for a growth at which a pair goes on, for a pair that stops with equal dominoes. Returns a growth for
+ * which this is proved, a decimal just above the lowest root that samples show where possible. Returns NaN if
+ * there is none. */
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };

@@ -5,21 +5,24 @@
 #include "proof/cover.h"
 
 enum limit_kind {
-    LIMIT_BRACKET, /* every growth from `from` to `low` goes on, and at `high` the train stops */
-    LIMIT_REACH,   /* every growth from `from` up to 1/s goes on */
-    LIMIT_NONE,    /* r = 1 stops, and no larger growth was found that goes on */
-    LIMIT_PARTLY   /* every growth from `from` to `low` goes on; nothing is proved of those after it */
+    LIMIT_BRACKET, /* the train goes on at every growth from `from` to `low`, and stops at `high` */
+    LIMIT_REACH,   /* the train goes on at every growth from `from` up to 1/s */
+    LIMIT_NONE,    /* the train stops at r = 1, and no larger growth was found at which it goes on */
+    /* the train goes on at every growth from `from` to `low`; nothing is proved for larger growths */
+    LIMIT_PARTLY
 };
 
-/* What is proved of the largest growth. */
+/* What has been proved about the largest growth. */
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
-    int decimals;         /* number of decimal places of the numbers, each of which is the nearest double */
-    enum outcome outcome; /* with LIMIT_PARTLY, the reason why no more is proved */
+    /* number of decimal places of `low` and `high`, each of which is the double nearest to such a decimal */
+    int decimals;
+    enum outcome outcome; /* with LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Proves where the first growth is, raised from 1, at which the train stops, within a relative tolerance. */
+/* Encloses the first growth at which the train stops, as r is raised from 1, with the relative tolerance
+ * `tol`. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

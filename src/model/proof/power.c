@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Powers, logarithms and exponentials by + - * / alone, since no libm promises a bound of its errors. */
+/* Powers, logarithms and exponentials, computed with + - * / alone, since no libm guarantees bounds of its
+ * errors. */
 #include "proof/power.h"
 
-/* Returns x^n for one x >= 0 and n >= 1, by squaring. */
+/* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
 static struct span power_whole(struct span x, int n)
 {
     struct span power = span_of(1);
@@ -32,12 +33,13 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for one x >= 1: x = 2^n m with 1 <= m < 2, and ln m = 2 atanh((m - 1)/(m + 1)). */
+/* Returns ln x for a single double x >= 1: with x = 2^n m and 1 <= m < 2, ln x = n ln 2 + 2 atanh((m - 1)/(m
+ * + 1)). */
 static struct span log_of(double x)
 {
     int n;
     double m = 2 * frexp(x, &n);                                                 /* exact */
-    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is exact, too */
+    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is also exact */
     return span_add(span_times(span_of(n - 1), log_2()), twice_atanh(t));
 }
 
@@ -47,9 +49,10 @@ struct span span_log(struct span x)
 }
 
 /*
- * Returns e^x for one x in [0, 700]: x = n ln 2 + y with |y| < 1/2, and the series of e^y.
- * Remainder: after y^n/n! each term is less than 1/4 of the one before it, so their sum is at most
- * |y|^(n+1)/(n+1)! / (1 - 1/4) < 2 (1/2)^(n+1)/(n+1)!, which for n = 16 is less than 2^-63.
+ * Returns e^x for a single double x in [0, 700], from x = n ln 2 + y with |y| < 1/2 and the series of e^y.
+ * The remainder of the series: after y^n/n! each term is less than 1/4 of the one before it, so the sum of
+ * these terms is at most |y|^(n+1)/(n+1)! / (1 - 1/4) < 2 (1/2)^(n+1)/(n+1)!, which for n = 16 is less than
+ * 2^-63.
  */
 static struct span exp_of(double x)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Public entry points of <domino_proof.h>: check the arguments, then prove. */
+/* The public functions of <domino_proof.h>, which check their arguments and then run the proof. */
 #include "domino_proof.h"
 #include "proof/limit.h"
 #include "proof/power.h"
@@ -45,8 +45,8 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
-/* The default does not come from dom_compute_default, since a program that uses only <domino_quad.h> does not
- * link the part of the library in double. */
+/* The default tolerance does not come from dom_compute_default, since a program that uses only
+ * <domino_quad.h> does not link the part of the library that computes in double. */
 static double tolerance_of(const struct dom_compute *compute)
 {
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
@@ -56,19 +56,20 @@ static double tolerance_of(const struct dom_compute *compute)
 
 static bool has_effect(const struct dom_train *train)
 {
-/* Walls change no growth. */
+/* The thickness of walls has no effect on the limits of growth. */
 #define OR_ON(effect, member, status) || (DOM_EFFECT_##effect != DOM_EFFECT_walls && train->member != 0)
     return false DOM_DYNAMICS(OR_ON);
 #undef OR_ON
 }
 
-/* Returns true if operations round to nearest, as span.h needs: a caller may have changed that. */
+/* Returns true if operations round to nearest, as span.h requires. A caller may have changed the rounding
+ * mode. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;
 }
 
-/* Returns why no proof of the train is begun, or DOM_PROOF_NONE. */
+/* Returns the reason why no proof of the train can be tried, or DOM_PROOF_NONE. */
 static enum dom_proof_gap gap_before(const struct dom_train *train)
 {
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
@@ -143,7 +144,8 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Encloses the barrier: from below by the height at one tilt, from above by a level that no tilt exceeds. */
+/* Encloses the barrier: the height at one tilt is a lower bound, and a level that no tilt exceeds is an upper
+ * bound. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {
@@ -224,10 +226,11 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     return DOM_OK;
 }
 
-/* Returns a b with bounds that are equal where the product is exact: the fma has its rounding error. */
+/* Returns the product of a and b, with equal bounds if the product is exact: then the rounding error, which
+ * fma computes, is 0. */
 static struct span times_exactly(struct span a, double b)
 {
-    const double least = 0x1p-960; /* of a smaller product, the error may underflow to 0 */
+    const double least = 0x1p-960; /* the rounding error of a smaller product may underflow to 0 */
     double lo = a.lo * b, hi = a.hi * b;
     return (struct span){lo > least && fma(a.lo, b, -lo) == 0 ? lo : down(lo),
                          hi > least && fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
@@ -235,8 +238,8 @@ static struct span times_exactly(struct span a, double b)
 
 enum { POWERS_MOST = 100000 };
 
-/* Returns the smallest n with first r^n >= height for sure, of numbers between bounds; infinite where there
- * is none up to POWERS_MOST. */
+/* Returns the smallest n with first r^n >= height: certainly if `surely` is set, possibly otherwise, since
+ * first r^n is only known between bounds. Returns INFINITY if there is no such n below POWERS_MOST. */
 static double count_until(struct span first, double r, double height, bool surely)
 {
     struct span tall = first;
@@ -250,7 +253,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Bounds ln(height/first)/ln r, for as many dominoes as no power is taken of; height is above first. */
+/* Bounds the number of dominoes by ln(height/first)/ln r, where there are too many to multiply powers.
+ * `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},
@@ -277,7 +281,8 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         *most = INFINITY;
         return DOM_OK;
     }
-    /* The doubles themselves decide where their powers are exact; else all numbers that round to them. */
+    /* If all powers are exact, the doubles themselves decide. Otherwise the bounds hold for all numbers that
+     * round to these doubles. */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
     struct span last = exact;

@@ -11,16 +11,18 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
     rest.ratio = growth->detaches_never ? up(rest.p * w) : w;
     double left = least_0(down(1 - rest.ratio)), per_step = up(contact->shift.hi);
     rest.series = up(1 / left);
-    /* dtheta_i/dtheta contracts by p, whether followers detach or not. */
+    /* dtheta_i/dtheta is multiplied by at most p at each contact, whether followers detach or not. */
     rest.tilts = up(up(up(shape->steepest * power) * domino->slope.hi) / least_0(down(1 - up(rest.p * w))));
-    /* theta_i+1's shift = step shift_i + c_i/Y_i is below a fixed point of this rule with p and c_n/Y_n. */
+    /* shift_i+1 = step shift_i + c_i/Y_i stays below the fixed point of this rule with step = p and
+     * c_n/Y_n. */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
         /* shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */
         double most =
             up(up(domino->shift.hi * rest.series) + up(up(per_step * w) * up(rest.series * rest.series)));
         rest.slides = up(up(shape->steepest * power) * most);
-        /* theta_inf - theta_n <= c_n/(L x_n), and h falls by no more than sqrt(1 + d^2) times that. */
+        /* theta_inf - theta_n <= c_n/(L x_n), and h decreases by at most sqrt(1 + d^2) times this
+         * difference. */
         rest.drop = up(up(up(shape->steepest * up(contact->X.hi / growth->r.lo)) / down(shape->L.lo * x)));
     } else {
         rest.slides = up(up(up(shape->steepest * power) * rest.shift) * rest.series);

@@ -4,10 +4,10 @@
  * outwards.
  *
  * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
- * and down(z) are beyond the neighbours of z, and so beyond what was rounded (Rump, Zimmermann, Boldo,
- * Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419). Rounding modes are
- * not changed: the compiler needs no option, and threads do not disturb each other. In any other mode that a
- * caller has set, dom_prove_... prove nothing.
+ * and down(z) are at or beyond the neighbours of z, and so beyond the exact result that was rounded (Rump,
+ * Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419).
+ * Rounding modes are not changed: the compiler needs no option, and threads do not disturb each other. If a
+ * caller has set another mode than to nearest, the functions dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H
@@ -22,10 +22,8 @@
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof is in IEEE 754 double.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/*
- * Marks a bound and what would be wrong in its place. The tests compile these sources with a definition that
- * takes the wrong one, and must notice.
- */
+/* Marks a bound, together with a wrong expression that could stand in its place. The tests compile these
+ * sources with a definition that takes the wrong expression, and must then fail. */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -34,8 +32,8 @@ struct span {
     double lo, hi;
 };
 
-/* Return a double above or below every real number that rounds to z. DBL_MIN is for results that underflow.
- */
+/* Return a double above or below every real number that rounds to z. DBL_MIN covers results that
+ * underflow. */
 static inline double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
@@ -46,7 +44,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* Clip a bound of a number that is known to be >= 0, or <= 1. NaN becomes the bound that is always true. */
+/* Clip a lower bound of a number that is known to be >= 0, or an upper bound of a number that is known to be
+ * <= 1. NaN becomes the bound that is always true. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
@@ -72,7 +71,8 @@ static inline struct span span_of(double x)
     return (struct span){x, x};
 }
 
-/* Returns the numbers that are rounded to x, such as decimals and fractions that a person has typed. */
+/* Returns an interval that contains all numbers that round to x, such as the decimal or fraction that a
+ * person has typed. */
 static inline struct span span_around(double x)
 {
     return (struct span){down(x), up(x)};
@@ -117,13 +117,13 @@ static inline struct span span_square(struct span a)
     return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
 }
 
-/* Returns the root of a >= 0, whose lower bound may be below 0. */
+/* Returns the square root of a number >= 0, although the lower bound in `a` may be below 0. */
 static inline struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};
 }
 
-/* Returns the smallest interval that contains both. */
+/* Returns the smallest interval that contains both a and b. */
 static inline struct span span_hull(struct span a, struct span b)
 {
     return (struct span){smaller(a.lo, b.lo), larger(a.hi, b.hi)};

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The train with an upright head: its fuel, its inertia, and the kinetic energy with which a cycle begins. */
+/* Computes the train with an upright head: its fuel, its inertia, and the kinetic energy with which a cycle
+ * begins. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
-/* Domino i of the chain, and the sums over those before it. */
+/* Domino i of the chain, and the sums over the dominoes before it. */
 struct walk {
     struct domino domino;
-    struct span twist;        /* d slope / dr */
+    struct span twist;        /* derivative of the slope with respect to r */
     struct span share, power; /* r^(-(q+1) i), r^(-q i) */
     struct span fuel, fuel_by_r, T, T_by_r;
 };
@@ -16,14 +17,16 @@ static struct span least_zero(struct span a)
     return (struct span){least_0(a.lo), a.hi};
 }
 
-/* Returns d(dF/dtheta)/dr along the chain, of dF/dtheta = 1 - r L x / Y, with dtheta_i/dr = shift. */
+/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r along the chain, where dtheta_i/dr =
+ * shift. */
 static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
                              struct span shift)
 {
     struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
                 rL = {g->low.rL.lo, g->high.rL.hi};
     struct span off = least_zero(span_over(span_times(rL, c->x), c->Y));
-    /* By theta: (r L / Y) ((r L x / Y) (X x / Y) ... - y); by r: -L x / Y^3. */
+    /* The derivative by theta is (r L / Y) ((r L x / Y) (X x / Y) ... - y), and the derivative by r is -L x /
+     * Y^3. */
     struct span pull = span_sub(span_times(off, span_over(span_times(c->X, c->x), c->Y)), y);
     struct span by_theta = span_over(span_mul(rL, pull), c->Y);
     struct span by_r = span_over(span_over(span_times(g->shape->L, c->x), span_square(c->Y)), c->Y);
@@ -39,7 +42,7 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
-/* Adds r^(-(q+1) i) slope^2, domino i's part of T, and its derivative. */
+/* Adds r^(-(q+1) i) slope^2, the contribution of domino i to T, and its derivative. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
@@ -50,7 +53,7 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_times(w->share, change));
 }
 
-/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)), domino i's part of P, and its derivative. */
+/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)), the contribution of domino i to P, and its derivative. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -62,10 +65,10 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 }
 
 /*
- * Adds the rest of T from domino n on: slope_n+k <= p^k slope_n (rest.h), so with e = r^-(q+1) p^2 its terms
- * are below a geometric series. Its derivative has the terms 2 slope twist - (q+1) i/r slope^2, where
- * twist_i+1 = step twist_i
- * + slope_i bend with |bend| <= Q; so |twist_n+k| <= p^k |twist_n| + k p^(k-1) slope_n Q.
+ * Adds the remainder of T from domino n on. Since slope_n+k <= p^k slope_n (rest.h), the terms are below a
+ * geometric series with the ratio e = r^-(q+1) p^2. The derivative of T has the terms 2 slope twist - (q+1)
+ * i/r slope^2, where twist_i+1 = step twist_i + slope_i bend with |bend| <= Q. So |twist_n+k| <= p^k
+ * |twist_n| + k p^(k-1) slope_n Q.
  */
 static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
                             const struct rest *rest)
@@ -85,10 +88,8 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
     w->T_by_r = span_add(w->T_by_r, (struct span){-up(first + second), first});
 }
 
-/*
- * Adds the rest of the fuel: r^(-q i) <= r^(-q n), and h decreases beyond theta_u; so the rest of
- * sum r^(-q i) (h(theta_i) - h(theta_i+1)) is between 0 and r^(-q n) (h(theta_n) - h(theta_last)).
- */
+/* Adds the remainder of the fuel. Since r^(-q i) <= r^(-q n), and h decreases beyond theta_u, the remainder
+ * of sum r^(-q i) (h(theta_i) - h(theta_i+1)) is between 0 and r^(-q n) (h(theta_n) - h(theta_last)). */
 static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, const struct rest *rest)
 {
     w->fuel.hi = PROOF_BOUND(REST_OF_FUEL, up(w->fuel.hi + up(w->power.hi * fall)), w->fuel.hi);
@@ -96,7 +97,7 @@ static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, c
     w->fuel_by_r = span_add(w->fuel_by_r, change);
 }
 
-/* (24; c6): K = P / E, E = r^q (1 + 1/T) - 1, where P > 0. */
+/* By (24; c6), K = P / E with E = r^q (1 + 1/T) - 1, if P > 0. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -111,11 +112,9 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
     u->kinetic_by_r = span_over(span_sub(w->fuel_by_r, span_mul(u->kinetic, E_by_r)), E);
 }
 
-/*
- * Section "Two dominoes": domino 1, just tipped over, brings h(theta_u) - h(theta_c); with k = r^-(q+1) the
- * pair starts with r k^2/(1 + k) of that. The derivative of r k^2/(1 + k) is itself over r, times 1 - (q +
- * 1)(2 + k)/(1 + k).
- */
+/* The paper's section "Two dominoes": domino 1, just tipped over, supplies h(theta_u) - h(theta_c). With k =
+ * r^-(q+1), the pair starts with r k^2/(1 + k) of this energy. The derivative of r k^2/(1 + k) with respect
+ * to r is k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)). */
 static void kinetic_of_pair(struct upright *u, struct span hit)
 {
     const struct growth *g = &u->growth;
@@ -124,7 +123,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    if (!(hit.lo > g->shape->v_top.hi)) /* perhaps it has not tipped over when it hits (5; b0) */
+    if (!(hit.lo > g->shape->v_top.hi)) /* domino 1 may not have tipped over when it hits the head (5; b0) */
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
         u->fuel.hi = -1;
@@ -134,7 +133,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
 }
 
-/* Finds the fuel by the paper's closed form P = 1 - h(theta_last), instead of the sum. */
+/* Replaces the sum of the fuel by the paper's closed form P = 1 - h(theta_last). */
 static void paper_fuel(const struct upright *u, struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -143,7 +142,7 @@ static void paper_fuel(const struct upright *u, struct walk *w)
     w->fuel_by_r = span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift));
 }
 
-/* Writes domino i to its link. */
+/* Writes domino i of the chain to its link. */
 static void link_make(struct upright *u, const struct walk *w, int i)
 {
     struct span rise = tilt_rise(u->growth.shape, w->domino.v);
@@ -165,7 +164,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     u->growth = growth_make(shape, r_low, r_high);
     const struct growth *g = &u->growth;
     if (!shape->pair && g->high.last <= shape->v_top.lo) {
-        /* No domino comes to theta_u, so each lies higher than the one before it: every part of P is
+        /* No domino reaches theta_u, so each has a higher h than the one before it, and every term of P is
          * negative. */
         u->n = 0;
         u->exact_end = true;
@@ -183,7 +182,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         struct walk next = w;
         next.domino = chain_next(g, &w.domino, &c);
         next.twist = chain_twist(g, &w, &c);
-        if (i == 0) { /* exactly, since sin theta = 0 */
+        if (i == 0) { /* these numbers are exact, since sin theta = 0 */
             next.domino.slope = span_of(1);
             next.twist = span_of(0);
         }
@@ -201,9 +200,9 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         }
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
-        /* In a wide interval more dominoes make the rest no smaller, once the lower chain has come to its
-         * end. In a narrow one only a chain that rounding holds has come there: equal dominoes that stand
-         * close approach their end slowly. */
+        /* In a wide interval, more dominoes no longer make the remainder smaller once the lower chain has
+         * reached its end. In a narrow interval the test must be stricter, so that it stops only a chain that
+         * no longer moves because of rounding: equal dominoes that stand close approach their end slowly. */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
         if (!shape->pair && w.domino.v.lo > shape->v_top.hi &&
@@ -218,7 +217,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     u->by_r = finite;
     u->slide_rest = u->drop_rest = 0;
     if (shape->pair) {
-        u->exact_end = true; /* there are no others */
+        u->exact_end = true; /* a pair has no other dominoes */
         kinetic_of_pair(u, chain_hit(g));
     } else {
         if (!u->exact_end) {
