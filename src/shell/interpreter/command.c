@@ -7,7 +7,7 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands of all groups. */
+/* All commands of all groups, in one array. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -44,8 +44,8 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the only parameter that a word stands for, as its first synonym or as a word for one of its values,
- * such as 'hollow' for q. Returns NULL if there is none. */
+/* Returns the parameter that a word clearly stands for: the word is either its first synonym, or a word for
+ * one of its values, such as 'hollow' for q. Returns NULL if there is none. */
 static const struct parameter *parameter_for(const char *word)
 {
     bool usual;
@@ -58,7 +58,8 @@ static const struct parameter *parameter_for(const char *word)
     return NULL;
 }
 
-/* Returns true if a word is a synonym of the topic, or a word for one of its values. */
+/* Returns true if a word is a synonym of the topic, or if the topic is a parameter and the word stands for
+ * one of its values. */
 static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
@@ -141,7 +142,8 @@ static bool out_of_range(struct problem *problem, const struct argument *a, domq
                              range);
 }
 
-/* Checks a tilt. A number without a unit is in the session's unit of angles. */
+/* Checks a tilt, and stores it in radians in *number. A number without a unit is taken to be in the session's
+ * unit of angles. */
 static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
                        domq_real *number, struct problem *problem)
 {
@@ -151,7 +153,8 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* The theta_c of an answer in degrees, with all its digits, may have been rounded up. */
+    /* A user may enter the theta_c that an earlier answer showed in degrees with all its digits, and the last
+     * of these digits may have been rounded up. */
     domq_real slack =
         2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
@@ -182,11 +185,12 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
 {
     char kind[64], wanted[64];
     struct quantity unit = argument_unit(a);
-    /* s and d are shares of the height, so that a length is divided by the height of the first domino. */
+    /* s and d are fractions of the height. If they are entered as lengths, they are divided by the height of
+     * the first domino. */
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(q, (struct quantity){.length = 1}))
         q = (struct quantity){.value = q.value / query->scene->scale.h};
-    /* A rotation may be a frequency, since radians are often left out: 8*sqrt(g/h). */
+    /* An angular velocity may be entered without its radians, as in 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(q, (struct quantity){.time = -1}))
         q.angle = 1;
     const char *example = expression_example(unit);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands. Each command is a row of a table. The way its arguments are read, its errors, its help, its
- * completion and its value in expressions all follow from that row. */
+/* The commands. Each command is one entry of a table, and everything else follows from that entry: how its
+ * arguments are read, its errors, its help, its completion and its value in expressions. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -8,32 +8,33 @@
 #include "session/parameters.h"
 #include "session/query.h"
 
-/* The kind of an argument says how it is parsed and checked, and what completion offers. */
+/* The kind of an argument determines how the argument is parsed and checked, and what completion offers for
+ * it. */
 enum argument_kind {
     ARGUMENT_NONE,
-    /* Kinds that an expression gives: */
+    /* Arguments that are expressions: */
     ARGUMENT_TILT,   /* an angle in [0, theta_c] */
-    ARGUMENT_OF,     /* a value of the parameter that `of` names */
+    ARGUMENT_OF,     /* a value of the parameter whose name is in the member `of` */
     ARGUMENT_HEIGHT, /* a length > 0 */
     ARGUMENT_LENGTH, /* a length >= 0 */
     ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,    /* a value in any unit */
     ARGUMENT_NUMBER, /* a plain number */
-    ARGUMENT_PLACE,  /* an angle as above, or one of the choices, for which the number is -1 - index */
-    /* Kinds of words and names: */
-    ARGUMENT_CHOICE,    /* one of the choices; the number is its index */
+    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or one of the choices: the number for choice i is -1 - i */
+    /* Arguments that are words or names: */
+    ARGUMENT_CHOICE,    /* one of the choices; its index is stored as the number */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter, or of a variable unless a value follows */
-    ARGUMENT_VALUE,     /* a value of the parameter or effect before it, or a file with values */
+    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable if no ARGUMENT_VALUE follows */
+    ARGUMENT_VALUE,     /* a value for the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
-    ARGUMENT_WORD,      /* any word, or a text between "..." */
-    ARGUMENT_FILE,      /* a path; with blanks in it, between "..." */
-    ARGUMENT_REST,      /* the rest of the line as it is, also behind ';' */
-    /* Kinds that the argument's own function parses: */
-    ARGUMENT_GRID,    /* names, each with values */
-    ARGUMENT_COMMAND, /* a command that answers, perhaps after ':' */
-    ARGUMENT_WORDS,   /* words and values up to the end of the command */
-    ARGUMENT_UNIT,    /* "to" and a unit */
+    ARGUMENT_WORD,      /* any word, or a text in double quotes */
+    ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
+    ARGUMENT_REST,      /* the remainder of the line, unparsed, including any ';' */
+    /* Arguments that the function `parse` of the argument parses: */
+    ARGUMENT_GRID,    /* parameter names, each followed by values */
+    ARGUMENT_COMMAND, /* a command that computes something, sometimes after a ':' */
+    ARGUMENT_WORDS,   /* all remaining words and values of the command */
+    ARGUMENT_UNIT,    /* the word "to" followed by a unit */
 };
 
 #define COUNT_MAX 10000000
@@ -46,12 +47,14 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    const char *of; /* the parameter of ARGUMENT_OF; else what a value or choice is called in messages */
-    int which;      /* index of the value of that parameter */
+    /* For ARGUMENT_OF, the name of the parameter. For other kinds, what messages call a value or choice of
+     * the argument. */
+    const char *of;
+    int which; /* for ARGUMENT_OF: the index of the value, for a parameter with several values */
     bool optional;
     names_list *choices;
-    /* For the last four kinds: `parse` makes question->parsed, and `bind` computes given->bound from that in
-     * a state. */
+    /* Only for the last four kinds. `parse` stores its result in question->parsed. `bind` evaluates that
+     * result in the state of the query, and stores what it computes in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -59,49 +62,58 @@ struct argument {
 
 enum { ARGUMENTS_MAX = 3 };
 
-/* The arguments of a command, bound in a state. */
+/* The arguments of a command after binding: every expression has been evaluated in a state. */
 struct arguments {
     int count;
     domq_real number[ARGUMENTS_MAX];
-    struct quantity quantity[ARGUMENTS_MAX]; /* the number with its unit */
+    struct quantity quantity[ARGUMENTS_MAX]; /* the same numbers with their units */
     const char *word[ARGUMENTS_MAX];
-    int column[ARGUMENTS_MAX];         /* columns in the line, for messages */
-    const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
-    const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
-    void *bound;                       /* the result of argument.bind */
-    void *memory;                      /* of that result, see arguments_take */
+    int column[ARGUMENTS_MAX]; /* where each argument begins in the typed line, for messages */
+    /* The parameter that an ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL. */
+    const struct parameter *parameter;
+    /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
+    const struct variable *variable;
+    void *bound;  /* the result of argument.bind */
+    void *memory; /* the memory of `bound` if arguments_take allocated it */
 };
 
-/* A command. Strings and pointers that do not apply to it are NULL. */
+/* A command. Strings and pointers that a command does not need are NULL. */
 struct command {
     const char *name;
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;  /* one line */
-    const char *synonyms; /* other words that people look for, with blanks between them */
-    const char *equation; /* the equations of the paper */
+    const char *synonyms; /* other words that people may look for, separated by blanks */
+    const char *equation; /* the numbers of the equations in the paper */
     const char *help;     /* the text below the summary */
-    const char *example;  /* commands that show it */
+    const char *example;  /* example commands */
     const char *see;      /* related commands */
     const struct column *columns;
-    const char *principal; /* the key of the column that is its value in expressions */
-    bool rows;             /* The answer may have several rows. */
-    const char *echo;      /* the column that repeats this parameter, unless an argument gives its value */
-    const char *unswept;   /* why 'sweep' refuses a command that answers */
-    bool train;            /* The answer is about the endless train. */
-    bool draws;            /* The answer is a picture in a table. */
-    const char *holds;     /* what is true if the answer is yes, see answer_holds */
-    bool runs;             /* It runs other commands, which write to its output. */
-    bool files;            /* It reads or writes files, which a safe session refuses. */
-    bool changes; /* It may change parameters, effects, the row or variables, which 'undo' reverts. */
-    bool pages;   /* The answer is a long text, for the pager. */
-    const char
-        *shortest; /* the shortest abbreviation that means this command, although others begin with it, too */
-    /* Answers a query and writes its next state. Returns false with a problem. */
+    const char *principal; /* the key of the column that gives the command's value in expressions */
+    bool rows;             /* The answer is a table that may have several rows. */
+    /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter
+     * leaves the column out, unless an argument of the command replaces the parameter. */
+    const char *echo;
+    const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
+    bool train;          /* The answer is about the endless train. */
+    bool draws;          /* In the format for people, the answer is a picture made of characters. */
+    /* For a command that decides something: the statement that is true if the answer is yes. See
+     * answer_holds. */
+    const char *holds;
+    bool runs;  /* The command runs other commands, whose answers go to the same output. */
+    bool files; /* The command reads or writes files, so that a safe session refuses to run it. */
+    /* The command may change parameters, effects, the row or variables, and 'undo' can revert the change. */
+    bool changes;
+    bool pages; /* The answer is a long text, which is shown in the pager. */
+    /* The shortest abbreviation that is reserved for this command, although other commands begin with the
+     * same letters. */
+    const char *shortest;
+    /* Computes the answer to a query. A command that changes something stores the new state in query->next.
+     * Returns false with a problem. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
-    /* Does the same in place of `run` for a command that acts on the session. */
+    /* Replaces `run` for a command that needs the whole session and not just its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
-    /* Draws the answer into a file with the ending of a picture. */
+    /* Draws the answer, if it goes to a file with the extension of a picture. */
     bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
@@ -111,59 +123,65 @@ struct command_group {
 };
 
 /*
- * Registers the groups of all commands, which end with a NULL title, before the first command runs. The list
- * comes from commands/registry.c, since this folder is below the commands.
+ * Registers the groups of all commands, in an array that ends with a NULL title, before the first command
+ * runs. The array is defined in commands/registry.c, because the interpreter must not depend on the
+ * individual commands.
  */
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Lists for names.h: all commands; commands and parameters; the keys of the command that is the context. */
+/* Three lists in the form that names.h takes: all commands; all commands and parameters; and the column keys
+ * of one command, which is the context. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
-/* Lists for names.h all names that have a value in the state that is the context, or, if that is NULL, in
- * every state. */
+/* Lists, in the form that names.h takes, all names that have a value in a state. The context is that state;
+ * if it is NULL, only names that have a value in every state are listed. */
 const char *value_names(const void *context, int k);
 
-/* Returns topic k of those that people also call by this word, or NULL: 'growth' is r, 'speed' is several. */
+/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of
+ * topic number k with this synonym, or NULL if there are fewer. */
 const char *topic_meant(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns the index of the principal column of a command that has one. */
+/* Returns the index of the principal column. The command must have one. */
 int command_principal(const struct command *command);
 
 /*
- * Returns the maximum number of arguments that a command takes in an expression: those before the first that
- * is no value. `fewest` is the minimum. Returns -1 if the command has no value.
+ * Returns how many arguments a command takes at most in an expression: only leading arguments that are values
+ * count. Stores the minimum in *fewest. Returns -1 if the command cannot be used in an expression.
  */
 int command_values(const struct command *command, int *fewest);
 
-/* Writes the usage of a command: "rmax [S]". */
+/* Writes the usage of a command, such as "rmax [S]". */
 enum { USAGE_SIZE = 96 };
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Returns true unless the command touches files and the session is safe, which is a problem. */
+/* Returns false, with a problem, if the command reads or writes files and the session is safe. */
 bool command_allowed(const struct means *means, const struct command *command, struct problem *problem);
 
-/* Runs a command whose arguments are bound, and keeps the cells of its answer instead of writing them. */
+/* Runs a command whose arguments are bound. Stores the cells of its answer in `kept` instead of writing them.
+ * Returns false with a problem. */
 bool command_keep(const struct query *query, const struct command *command, struct cell *kept,
                   struct problem *problem);
 
-/* Returns the unit in which an argument is measured, 1 for a plain number. */
+/* Returns the unit of an argument as a quantity of value 1, which has no unit for a plain number. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Stores the value of an argument as a number. Returns false with a problem if it does not fit. */
+/* Checks the value of an argument, and stores it in SI units in *number. Returns false with a problem if its
+ * unit or its range is wrong. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns omega from tau^2 omega^2 and its error bound. At rest, the bound is that of the root of a number
- * near 0. */
+/* Returns the angular velocity omega with its error bound. The arguments are tau^2 omega^2, the error bound
+ * of this square, and tau. If the square may be 0, the error bound of omega is sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* The cell of a member of a result with its error bound; the same, multiplied by a factor. */
+/* CELL_OF makes a cell from a member of a result and the error bound of this member. CELL_TIMES multiplies
+ * both by a factor. */
 #define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
 #define CELL_TIMES(result, member, factor)                                                                   \
     cell_bound((result).member *(factor), (result).error.member *(factor))

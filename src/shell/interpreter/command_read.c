@@ -6,7 +6,8 @@
 
 /* ---- Definitions ---- */
 
-/* Reads a name with the blanks around it. Returns the place after them, or NULL if there is no name. */
+/* Reads a name with the blanks around it. Returns the position after those blanks, or NULL if there is no
+ * name. */
 static const char *definition_name(const char *c, char name[VARIABLE_NAME])
 {
     c = skip_blanks(c);
@@ -30,13 +31,13 @@ const char *definition_head(const char *c, struct variable *v)
 
 /* ---- Shorthands ---- */
 
-/* The name that a line begins with, and what has that name. */
+/* The name at the beginning of a line, and the command or variable of that name. */
 struct head {
     const char *begin, *end, *next; /* `next` is the first character after the name and blanks. */
-    char name[VARIABLE_NAME];       /* "" if the line begins with no name, or with a long one */
+    char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
     const struct variable *variable;
-    bool is_alone; /* The name is all of the command. */
+    bool is_alone; /* The command consists of the name alone. */
 };
 
 static struct head head_read(const struct reader *r)
@@ -51,7 +52,8 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true for a blank, and for what else can end a word that is a command of its own. */
+/* Returns true if a word that is a whole command can end at c: at a blank, at the end of the command or at a
+ * '>'. */
 static bool word_ends(const char *c)
 {
     return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
@@ -67,7 +69,7 @@ bool goes_on(const char *c)
            (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
 }
 
-/* Returns true if the line is an expression, which may be wrong. */
+/* Returns true if the line is meant as an expression. The expression may still have errors. */
 static bool is_expression(const struct state *state, const struct head *h)
 {
     const char *c = h->begin;
@@ -84,8 +86,8 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true for a command without a value that is written as a function: "quit()", "print(2)". Skips its
- * name, and "()". */
+/* Returns true if a command that has no value is written like a function: "quit()" or "print(2)". Moves the
+ * reader past the name and an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -98,7 +100,7 @@ static bool is_called(struct reader *r, const struct head *h)
     return true;
 }
 
-/* Returns true for what other calculators call their last values: '_', '%', '%1', 'ans2'. */
+/* Returns true for the names that other calculators give to earlier results: '_', '%', '%1', 'ans2'. */
 static bool is_history(const struct head *h)
 {
     const char *c = h->begin;
@@ -107,8 +109,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns the command that an assignment means, or NULL with a problem if nothing has the name on its left.
- */
+/* Returns the command that an assignment "NAME = VALUE" stands for, 'set' or 'let'. Returns NULL with a
+ * problem if NAME is neither a parameter nor a variable. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -132,13 +134,14 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     return NULL;
 }
 
-/* Returns the command that a shorthand means. Returns NULL if the line is no shorthand, or if there is a
- * problem. */
+/* Returns the command that a shorthand stands for. Returns NULL if the line is not a shorthand, or if there
+ * is a problem. */
 static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
     struct variable v;
-    if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) { /* as in most lines of a file */
+    /* Most lines of a script are a command and a number. They need none of the tests below. */
+    if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);
         r->at = h.end;
@@ -201,7 +204,8 @@ static const char *synonym_command(const char *word)
     return NULL;
 }
 
-/* Reports that no command has this name, and suggests what was meant. k and message come from names_find. */
+/* Reports that no command has this name, and suggests what may have been meant. `k` and `message` are the
+ * result of names_find for the name. */
 static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
 {
     const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
@@ -226,7 +230,8 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
         problem_error(r->problem, "%s; 'help' lists the commands", message);
 }
 
-/* Reads the name of a command, which may be abbreviated. Returns NULL with a problem. */
+/* Reads the name of a command, which may be abbreviated, and returns the command. Returns NULL with a problem
+ * if there is no such command. */
 static const struct command *name_read(struct reader *r, names_list *offered)
 {
     char message[NAMES_MESSAGE], exact[VARIABLE_NAME];

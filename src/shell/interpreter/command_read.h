@@ -1,27 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the command that a line means. The line begins with a command's name, or is a shorthand: 2+2, r = 2,
- * q, ?rmax. */
+/* Finds the command of a line. The line either begins with the name of a command or is a shorthand, such as
+ * 2+2, r = 2, q or ?rmax. */
 #ifndef SHELL_COMMAND_READ_H
 #define SHELL_COMMAND_READ_H
 
 #include "interpreter/reader.h"
 
 /*
- * Returns the command that a line means, and moves the reader to where its arguments begin. Returns NULL with
- * a problem if there is none. A name that a command and a parameter share is the command's; an abbreviated
- * command comes after a parameter, so that 'q' is the parameter, and not 'quit'.
+ * Returns the command of a line, and moves the reader to where its arguments begin. Returns NULL with a
+ * problem if there is no such command. If a command and a parameter share a name, the command wins. A
+ * parameter wins over an abbreviated command, so that 'q' is the parameter and not 'quit'.
  */
 const struct command *command_read(struct reader *reader);
 
-/* Returns the command of a question inside another command, such as 'sweep': an expression means 'print', and
- * there are no other shorthands. `offered` lists the commands that completion offers. */
+/* Returns the command of a question inside another command, such as 'sweep'. An expression stands for
+ * 'print', and other shorthands are not accepted. `offered` is the list of commands that completion offers.
+ */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
-/* Returns true if an operator or 'to' at c continues an expression that the word before it begins. */
+/* Returns true if the text at c is an operator or 'to', which continues an expression that began with the
+ * word before c. */
 bool goes_on(const char *c);
 
-/* Reads the head of a definition, "x =" or "f(s, d) =". Returns the place after '=', or NULL if there is no
- * such head. */
+/* Parses the head of a definition, "x =" or "f(s, d) =", into *variable. Returns the position after the '=',
+ * or NULL if there is no such head. */
 const char *definition_head(const char *text, struct variable *variable);
 
 #endif

@@ -9,40 +9,41 @@
 
 /* ---- Commands ---- */
 
-/* Returns true if a command has written nothing, and json gets an empty object instead: a program that waits
- * for an answer has to get one. The parts of a sweep are concatenated, so that only the first part writes
- * such objects, and none in place of rows. */
+/* Returns true if a command has written nothing and needs an empty JSON object in place of an answer, since a
+ * program that waits for an answer has to get one. The outputs of the parts of a sharded sweep are
+ * concatenated. Therefore only the first part writes such objects, and it writes none in place of rows. */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    bool is_source =
-        c->runs && c->argument[0].kind == ARGUMENT_FILE; /* The commands of the file have written theirs. */
+    /* After 'source', session->wrote is only about the commands in the file. */
+    bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
-/* Parses and runs the command at the reader, which moves to where parsing has ended. */
+/* Parses and runs the command at the reader, and moves the reader to where parsing ended. */
 static void run_command_at(struct session *session, struct reader *line)
 {
     struct reader r = *line;
     struct problem problem;
     struct question q;
     const struct query query = session_query(session);
-    fflush(output_base(session->output)->out); /* No answer waits until the next one is computed. */
+    /* Earlier answers must be visible while the next one is being computed. */
+    fflush(output_base(session->output)->out);
     problem_begin(&problem, NULL);
     r.query = &query;
     r.problem = &problem;
     if (command_parse(&r, &q)) {
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
-        bool is_step =
-            c->changes && session->source.depth == 0; /* A file that is sourced is one step of 'undo'. */
+        /* All changes of a sourced file together are one step of 'undo'. */
+        bool is_step = c->changes && session->source.depth == 0;
         bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
         bool done = run_question(session, &r, &q);
-        bool is_same =
-            session_answers(session) == format; /* 'set output' changes the format, and has no answer. */
+        /* A command that changes the format, such as 'set output', gets no object. */
+        bool is_same = session_answers(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
         if (is_step)
@@ -57,21 +58,22 @@ static void run_command_at(struct session *session, struct reader *line)
 
 /* ---- Lines ---- */
 
-/* Returns true if typed commands are logged. The commands of a sourced file are not, since 'source' itself
- * is. */
+/* Returns true if the commands of the current line are logged. The commands of a sourced file are not logged,
+ * since the 'source' command itself is. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a text. A log that begins in this line gets the commands that follow. */
+/* Runs the commands of a text. If one of them opens a log, the commands after it are logged. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    if (is_logged) /* One of several commands may fail after others have run, so that they are logged at once.
-                    */
+    /* The whole line is logged before its first command runs, since a later command may fail after others
+     * have already run. */
+    if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
         long errors = session->errors;
@@ -80,8 +82,8 @@ static void run_commands(struct session *session, const struct text *text, const
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
-            /* The parser decides where a command ends: 'complete LINE' takes the rest of the line, and a '"'
-             * within a word is a letter. */
+            /* The parser decides where a command ends, and not text_end: 'complete LINE' takes the remainder
+             * of the line, and a '"' within a word is an ordinary character. */
             end = r.at > end || command_ends(r.at) ? r.at : end;
         }
         if (*end != ';' || session_stops(session, errors))
@@ -111,7 +113,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.length = (int)length;
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
-    /* Log and tee are written after each line, so that a crash loses none of them. */
+    /* The files of 'log' and 'tee' are flushed after each line, so that a crash loses no lines. */
     const char *wrong = records_flush(&session->output);
     if (wrong)
         session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
@@ -119,8 +121,7 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* If SIGINT ends only a command, and not the script, forgets a SIGINT that came before or during these
- * commands. */
+/* Clears an earlier SIGINT, if SIGINT ends only the current command and not the whole script. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)
@@ -144,8 +145,9 @@ void command_run_text(struct session *session, const char *text)
 /* ---- Streams ---- */
 
 /*
- * Appends the lines of a stream that continue this one, and counts them, until the text is too long or the
- * stream ends. Returns false if a line has a NUL byte, or if there is no memory.
+ * Appends continuation lines from a stream to *text, and adds their number to *more, until a line does not
+ * continue, the text is too long or the stream ends. Returns false if a line contains a NUL byte, or if there
+ * is no memory.
  */
 static bool line_join(char **text, size_t *room, FILE *in, long *more)
 {
@@ -203,8 +205,8 @@ void line_stream(struct session *session, FILE *in, const char *name)
     free(text);
     session->source = outer;
     session->command = command;
-    if (reason == ECANCELED &&
-        session->command) { /* The interrupt is a problem of 'source', not of one of its lines. */
+    /* The interrupt is reported as a problem of 'source' and not of a line in the file. */
+    if (reason == ECANCELED && session->command) {
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);
         session_problem(session, &problem);

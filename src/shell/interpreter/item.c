@@ -13,8 +13,8 @@ bool is_value_name(const struct state *state, const char *name)
 
 /* ---- Expressions ---- */
 
-/* Returns true if the word after a value may stand there. Otherwise it was meant as a unit, and a problem
- * says what is wrong with that unit. */
+/* Returns true if the word at `at` may follow a value. Otherwise the word was meant as a unit, and the
+ * problem says what is wrong with that unit. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN], shown[NAMES_SHOWN];
@@ -34,7 +34,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Describes an error in the expression of the argument `name`, and quotes the word where the error is. */
+/* Reports an error in the expression for the argument `name`, and quotes the word at the error. Keeps a
+ * problem that has already been reported. Returns false. */
 static bool expression_wrong(struct problem *problem, enum problem_kind kind, const struct text *text,
                              const char *name, const char *at, const char *message)
 {
@@ -48,7 +49,8 @@ static bool expression_wrong(struct problem *problem, enum problem_kind kind, co
                           names_shown(word, shown), message);
 }
 
-/* Describes a character that directly follows a value, where a blank or an operator has to be. */
+/* Reports a character that directly follows a value, where there should be a blank or an operator. Returns
+ * false. */
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     char shown[NAMES_SHOWN];
@@ -59,7 +61,7 @@ static bool end_wrong(struct reader *r, const char *name, const char *end)
                                        : "here an operator or a blank is missing");
 }
 
-/* Returns true if the text ends in a number, which a unit may follow. */
+/* Returns true if the text from `begin` to `end` ends in a number, so that a unit may follow. */
 static bool ends_in_number(const char *begin, const char *end)
 {
     const char *c = end;
@@ -68,8 +70,8 @@ static bool ends_in_number(const char *begin, const char *end)
     return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
 }
 
-/* Records what may stand at the cursor: a value, the rest of an expression, or the unit of its last number.
- */
+/* Records what may be typed at the cursor: a value, the remainder of an expression, or the unit of the last
+ * number. `good` is true if the expression was parsed without an error. */
 static void expression_offer(const struct reader *r, const struct argument *a, const struct parse *p,
                              bool good)
 {
@@ -82,7 +84,7 @@ static void expression_offer(const struct reader *r, const struct argument *a, c
         offer_kind(&behind, OFFER_UNIT);
 }
 
-/* Parses "with NAME VALUE ..." after a value in parentheses, for struct parse. */
+/* The `with` of struct parse: parses "with NAME VALUE ..." after a value in parentheses. */
 static struct tree *with_parse(struct parse *p, struct tree *value)
 {
     struct reader *outer = p->context, r = *outer;
@@ -101,8 +103,8 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     return t;
 }
 
-/* Resolves the names of an item. A function's text is not in the line, so that problems have no place there.
- */
+/* Resolves the names in the expression of an item. Problems in the body of a function have no column, since
+ * that text is not part of the line. */
 static bool item_resolve(struct reader *r, const struct item *item, struct tree *tree)
 {
     struct reader inside = *r;
@@ -164,9 +166,9 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 /* ---- Words for values ---- */
 
 /* Reads a word and returns its index in a list of words for values. Unless `is_word_only`, the word may also
- * be an expression, such as the parameter h in 'set q h'; then it is not taken for an abbreviation. If the
- * word is not in the list, the reader does not move, and a negative result and the message are those of
- * names_find; the message is empty if an expression may follow. */
+ * begin an expression, such as the parameter h in 'set q h'; such a word must match the list exactly, without
+ * abbreviation. If the word is not in the list, the reader does not move, and the result and the message are
+ * those of names_find. The message is empty if the word may be an expression. */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
@@ -207,7 +209,7 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Writes all names of a list. */
+/* Writes all names of a list, separated by commas. */
 static void names_all(names_list *list, char all[128])
 {
     const char *name;
@@ -304,7 +306,9 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    r->no_unit = has_mass ? "s" : "sg"; /* Elsewhere a 'g' after the value is gravity. */
+    /* In a list, 's' is the separation and not seconds, and 'g' is gravity and not gram, unless the value is
+     * a mass. */
+    r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;
     if (good && p->effect && !item->value && item->number == EFFECT_ON)

@@ -1,44 +1,49 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values of a command: each is parsed once, and bound in every state that a sweep visits. */
+/* The values among a command's arguments. Each value is parsed once. Binding evaluates and checks the value
+ * in a state; a sweep binds it again at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* The parsers below return false or NULL after an error, with a problem. */
+/* After an error, the parsers below set the reader's problem and return false or NULL. */
 
-/* Parses an expression for an argument, which the item refers to from then on. */
+/* Parses an expression for an argument. The item keeps the pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses value number i of a parameter: one of its words, or an expression, which messages call `name`. */
+/* Parses value number i of a parameter. The value is one of the parameter's words, or an expression that
+ * messages call `name`. */
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                       struct item *item);
 
-/* Parses the value of a parameter in a list of names and values, where the next name may follow at once. An
- * effect that is "on" gets its usual value. */
+/* Parses the value of a parameter in a list of names and values, where the next name may follow the value
+ * directly. If an effect is "on", the item gets the usual value of that effect. */
 bool item_parse_listed(struct reader *reader, const struct parameter *parameter, struct item *item);
 
-/* Parses one of the argument's names; the number of the item is its index. */
+/* Parses one of the argument's choices. The item's number is the index of the choice. */
 bool item_parse_choice(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses one of the argument's names, whose number is -1 - index, or an angle. */
+/* Parses an angle or one of the argument's choices. For choice k, the item's number is -1 - k. */
 bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses the name of a parameter of the model or of an effect. `form` shows what the command takes. */
+/* Parses the name of a parameter of the model or of an effect. `form` is the end of the error message, and
+ * shows what the command takes. */
 const struct parameter *parameter_parse(struct reader *reader, const char *form);
 
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes the value of an item and checks it. `quantity` may be NULL. */
+/* Computes the value of an item and checks it against its argument. Stores it in *number, and with its unit
+ * in *quantity, which may be NULL. Returns false with a problem. The columns of problems are those of `text`,
+ * which may be NULL. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
 /* Returns true if the name has a value in this state, or, if the state is NULL, in every state. */
 bool is_value_name(const struct state *state, const char *name);
 
-/* Lists for names.h the parameters of the model, then the effects. */
+/* Lists, in the form that names.h takes, the parameters of the model and then the effects. */
 const char *model_names(const void *context, int k);
 
 #endif

@@ -3,11 +3,11 @@
 #include "language/quad.h"
 #include <string.h>
 
-/* The context of an evaluation, for symbol_quantity. */
+/* The context that symbol_quantity needs during an evaluation. */
 struct lookup {
     const struct query *query;
-    const struct quantity *argument; /* the arguments of the function that is evaluated */
-    struct problem *problem;         /* describes why a command has no answer */
+    const struct quantity *argument; /* the arguments of the function of 'let' that is being evaluated */
+    struct problem *problem;         /* gets the reason if a command has no answer */
 };
 
 static bool cell_quantity(struct evaluation *e, const char *name, const struct command *c, int i,
@@ -24,7 +24,7 @@ static bool cell_quantity(struct evaluation *e, const char *name, const struct c
     return true;
 }
 
-/* Runs a command such as rmax(0.3). The value is one number of its answer. */
+/* Runs a command such as rmax(0.3) in an expression. The result is one number of its answer. */
 static __attribute__((noinline)) bool command_quantity(struct evaluation *e, const struct tree *t,
                                                        const struct quantity *argument,
                                                        struct quantity *result)
@@ -45,8 +45,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
            cell_quantity(e, t->name, c, t->index, cells, result);
 }
 
-/* Evaluates a function of 'let'. Its body can use its own arguments, but not those of a function around it.
- */
+/* Evaluates a function defined by 'let'. The body of the function sees its own arguments, but not those of a
+ * function that calls it. */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {
@@ -79,7 +79,8 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem);
 }
 
-/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state. */
+/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state, in which the parameters after 'with' are
+ * changed. */
 static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
                                                     struct quantity *result)
 {

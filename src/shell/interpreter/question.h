@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A question is a command with its arguments, parsed. Its syntax is checked and its names are resolved once,
- * when it is parsed. Its values are computed in a state, when it is bound, which a sweep does at every point.
- * A parsed question does not change, so that threads can share it. It lives in the arena of the line. */
+/* A question is a parsed command with its arguments. Syntax is checked and names are resolved once, during
+ * parsing. Values are computed later, when the question is bound in a state; a sweep binds its question at
+ * every point. A parsed question does not change, so that threads can share it. It lives in the arena of the
+ * line. */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
 
@@ -9,64 +10,70 @@
 
 struct question {
     const struct command *command;
-    int key;   /* the column of the answer that is asked for, or -1 for the whole answer */
+    int key;   /* index of the requested column of the answer, or -1 for the whole answer */
     int count; /* number of arguments */
     struct item item[ARGUMENTS_MAX];
-    const struct parameter *parameter; /* named by ARGUMENT_PARAMETER or ARGUMENT_EFFECT, or NULL */
-    const struct variable *variable;   /* named by ARGUMENT_PARAMETER, ARGUMENT_TOPIC or 'let', or NULL */
-    void *parsed;                      /* the result of argument.parse */
-    const struct assignment *with;     /* what follows 'with', or NULL */
+    /* The parameter that an ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL. */
+    const struct parameter *parameter;
+    /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
+    const struct variable *variable;
+    void *parsed;                  /* the result of argument.parse */
+    const struct assignment *with; /* the assignments after 'with', or NULL */
     const struct text *text;
-    const char *name; /* the question as it was typed, for messages */
+    const char *name; /* the text of the question as typed, for messages */
 };
 
-/* Parses the line's command with its arguments. */
+/* Parses a command and its arguments at the reader. Returns false with a problem. */
 bool command_parse(struct reader *reader, struct question *question);
 
-/* Parses the arguments of question->command, up to the end of the command, '>' or a stop of the reader. */
+/* Parses the arguments of question->command, up to the end of the command, a '>' or one of the reader's
+ * `stops`. Returns false with a problem. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question inside another command: COMMAND, COMMAND.KEY or an expression, which 'print' answers. If
- * `is_number`, it must ask for one number. */
+/* Parses a question inside another command: COMMAND, COMMAND.KEY, or an expression, which becomes a question
+ * of the command 'print'. If `is_number`, the question must ask for a single number. Returns false with a
+ * problem. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
-/* Lists for names.h the commands that such a question can have. */
+/* Lists, in the form that names.h takes, the commands that question_parse_any accepts. */
 const char *question_names(const void *context, int k);
 
-/* Returns a copy of a question's text for messages, without blanks at its end. */
+/* Returns a copy of the text from `begin` to `end` for messages, without trailing blanks. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* A question that is bound: its values, and the query that it is run with. */
+/* A bound question: the values of its arguments, and the query to run it with. */
 struct call {
     struct query query;
     struct arguments given;
-    struct state state; /* the state that 'with' has changed; not used without 'with' */
+    struct state state; /* the state with the assignments of 'with'; unused without 'with' */
 };
 
-/* Binds a question in the state of a query. Call call_free also after a problem. */
+/* Binds a question in the state of a query. Returns false with a problem. The caller must call call_free in
+ * both cases. */
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 void call_free(struct call *call);
 
-/* Returns memory for the result of argument.bind, zeroed, which call_free frees. Returns NULL with a problem
- * if there is none. */
+/* Allocates zeroed memory for the result of argument.bind, and stores it in given->bound. call_free frees the
+ * memory. Returns NULL with a problem if there is no memory. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
-/* Binds a question and runs its command. */
+/* Binds a question and runs its command. Returns false with a problem. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Asks a question and returns one number of its answer, in SI units: the one of the key, or an expression's
- * value. */
+/* Asks a question, and stores one number of its answer in SI units: the cell of question->key, or the value
+ * of an expression. Returns false with a problem. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 
-/* Returns true if the question is an expression. 'print' answers it, which problems do not name. */
+/* Returns true if the question is an expression, that is, if its command is 'print'. Problems with an
+ * expression do not mention 'print', since it was usually not typed. */
 bool question_is_expression(const struct question *question);
 
-/* Returns true if the question asks for one number; otherwise a problem lists the keys that could be meant.
- */
+/* Returns true if the question asks for a single number. Otherwise returns false, with a problem that lists
+ * the keys to choose from. */
 bool question_needs_number(const struct question *question, struct problem *problem);
 
 #endif

@@ -8,7 +8,7 @@ bool question_is_expression(const struct question *q)
     return strcmp(q->command->name, "print") == 0;
 }
 
-/* Copies the state of the query and assigns what follows 'with'. */
+/* Copies the state of the query to call->state, and makes the assignments of 'with' there. */
 static bool with_bind(const struct question *q, const struct query *query, struct call *call,
                       struct problem *problem)
 {

@@ -10,7 +10,7 @@ static const char no_memory[] = "out of memory";
 
 /* ---- Parameters and topics ---- */
 
-/* Returns true if a word is the path of a file, and not the beginning of an expression. */
+/* Returns true if a word looks like the path of a file rather than the beginning of an expression. */
 static bool is_path(const struct state *state, const char *word)
 {
     size_t length = strlen(word);
@@ -18,7 +18,7 @@ static bool is_path(const struct state *state, const char *word)
            (isalpha((unsigned char)*word) && !strchr(word, '(') && !is_value_name(state, word));
 }
 
-/* Describes an argument that a command does not take. */
+/* Reports an argument that the command does not take. Returns false. */
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
 {
     char shown[NAMES_SHOWN];
@@ -26,15 +26,16 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Parses argument i, a value of the parameter that the question names. A file may stand for all its values.
- */
+/* Parses argument i of a question, which is a value of question->parameter. If the parameter allows it, the
+ * name of a file may stand for all values. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
     struct item *item = &q->item[i], *first = &q->item[1];
     char usage[USAGE_SIZE], word[PATH_MAX];
-    if (i == 1) { /* as in 'set r = 2' and 'set r to 2' */
+    /* The value may follow a '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
+    if (i == 1) {
         bool has_to = strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]);
         r->at = skip_blanks(r->at + (*r->at == '=' ? 1 : has_to ? 2 : 0));
         reader_place(r, r->at);
@@ -55,7 +56,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
-/* Returns true for a topic of 'help' that belongs to expressions, such as sin, cm or units. */
+/* Returns true for a topic of 'help' that is explained with expressions, such as sin, cm or units. */
 static bool is_expression_topic(const char *word)
 {
     static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
@@ -66,7 +67,8 @@ static bool is_expression_topic(const char *word)
     return is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
-/* Parses the name of a parameter or of a topic. It may be a variable, unless a value follows. */
+/* Parses the name of a parameter or of a topic. If the command takes no value after the name, the name may
+ * also be that of a variable. */
 static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     char message[NAMES_MESSAGE];
@@ -80,7 +82,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     const char *word = q->item[i].word = read_word(r, false);
     r->stops = outer;
     const char *next = skip_blanks(r->at);
-    if (*next == '?') /* as in 'rmax?' */
+    if (*next == '?') /* 'rmax?' asks for help. */
         r->at = next + strspn(next, "?");
     if (!word)
         return problem_error(r->problem, "%s", no_memory);
@@ -103,7 +105,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 
-/* Parses the name of an effect, which a '=' may follow. */
+/* Parses the name of an effect. A '=' may follow the name directly. */
 static bool effect_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     const char *outer = r->stops;
@@ -162,8 +164,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
                       : problem_error(r->problem, "%s", unclosed);
 }
 
-/* Describes a '--check' after a command that decides something, for which there is 'assert'. Returns true if
- * it is there. */
+/* If '--check' follows a command that decides something, reports that 'assert' does this, and returns true.
+ */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];
@@ -174,7 +176,7 @@ static bool check_wrong(const struct reader *r, const struct command *c)
     return true;
 }
 
-/* Parses "with NAME VALUE ..." if it follows. */
+/* Parses "with NAME VALUE ..." if this is next. Returns false with a problem. */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))
@@ -189,7 +191,8 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Describes a problem unless the command ends here. */
+/* Returns true if the command ends here, at '>' or at one of the reader's `stops`. Otherwise reports a
+ * problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];
@@ -255,8 +258,9 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside of other commands ---- */
 
-/* Returns the command that COMMAND or COMMAND.KEY names, and the index of the key's column, or -1 if there is
- * no such key. Returns NULL if the word names no command that answers. */
+/* Returns the command in a word of the form COMMAND or COMMAND.KEY. Stores the index of the key's column in
+ * *key, without a key that of the principal column, or -1 if there is no such column. Returns NULL if the
+ * word is not the name of a command that computes something. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

@@ -16,7 +16,8 @@ void reader_place(const struct reader *r, const char *at)
 
 /* ---- Words ---- */
 
-/* Reads a word. If `is_typed`, the copy has the characters that were typed. */
+/* Reads a word. If `is_typed`, the word is copied from the line as it was typed, in which Greek letters are
+ * still letters. */
 static char *word_read(struct reader *r, bool quotes, bool is_typed)
 {
     char ends[16];
@@ -74,7 +75,7 @@ bool word_is_next(const struct reader *r, const char *word)
            !isalnum((unsigned char)r->at[n]);
 }
 
-/* Lists for names.h a single word, the context. */
+/* A list, in the form that names.h takes, of a single word, which is the context. */
 static const char *single_word(const void *word, int k)
 {
     return k == 0 ? word : NULL;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader: how far a line has been parsed, and the words that follow. */
+/* The reader: a position in the line that is being parsed, and functions that read words from there. */
 #ifndef SHELL_READER_H
 #define SHELL_READER_H
 
@@ -8,81 +8,88 @@
 
 enum { OFFER_LISTS = 8 };
 
-/* What can follow besides names and values. */
+/* What completion can offer at the cursor, other than the names of a list and the values of an argument. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /*
- * What may follow in a line that is being typed. Such a line is parsed with a cursor at its end, a character
- * that no parser accepts, and every function that tries to read at the cursor records here what it would
- * have accepted. Completion, hints and colours show what is recorded.
+ * Completion, hints and colours need to know what may follow at the end of a line that is being typed. Such a
+ * line is parsed with a cursor at its end, a character that no parser accepts. Every function that tries to
+ * read at the cursor records in this struct what it would have accepted there.
  */
 struct offer {
     const char *cursor;
-    int lists; /* number of lists that a name was looked up in */
+    int lists; /* number of lists in which a name at the cursor would be looked up */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    struct argument value; /* the argument that an expression would give; ARGUMENT_NONE if none would */
-    bool is_inside;        /* the expression has begun before the cursor */
-    unsigned kinds;        /* bits of enum offer_kind */
-    const struct command *command;     /* the command with an argument at the cursor, or NULL */
+    /* The argument whose expression is at the cursor. Its kind is ARGUMENT_NONE if there is no such argument.
+     */
+    struct argument value;
+    bool is_inside;                    /* The expression begins before the cursor. */
+    unsigned kinds;                    /* bits of enum offer_kind */
+    const struct command *command;     /* the command whose argument is at the cursor, or NULL */
     int argument;                      /* index of that argument */
-    const struct parameter *parameter; /* the parameter or effect that gets a value at the cursor, or NULL */
-    size_t typed;                      /* typed length of the last command's name, which may be abbreviated */
-    bool *is_command; /* If not NULL, the bytes that belong to a command's name are set to true. */
+    const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
+    size_t typed; /* length of the last command's name as typed, which may be an abbreviation */
+    /* If not NULL: one element for each byte of the line. The elements of the bytes that belong to a
+     * command's name are set to true. */
+    bool *is_command;
 };
 
 struct reader {
-    const struct query *query; /* the state whose names are known */
+    const struct query *query; /* the query whose state defines the known names */
     struct problem *problem;
-    const struct text *text; /* the line, or NULL for the text of a function, where problems have no place */
+    const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
-    struct arena *arena;     /* memory of the trees */
-    const char *stops;       /* more characters that end a word or value, such as ",:" in a grid, or NULL */
-    const char *no_unit;     /* letters that are names, and not units, when they follow a blank; or NULL */
-    bool unresolved;         /* Names in expressions are resolved later. */
-    bool evaluates;          /* Each value is also computed and checked. */
-    bool last;               /* No other argument follows the one that is read. */
-    struct offer *offer;     /* NULL for a line that is run */
+    struct arena *arena;     /* the memory for parsed expressions and words */
+    /* Additional characters that end a word or value, such as ",:" in a grid. May be NULL. */
+    const char *stops;
+    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
+    bool unresolved;     /* Names in expressions are resolved later. */
+    bool evaluates;      /* Each value is also computed and checked. */
+    bool last;           /* The argument that is being read is the last one. */
+    struct offer *offer; /* NULL unless the line is only previewed */
 };
 
-/* Record what may stand where the reader is, if that is the cursor. */
+/* If the reader is at the cursor, these functions record what may be typed there. */
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
 
-/* Returns the record of the line if the reader is at its cursor, else NULL. */
+/* Returns r->offer if the reader is at the cursor, else NULL. */
 struct offer *reader_offer(const struct reader *reader);
 
-/* Records that a command's name was typed between these places. */
+/* Records that the text from `begin` to `end` is a command's name. */
 void reader_named(const struct reader *reader, const char *begin, const char *end);
 
-/* Sets the place in the line that the next problem is about. */
+/* Sets the column that is reported with the next problem. */
 void reader_place(const struct reader *reader, const char *at);
 
 /* Returns true at the end of a command; a '#' here begins a comment. */
 bool command_ends(const char *c);
 
-/* Skips blanks. Returns true if no argument follows: at the end of the command, at '>', '|', 'with' or a
- * stop. */
+/* Skips blanks. Returns true if no argument follows, because the command ends here, or because the next text
+ * is '>', '|', 'with' or one of the reader's `stops`. */
 bool reader_ends(struct reader *reader);
 
-/* Returns true if this whole word is next. */
+/* Returns true if the text at the reader is this word and not merely the beginning of a longer one. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If this whole word is next, skips it and the blanks after it, and returns true. */
+/* If the text at the reader is this whole word, skips the word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
 /*
- * Reads a word, which ends at a blank, or, if `quotes` is true, a text between "...", in which '""' stands
- * for one '"'. The result is in the arena. Returns NULL if a '"' is never closed or memory is short.
+ * Reads a word, which ends at a blank. If `quotes` is true, the word may also be a text in double quotes, in
+ * which '""' stands for one '"'. The result is allocated in the arena. Returns NULL if a '"' is never closed
+ * or if there is no memory.
  */
 char *read_word(struct reader *reader, bool quotes);
 extern const char unclosed[];
 
-/* Reads a word or a quoted text as it was typed: its Greek letters are not replaced by their names. */
+/* Reads a word or a quoted text as it was typed: Greek letters are not replaced by their names. Otherwise
+ * like read_word. */
 char *read_text(struct reader *reader);
 
-/* Reads the name of a file. A '~' at its beginning is the home folder. */
+/* Reads the name of a file, as read_text does. A leading '~' is replaced by the home directory. */
 char *read_file(struct reader *reader);
 
 #endif

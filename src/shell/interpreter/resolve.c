@@ -4,11 +4,11 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* Upper bounds of values within values, and of functions within functions. Each level takes part of the
- * stack, which may be as small as 128 kB. */
+/* The maximum height of a tree, and the maximum depth of functions that call functions. Each level uses part
+ * of the stack, which may be as small as 128 kB. */
 enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
-/* Sets the message of an error in a tree, and returns -1. */
+/* Sets the message and the position of an error in a tree. Returns -1. */
 static int __attribute__((format(printf, 3, 4)))
 fail(struct resolver *r, const struct tree *t, const char *format, ...)
 {
@@ -20,7 +20,8 @@ fail(struct resolver *r, const struct tree *t, const char *format, ...)
     return -1;
 }
 
-/* Turns a tree into a symbol. Returns 0, the height of the children of a symbol without arguments. */
+/* Turns a node into a symbol. Returns 0, which is the height of the children if the symbol has no arguments.
+ */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -30,8 +31,8 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
     return 0;
 }
 
-/* The functions below resolve a tree or its children. They return the height of the tree, or of the highest
- * child, or -1 after an error. */
+/* The functions below resolve a node or its children. tree_resolve returns the height of the tree, and the
+ * other functions that of the highest child. All of them return -1 after an error. */
 static int tree_resolve(struct resolver *r, struct tree *t);
 
 static int children_resolve(struct resolver *r, struct tree *t)
@@ -96,8 +97,8 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of the column that a tree's key names, or of the principal column if it has no key.
- * Returns -1 after an error. */
+/* Returns the index of the column of the key in "ans.margin" or "rmax.r", or of the principal column if the
+ * name has no key. Returns -1 after an error. */
 static int column_resolve(struct resolver *r, const struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

@@ -8,8 +8,8 @@
 
 #define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
 
-/* Tells a person that the answer is not about the row: below the answer, or on standard error if a picture
- * takes the file. */
+/* Tells a person that the answer is not about the row. The note goes below the answer, or to standard error
+ * if the answer is a picture in a file. */
 static void train_note(const struct session *session, struct answer *answer)
 {
     const char *note =
@@ -25,7 +25,7 @@ static void train_note(const struct session *session, struct answer *answer)
         answer_say(answer, "%s", note);
 }
 
-/* Runs the command itself, or the function that draws its answer. */
+/* Runs the function of the command that suits the output: `act`, `picture` or `run`. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -39,12 +39,13 @@ static bool run_function(struct session *session, const struct command *c, const
     return c->run(query, answer, problem);
 }
 
-/* Runs a command and writes its answer to the top of the stack of outputs. */
+/* Runs a command and writes its answer to the output at the top of the stack. */
 static bool run_command(struct session *session, const struct command *c, const struct query *query,
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    if (c->principal) /* This is a kilobyte, which most lines of a script do not need. */
+    /* The array is a kilobyte, and most lines of a script do not need it. */
+    if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = output_end(output);
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
@@ -86,14 +87,15 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The time must not stand in csv and json, which programs read. */
+        /* The time must not be mixed into csv and json, which programs read. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
     return done;
 }
 
-/* Runs a command whose answer may be longer than the terminal: a help page, or any answer at the prompt. */
+/* Runs a command through the pager, if its answer may be longer than the terminal: a help page, or at the
+ * prompt any answer. */
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
@@ -104,7 +106,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* The person has closed the pager before the end of the answer, which is no write error. */
+        /* The user closed the pager before the end of the answer. This is not a write error. */
         output_end(session->output)->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -114,7 +116,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-/* Returns true if a file with this ending can hold what the command writes. */
+/* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
@@ -142,7 +144,7 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     return true;
 }
 
-/* Runs a command whose answer goes to a file, in the format of the file's ending. */
+/* Runs a command and writes its answer to a file, in the format of the file's extension. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
@@ -151,7 +153,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
-        /* The file gets a picture even after 'set output csv'. */
+        /* A picture is drawn even after 'set output csv'. */
         session->output->format = ending->kind == ENDING_PICTURE ? &format_table : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);
@@ -162,7 +164,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
 }
 
-/* Runs a command with '>' or '>>' and the path of a file after it. */
+/* Runs a command that is followed by '>' or '>>' and the path of a file. */
 static bool run_redirected(struct session *session, struct reader *r, const struct command *c,
                            const struct query *query)
 {

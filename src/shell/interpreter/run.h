@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a parsed command, with its output to the terminal, the pager or a file. */
+/* Runs a parsed command and sends its output to the terminal, the pager or a file. */
 #ifndef SHELL_RUN_H
 #define SHELL_RUN_H
 
 #include "interpreter/question.h"
 #include "session/session.h"
 
-/* Binds and runs a command. If the reader is at a '>', the answer goes to the file that follows. Returns
- * false with the reader's problem. */
+/* Binds and runs a command. If the reader is at a '>', the answer goes to the file named after it. Returns
+ * false, with the problem in reader->problem. */
 bool run_question(struct session *session, struct reader *reader, const struct question *question);
 
 #endif

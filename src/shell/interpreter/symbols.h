@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The names in expressions: parameters, variables, functions of 'let', the last answer, and commands with
- * their keys. They are resolved once, when a line is parsed; the tree is then evaluated as often as a sweep
- * has points.
+ * their keys. Names are resolved once, when the line is parsed. A sweep then evaluates the resolved tree at
+ * every point.
  */
 #ifndef SHELL_SYMBOLS_H
 #define SHELL_SYMBOLS_H
@@ -11,37 +11,39 @@
 
 /* One value of a command: an expression, or a word that stands for a value. */
 struct item {
-    const struct argument *argument; /* the argument that has this value */
+    const struct argument *argument; /* the argument to which the value belongs */
     const struct tree *value;        /* the expression, or NULL if `number` is the value */
     domq_real number;
     const char *word; /* the word, name or path that was typed, or NULL */
-    const char *at;   /* its place in the line */
+    const char *at;   /* the position of the value in the line; may be NULL */
 };
 
-/* One NAME VALUE after 'with'. */
+/* One "NAME VALUE" pair after 'with', as an element of a linked list. */
 struct assignment {
     const struct parameter *parameter;
     struct item item;
     const struct assignment *next;
 };
 
-/* What a tree of kind TREE_SYMBOL refers to. */
+/* What a tree of kind TREE_SYMBOL stands for, and what its member `refers` points to. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
-    SYMBOL_ARGUMENT,  /* argument number `index` of the function that is evaluated */
+    SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* column number `index` of a struct command */
-    SYMBOL_ANS,  /* column number `index` of the last answer's struct command; NULL for the last printed value
-                  */
-    SYMBOL_WITH, /* struct assignments, which hold while the child is evaluated */
+    SYMBOL_COMMAND,   /* a struct command, of whose answer column `index` is the value */
+    SYMBOL_ANS,  /* the struct command of the last answer, of which column `index` is the value; NULL for the
+                    value that was printed last */
+    SYMBOL_WITH, /* a list of struct assignment that applies while the child is evaluated */
 };
 
-/* A function of 'let' with its names resolved. Each expression that uses the function has its own. */
+/* A function defined by 'let', with the names in its body resolved. Each expression that uses a function has
+ * its own copy. */
 struct routine {
     const struct variable *function;
     const struct tree *body;
-    int height;   /* levels of the body's tree */
-    bool is_open; /* The names of its body are being resolved. */
+    int height; /* height of the body's tree */
+    /* True while the names of the body are being resolved. This detects a function that uses itself. */
+    bool is_open;
     struct routine *next;
 };
 
@@ -49,25 +51,27 @@ struct resolver {
     const struct state *state;
     const struct ans *ans;
     struct arena *arena;
-    struct tree *(*with)(struct parse *parse, struct tree *value); /* for the bodies of functions */
-    void *context;                                                 /* of `with` */
-    const struct variable *scope; /* the function whose body is being resolved, or NULL */
+    struct tree *(*with)(struct parse *parse,
+                         struct tree *value); /* parses 'with' in the bodies of functions, see struct parse */
+    void *context;                            /* for `with` */
+    const struct variable *scope;             /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    int depth;           /* levels of functions within functions */
+    int depth;           /* how deeply the function whose body is being resolved is nested in others */
     bool names_function; /* The message already says in which function the error is. */
-    const char *at;      /* the place of the error */
+    const char *at;      /* after an error: its position in the expression */
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Resolves every name of a tree. Returns false after an error, with the resolver's message and place. */
+/* Resolves every name of a tree. Returns false after an error, which r->message and r->at then describe. */
 bool resolve(struct resolver *resolver, struct tree *tree);
 
-/* Evaluates a resolved tree in the state of a query. After an error either the evaluation has a message, or
- * the problem is described. */
+/* Evaluates a resolved tree in the state of a query. After an error the function returns false, and reports
+ * the error in one of two ways: either evaluation->message is set, or the problem is. */
 bool query_evaluate(const struct query *query, struct evaluation *evaluation, const struct tree *tree,
                     struct quantity *result, struct problem *problem);
 
-/* Makes a copy of the query's state, assigns values to it, and makes `changed` the query of that copy. */
+/* Copies the query's state to *state, assigns values to parameters of the copy, and sets *changed to the same
+ * query about this copy. Returns false with a problem. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 
