@@ -3,34 +3,36 @@
  * A row that is run many times, each time with other sizes of a few neighbouring dominoes.
  *
  * The dominoes before the change fall as in the unchanged row, so that a trial begins at the first head that
- * can be affected. A trial may also end early, because a head passes on little of what happened before. As
- * long as the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for
+ * can be affected. A trial may also end early, because a head passes on little of what happened before it.
+ * While the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for
  * every law of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the
- * relative deviation of omegasq from that of the unchanged row. At the next head it becomes lambda D, with
- * lambda = gain omegasq / (omegasq of the next head), which is < 1 if a fall releases energy. The changed
- * dominoes are still in the chain that leans on the head, and change its three numbers `need`, `gain` and
- * `offset`. The change is measured at each head (off). It decays with the slopes of the chain, so that the
- * ratio between two heads gives the sum of all changes still to come.
+ * relative deviation of omegasq from that of the unchanged row. At the next head the deviation becomes lambda
+ * D, with lambda = gain omegasq / (omegasq of the next head), and lambda < 1 if a fall releases energy. The
+ * changed dominoes still belong to the chain that leans on the head, and change the three numbers `need`,
+ * `gain` and `offset` of that head. This change is measured at each head (`off`). It decays with the slopes
+ * of the chain, so that the ratio of the changes at two successive heads gives the sum of all changes still
+ * to come.
  *
  * A head goes on if omegasq >= need and no contact force is negative. At each tilt a contact force is linear
- * in omegasq, so that no force is negative on an interval of omegasq. Two runs of the head, one barely fast
- * enough and one FAST times as fast, show how far that interval reaches. From the end of the row backwards
- * this gives the deviations (below and above) that leave the verdict of the unchanged row as it is: half of
- * what each head allows, divided by lambda if that is > 1. Once the deviation and the sum of changes together
- * are smaller, no later head can change the verdict, and the trial has the verdict of the unchanged row.
- * Otherwise the trial goes on to the end of the row.
+ * in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of the head,
+ * one barely fast enough and one FAST times as fast, show how far that interval reaches. From the end of the
+ * row backwards this gives the deviations (`below` and `above`) that do not change the verdict of the
+ * unchanged row: half of what each head allows, divided by lambda if lambda > 1. Once the deviation and the
+ * sum of the changes together are smaller, no later head can change the verdict, and the trial has the
+ * verdict of the unchanged row. Otherwise the trial continues to the end of the row.
  */
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The unchanged row at one head, and how far a trial may deviate there. */
+/* The state of the unchanged row when one head is hit, and how far a trial may deviate from this state. */
 struct mark {
-    real omegasq, inertia_ratio; /* when the head is hit: see struct run */
+    real omegasq, inertia_ratio; /* as in struct run, at the moment when the head is hit */
     size_t moving;
     real need, gain, offset;
     real below, above; /* relative deviations of omegasq that do not change the verdict */
-    real pushes;       /* the smallest contact force from here on, over the weight of the pushed domino */
-    bool falls;        /* from here on all dominoes fall; if not, the row ends as the unchanged row does */
+    /* the smallest contact force from this head on, relative to the weight of the pushed domino */
+    real pushes;
+    bool falls; /* all dominoes from this head on fall; otherwise the row ends like the unchanged row */
 };
 
 struct course {
@@ -38,28 +40,28 @@ struct course {
     struct geometry *geometry;
     size_t made; /* number of dominoes that have the geometry of the unchanged row */
     struct mark *mark;
-    size_t known; /* number of marks that are known */
+    size_t known; /* number of marks that have been found */
     struct dom_verdict verdict;
 };
 
-/* How much faster a head is in the run that looks for negative contact forces. */
+/* Factor on omegasq in the fast one of the two runs that look for negative contact forces. */
 #define FAST 1000
 
-/* The largest deviations that the changed dominoes themselves may still cause, also as a share of the
- * smallest contact force. With friction the limit is tiny, since nothing measures how close a row is to
- * locking. */
+/* The largest deviation that the changed dominoes themselves may still cause, as a number and as a fraction
+ * of the smallest contact force. With friction the limit is tiny, since no measure tells how close a row is
+ * to locking. */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
-/* A difference of fewer tolerances than this is noise. */
+/* A difference smaller than this many tolerances is noise. */
 #define NOISE 64
 
-/* Differences decay if the ratio of each to the one before is at most this. */
+/* Differences count as decaying if the ratio of each one to the previous one is at most this. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force if head k has another omegasq, or a negative number if the row ends
- * there. */
+/* Returns the smallest contact force in a run of head k with another omegasq, or a negative number if the row
+ * ends at this head. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -70,8 +72,8 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* Returns the numbers of head k from the run `before`, when head k was hit, and `after`, when the next head
- * was hit. */
+/* Returns the mark of head k, given the state of the run when head k was hit (`before`) and when the next
+ * head was hit (`after`). */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -95,7 +97,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of a head that goes on may deviate, as far as this head alone decides. */
+/* Finds how far omegasq of a head that goes on may deviate, without regard to later heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -108,7 +110,7 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Lowers the deviations of marks from ... to - 1 to what the marks after each of them allow. */
+/* Lowers the deviations of marks `from` to `to` - 1 to those that the later marks allow. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -123,16 +125,17 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets how far a row that ends at mark m may deviate and still end there in the same way. */
+/* Sets how far omegasq may deviate at mark m, where the row ends, so that the row still ends there in the
+ * same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
-    bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES; /* of sizes alone */
+    bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES; /* such an end depends on the sizes alone */
     m->below = reach || end == DOM_ROW_STOPS ? (real)INFINITY : 0;
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
 
-/* Returns true if the heads after k cannot change the verdict. *off has the change of the numbers at the head
- * before, or NaN, and gets that at head k. */
+/* Returns true if the heads after k cannot change the verdict. On entry *off is the change of `need`, `gain`
+ * and `offset` at the head before k, or NaN; on return it is the change at head k. */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
@@ -151,16 +154,14 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/*
- * Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. A row that gets
- * farther than all rows before leaves marks at its heads.
- */
+/* Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. Heads that no run
+ * has reached before get their marks. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* for marks */
+                      .forces = c->known < count, /* the marks need the smallest forces */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A finite row as a chain: each domino has a size, a weight, a gap and a follower of its own. Its joint with
- * the follower is the geometry of a train with other numbers; as everywhere in the kernels, the domino itself
- * is the unit.
- */
+/* A finite row as a chain, in which each domino has a size, a weight, a gap and a follower of its own. The
+ * joint between a domino and its follower is described by the geometry of a train, with the numbers of these
+ * two dominoes. As everywhere in the kernels, lengths and energies are relative to the domino itself. */
 #include "row/joint.h"
 #include "dynamics/walls.h"
 #include <string.h>
@@ -19,7 +17,7 @@ KERNEL struct block block_of(const struct row_request *row, size_t k)
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
 }
 
-/* Sets how domino k and its follower k - 1 touch. */
+/* Sets the geometry of the contact between domino k and its follower k - 1. */
 static void joint_shape(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     struct block self = block_of(row, k), previous = block_of(row, k - 1);
@@ -36,7 +34,8 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Makes the joint of domino k with its follower k - 1, with bounds of what all followers add to a sum. */
+/* Makes the joint between domino k and its follower k - 1, with bounds of the contributions of all followers
+ * to a sum. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -48,14 +47,14 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* Bounds of the terms of all dominoes before this one, over the term of this domino: what a sum that ends
-     * here leaves out. */
+    /* Bounds of the terms of all dominoes before this one, divided by the term of this domino. This is the
+     * remainder of a sum that ends here. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While it leans backwards, the slope is more than 1: by r L |x| / Y, and Y is at least that of an
-         * upright one. */
+        /* While the domino leans backwards, the slope exceeds 1 by r L |x| / Y, where Y is at least the Y of
+         * an upright domino. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
@@ -75,7 +74,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Returns row_end if one of the two dominoes leans. */
+/* Returns the same as row_end, in the case that domino k or the next one leans when the row stands. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
@@ -87,7 +86,8 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : (struct tilt){1, 0, 1};
 }
 
-/* Returns the last tilt of domino k as a head, at which it hits the next domino or lies on the floor. */
+/* Returns the last tilt of domino k as a head. At this tilt the domino hits the next one, or lies on the
+ * floor. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
     if (k + 1 == row->count)
@@ -97,7 +97,7 @@ static struct tilt row_end(const struct row_request *row, size_t k, const struct
     return geometry->law->hit(geometry, (real)row->domino[k + 1].gap / (real)row->domino[k].height);
 }
 
-/* Returns the radius of the edges of domino k over its height, or 0 for sharp edges. */
+/* Returns the radius of the edges of domino k divided by its height, or 0 for sharp edges. */
 static dom_real row_radius(const struct row_request *row, size_t k)
 {
     const struct dom_domino *domino = &row->domino[k];
@@ -105,8 +105,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns the effects on. The walls have one thickness in m, which is another share of the height of each
- * domino; the radius of the edges may differ from domino to domino. */
+/* Turns on the effects of domino k. The wall thickness is the same in m for all dominoes, and so is a
+ * different fraction of each height. The radius of the edges may differ from domino to domino. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -158,7 +158,7 @@ KERNEL void row_gaps(const struct row_request *request, struct geometry *row)
     }
 }
 
-/* Returns true if a value is positive and finite, also after rounding to the precision. */
+/* Returns true if a number is positive and finite, even after rounding to the precision of the kernel. */
 static bool positive(dom_real value)
 {
     return (real)value > REAL_MIN && (real)value < 1 / REAL_MIN;
@@ -174,19 +174,19 @@ static enum dom_status settings_check(const struct row_request *row)
                : dynamics_check(row->effect);
 }
 
-/* Returns true if the walls have room in a domino. */
+/* Returns true if the walls fit into a domino. */
 static bool walls_room(const struct row_request *row, const struct block *self)
 {
     return walls_fit(self->d, (real)row->effect[DOM_EFFECT_walls] / self->height);
 }
 
-/* Returns true if a domino that leans does not fall over either edge of its foot. */
+/* Returns true if a leaning domino stands without falling over either edge of its foot. */
 static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
 {
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* Values that are computed from the sizes of a domino must be in the range of the precision as well. */
+/* The quantities computed from the sizes of a domino must also be in the range of the precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

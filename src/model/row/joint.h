@@ -8,28 +8,30 @@
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
-    real box;                  /* moment of inertia over that of a solid block */
+    real box;                  /* moment of inertia divided by that of a solid block */
     real unit;                 /* m g h / 2 */
 };
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* Check a row with all its dominoes, and domino k alone. *wrong gets the number of the first bad domino. */
+/* Check a whole row, or domino k alone. If a domino is bad, *wrong receives the number of the first one,
+ * counted from 1. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* Make the geometry of the first `count` dominoes of a row, and of domino k alone after that of domino k - 1.
- * row_make also allocates the memory of the law of motion, which dynamics_end of row[0] frees, also after a
- * failure. */
+/* row_make makes the geometry of the first `count` dominoes of a row. It also allocates the memory of the law
+ * of motion; free it with dynamics_end of row[0], even after a failure. row_geometry makes the geometry of
+ * domino k alone, and needs the geometry of domino k - 1. */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row in which only gaps have changed. The dominoes are plumb and have sharp edges.
- */
+/* Updates the geometry of a row in which only gaps have changed, and all dominoes are plumb and have sharp
+ * edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
-/* Finds where domino k touches domino k + 1, which may lean. Returns false if the contact is not that of an
- * edge on the back face, or if the two touch before domino k moves. */
+/* Finds the contact of domino k with domino k + 1, which may lean, and the tilt of domino k at that contact.
+ * Returns false if the contact is not that of an edge on the back face, or if the two dominoes touch before
+ * domino k moves. */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 #endif

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The row at given times. The motion of a head is divided into passages at the moments when a domino
- * detaches. In each passage time is a Chebyshev series in the tilt of the head, from which the tilts of all
- * followers are computed. A domino that has detached keeps the tilt that it had at that moment.
- */
+/* The state of a row at given times. The motion of a head is divided into passages at the moments when a
+ * domino detaches. In each passage, time is a Chebyshev series in the tilt of the head. This tilt determines
+ * the tilts of all followers. A domino that has detached keeps the tilt that it had at that moment. */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -21,10 +19,10 @@ KERNEL void watch_free(struct watch *w)
     free(w->omega);
 }
 
-/* ---- The state where the head leans at a tilt ---- */
+/* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and the angular velocities of the moving dominoes from the tilt and from omega, in rad/s, of
- * the head. */
+/* Sets the tilts and the angular velocities of the moving dominoes from the tilt and the angular velocity of
+ * the head, omega in rad/s. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -39,7 +37,7 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        if (!k.link.leads) { /* by rounding: it detaches just here */
+        if (!k.link.leads) { /* a rounding error: the domino detaches at just this tilt */
             st->geometry.law->touch(&k);
         }
         st->geometry.law->next(&k);
@@ -65,16 +63,15 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the size of the tilts in a passage: the last tilt, unless the head leans backwards at first. */
+/* Returns the scale of the tilts in a passage: the last tilt, unless the head leans backwards at first. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
-/*
- * Near a rest the slowness grows like 1 / sqrt(to - theta). As a function of x, theta = to - (to - lo) x^2,
- * the time to the rest is smooth.
- */
+/* Near the tilt `to` at which the head comes to rest, the slowness grows like 1 / sqrt(to - theta). Therefore
+ * x with theta = to - (to - lo) x^2 is the variable of integration: the time up to the rest is a smooth
+ * function of x. */
 static real slowness_to_rest(real x, void *context)
 {
     struct passage *s = context;
@@ -84,7 +81,7 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds how long the passage takes, and the series of its time. */
+/* Finds the duration of the passage, unless `lasts` is known, and the series of its time. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
@@ -114,7 +111,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
     return DOM_OK;
 }
 
-/* Returns by how much the time up to a tilt, or from an x to the rest, is too long. */
+/* Returns by how much the time from the beginning of the passage to the tilt `at` exceeds s->into. If the
+ * passage ends at rest, `at` is the variable x, and the time is the one from x to the rest. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -129,7 +127,7 @@ static real passage_over(real at, void *context)
     return status == DOM_OK ? time - s->into : REAL_NAN;
 }
 
-/* Finds the tilt at the time `into` the passage, in tau. */
+/* Finds the tilt at the time `into` after the beginning of the passage, in tau. */
 static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
 {
     real x = 0;
@@ -162,7 +160,7 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* A passage in which no time is wanted costs nothing, unless it may be the end of the row. */
+    /* A passage without a requested time costs nothing, unless it may be the end of the row. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -192,7 +190,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
     const struct passage *s = &w->last;
     if (w->ended || w->next >= w->times)
         return DOM_OK;
-    if (s->st.geometry.n > 0) /* else nothing has moved */
+    if (s->st.geometry.n > 0) /* otherwise nothing has moved */
         status = passage_lean(w, s, s->to);
     while (status == DOM_OK && !w->ended && w->next < w->times)
         watch_visit(w, passage_end(s));
@@ -204,7 +202,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges that falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    real end, left; /* p at the hit of the next domino, and the wanted time from p to that hit */
+    real end, left; /* p when the domino hits the next one, and the requested time from p to that hit */
 };
 
 /* Returns the angle beyond theta_u from p = ln tan(phi / 4). */
@@ -213,13 +211,13 @@ static real tipping_phi(real p)
     return 4 * atan(exp(p));
 }
 
-/* Returns tau omega over sin(phi / 2), which is smooth. */
+/* Returns tau omega / sin(phi / 2), a smooth function. */
 static real tipping_rate(const struct segment *st, real phi)
 {
     const struct geometry *geometry = &st->geometry;
     const struct tilt u = tilt_half(geometry_half_u(geometry)),
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
-    real energy = 2 * geometry_height(geometry, u); /* over sin^2(phi / 2) */
+    real energy = 2 * geometry_height(geometry, u); /* divided by sin^2(phi / 2) */
     if (phi > cbrt(REAL_EPSILON))
         energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
     return sqrt(energy / geometry_inertia(geometry, at));
@@ -230,7 +228,7 @@ static real tipping_slowness(real p, void *context)
     return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
 }
 
-/* Returns by how much the time from p to the hit is too long. */
+/* Returns by how much the time from p to the hit exceeds the requested time. */
 static real tipping_over(real p, void *context)
 {
     const struct tipping *t = context;
@@ -240,7 +238,8 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns how far beyond theta_u a domino with rounded edges is, `left` before it hits the next one. */
+/* Returns the angle beyond theta_u of a domino with rounded edges at the time `left` before it hits the next
+ * one. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
@@ -250,10 +249,8 @@ static real tipping_at(const struct segment *st, real left)
                                                                                     : REAL_NAN;
 }
 
-/*
- * At the angle phi beyond its edge a single domino has w = 2 u sin^2(phi / 2), u being its reach: so
- * tan(phi / 4) grows like exp(t sqrt(u / 2)).
- */
+/* At the angle phi beyond theta_u, a single domino with sharp edges and reach u has w = 2 u sin^2(phi / 2).
+ * So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

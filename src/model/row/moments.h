@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* The beginning of a passage: `passed` tau after its head was hit, which was at `begins` in s. tau is in s.
- */
+/* The beginning of a passage: `passed` tau after the head was hit, which happened at `begins`. begins and tau
+ * are in s. */
 struct since {
     real begins, tau, passed;
 };
@@ -14,25 +14,25 @@ struct since {
 /* A part of the motion of one head in time, in which no domino detaches. */
 struct passage {
     struct segment st;
-    real to;    /* the tilt where the passage ends */
-    bool rests; /* the head comes to rest there */
+    real to;    /* the tilt of the head where the passage ends */
+    bool rests; /* the head comes to rest at this tilt */
     struct since since;
     real lasts;      /* duration in tau */
     size_t head;     /* index of the head, from 0 */
-    bool has_series; /* if not, integrals replace the series */
-    real span;       /* sqrt((to - lo) / size) of a passage that ends at rest */
-    real into;       /* the time that a search looks for */
+    bool has_series; /* time is computed from the series; otherwise from integrals */
+    real span;       /* for a passage that ends at rest, sqrt((to - lo) / passage_size) */
+    real into;       /* the time within the passage that a search looks for */
     struct num_series series;
 };
 
 /* The times at which the caller wants the state of the row, and the state so far. */
 struct watch {
-    const dom_real *time; /* s, in order */
+    const dom_real *time; /* in s, in ascending order */
     size_t times, next;   /* number of times, and index of the next one */
     dom_moment_visit *visit;
     void *context;
-    bool ended;             /* the visitor has ended the run */
-    dom_real *tilt, *omega; /* of each domino */
+    bool ended;             /* the callback has ended the run */
+    dom_real *tilt, *omega; /* of each domino, in rad and rad/s */
     size_t head, moving;    /* index of the head, and number of moving dominoes */
     struct passage last;    /* the last passage so far */
 };
@@ -41,21 +41,19 @@ struct watch {
 KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
 KERNEL void watch_free(struct watch *watch);
 
-/* Visits the times before the first hit, while the first domino tips over its edge. */
+/* Reports the requested times before the first hit, while the first domino tips over its edge. */
 KERNEL void watch_tip(struct watch *watch, const struct segment *tip, real tau);
 
-/*
- * Visits the times in one passage, which ends at the tilt `to`. `lasts` is its duration, or NaN if that is
- * not known yet.
- */
+/* Reports the requested times in one passage, which ends at the tilt `to`. `lasts` is the duration of the
+ * passage, or NaN if it is not known yet. */
 KERNEL enum dom_status watch_passage(struct watch *watch, const struct segment *st, size_t head, real to,
                                      bool rests, const struct since *since, real lasts);
 
-/* Stores the tilts of the dominoes that detach at the end of a segment, which are all but the first `stay`.
- */
+/* Stores the tilts of the dominoes that detach at the end of a segment. The first `stay` dominoes from the
+ * head do not detach. */
 KERNEL enum dom_status watch_detach(struct watch *watch, const struct segment *st, size_t head, size_t stay);
 
-/* Visits the times after the end of the run. */
+/* Reports the requested times after the end of the run. */
 KERNEL enum dom_status watch_rest(struct watch *watch);
 
 #endif

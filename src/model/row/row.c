@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A finite row of dominoes of any sizes (model section 8). While domino k is the head, all dominoes before it
- * lean on it in a chain as in a train, but each has its own size, weight and gap. Energies, the law of motion
- * and the collision are those of a train. There are two differences: nothing repeats, so that each head
- * begins with the energy that the head before leaves to it, and a domino that detaches takes along all
- * dominoes that lean on it. As everywhere in the kernels, the units are those of the present head: its
- * height, m g h / 2, and tau.
+ * A finite row of dominoes of any sizes. While domino k is the head, all dominoes before it lean on it in a
+ * chain as in a train, but each has its own size, weight and gap. Energies, the law of motion and the
+ * collision are those of a train. There are two differences: no cycle repeats, so that each head begins with
+ * the energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that
+ * lean on it. As everywhere in the kernels, the units are those of the present head: its height, m g h / 2,
+ * and tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends in this segment. */
+/* Finds the tilt at which the motion ends in this segment. If `used_up` is set, the kinetic energy does not
+ * suffice to reach the end of the segment. Otherwise friction brakes or locks the motion. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -51,10 +52,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/*
- * Computes one segment and prepares the next. Segments after a stop have no motion, but they count as well in
- * the energy that is missing to reach the end.
- */
+/* Computes one segment and prepares the next. The segments after a stop have no motion, but they are needed
+ * to find the energy that is missing to reach the end. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -68,14 +67,15 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->stay);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* In energy at the launch: with friction only a part of that energy reaches this place. */
+    /* The margin in terms of the energy at the launch, of which only a part reaches this tilt if there is
+     * friction. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
         d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
-    /* Prepares the next segment before the flow is cut to where the motion comes to rest. */
+    /* Prepare the next segment before the flow is cut at the tilt where the motion comes to rest. */
     if (!st->locks)
         status = segment_next(st, &next);
     if (status == DOM_OK && !over && (used_up || st->locks))
@@ -90,8 +90,8 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
 }
 
 /* Finds the inertia of all moving dominoes when head k is hit. If the contact has no closed form, a pass
- * costs most, and the inertia follows from the ratio of the collision instead, unless friction has changed
- * that ratio. */
+ * along the chain is what costs most. The inertia then follows from the inertia ratio of the collision
+ * instead, unless friction has changed that ratio. */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
     struct geometry geometry = run->geometry[k];
@@ -153,8 +153,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs the first domino, which is tipped over its edge and let go. Its energy is the height that it has lost
- * since (9; b5). */
+/* Runs the first domino, which is tipped over its edge and let go. Its energy is that of the height that it
+ * has lost since it tipped over (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -189,11 +189,9 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/*
- * Relative room for a gap as wide as the head is tall, which counts as reached: in a row of a train with r =
- * 1/s the rounding errors of r, two powers, four products, and of both sizes to the precision, are half a
- * unit or one unit each.
- */
+/* Relative tolerance for a gap as wide as the head is tall, which counts as reached. In a row of a train with
+ * r = 1/s, the rounding errors of r, of two powers, of four products, and of both sizes when they are rounded
+ * to the precision, are half a unit or one unit in the last place each. */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* Returns how the row ends if head k touches the next domino and one of the two leans. */
@@ -237,7 +235,7 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-/* Adds this domino to the verdict of the row. */
+/* Updates the verdict of the row after the run of one domino. */
 static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
 {
     dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
@@ -333,7 +331,7 @@ static enum dom_status row_falls(struct run *run, dom_fall_visit *visit, void *c
     return DOM_OK;
 }
 
-/* Adds the work of a row to that of the caller. */
+/* Adds the work of a row to the caller's counters. */
 static void work_add(struct dom_work *sum, const struct dom_work *self)
 {
     if (!sum)

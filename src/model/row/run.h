@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The run of a row, head by head (row.c), for the files that run rows. */
+/* The run of a row, head by head. row.c implements it; sample.c, course.c and steady.c also run rows. */
 #ifndef DOM_RUN_H
 #define DOM_RUN_H
 
@@ -11,38 +11,40 @@ struct run {
     const struct row_request *request;
     struct geometry
         *geometry; /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
-    size_t made;   /* the number of geometries that are made, if not all are (steady.h) */
+    size_t made;   /* number of geometries that have been made, if not all have (steady.h) */
     bool times;
-    bool forces;         /* find the smallest contact force, not only its sign */
-    size_t moving;       /* number of moving dominoes, including the head */
-    real omegasq;        /* tau^2 omega^2 of the head when it is hit */
-    real inertia_ratio;  /* of its collision: J(0) - 1, or A(0) - 1 with friction; 0 without a collision */
-    real time;           /* s, up to now; NaN if it has no value */
-    real carried;        /* J, kinetic energy before the next collision */
-    struct watch *watch; /* the moments to report, or NULL */
+    bool forces;   /* find the smallest contact force itself, not only its sign */
+    size_t moving; /* number of moving dominoes, including the head */
+    real omegasq;  /* tau^2 omega^2 of the head when it is hit */
+    /* from the collision that hit the head: J(0) - 1, or A(0) - 1 with friction; 0 without a collision */
+    real inertia_ratio;
+    real time;           /* time of the run so far, in s; NaN if it has no value */
+    real carried;        /* kinetic energy before the next collision, in J */
+    struct watch *watch; /* the times to report, or NULL */
     struct dom_verdict verdict;
 };
 
 /* The motion of one head, segment by segment, in units of that head. */
 struct descent {
     struct segment st; /* the present segment */
-    size_t stay;       /* number of dominoes that move on after it */
+    size_t stay;       /* number of dominoes that still move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     bool stops, locks;                          /* the head stops, or still moves when friction locks it */
     bool forces;                                /* as in struct run */
-    struct required_friction required_friction; /* friction that the floor needs */
+    struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;
     size_t head;
-    real begins, tau; /* s */
+    real begins, tau; /* in s */
 };
 
-/* Sets the state in which the first domino begins. */
+/* Sets the state in which the first domino begins to move. */
 KERNEL void row_launch(struct run *run);
 
-/* Runs head k from the moment when it is hit, or the first domino, and adds the head to the verdict. */
+/* Runs head k from the moment when it is hit, or from the start for the first domino, and adds the head to
+ * the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Moves head k down. d then has the state at the end of its motion. */
+/* Moves head k from its first tilt to its last one. On return `d` has the state at the end of this motion. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
 /* Lets head k, which arrives in the state `at` with the chain `hitting`, hit domino k + 1, which becomes the

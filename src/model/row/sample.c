@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows with random sizes, of which only the verdict is needed. Most heads surely go on: they have more energy
- * than the dominoes can take up by rising, and a bound shows that all contacts push. One pass down the chain,
- * from its tilts when the head is hit to those when the head hits the next domino, then gives the energy that
- * is passed on. The chain begins where the chain of the head before has ended, so that the pass follows one
- * chain, not two. If a bound is not enough, or a domino detaches, the head runs as in any other row
- * (row_head).
+ * Rows with random sizes, of which only the verdict is needed. Most heads certainly go on: they have more
+ * energy than the dominoes can take up by rising, and a bound shows that all contacts push. For such a head,
+ * one pass down the chain gives the energy that is passed on. The pass computes the tilts when the head is
+ * hit and those when the head hits the next domino. The first are the last tilts of the chain of the previous
+ * head, so that the pass computes one new chain, not two. If a bound does not suffice, or a domino detaches,
+ * the head runs as in any other row (row_head).
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -14,31 +14,30 @@
 struct random_row {
     struct row_request request;
     bool plain; /* the edges are sharp and the dominoes are plumb */
-    bool rubs;  /* there is friction: the row runs roughly first, and finely if the verdict is in doubt */
+    /* there is friction: the row runs roughly at first, and precisely if the verdict is in doubt */
+    bool rubs;
     bool rough, doubt;
     struct slide slide;
     real off_at_end; /* the largest possible error of omegasq at the end of a head's motion */
     struct block *block;
     struct geometry *geometry;
-    struct link *link; /* dominoes `deep` to `head` at the moment when that head hits the next domino */
-    size_t deep, head; /* head is SIZE_MAX if no chain is stored */
+    struct link *link; /* dominoes `deep` to `head` at the moment when domino `head` hits the next one */
+    size_t deep, head; /* `head` is SIZE_MAX if no chain is stored */
 };
 
-/*
- * The sums along a chain between two tilts of its head, without compensation, since the sign of a margin
- * needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so that the barrier is at most
- * rise^2 / (2 bend).
- */
+/* The sums along a chain between two tilts of its head, in plain arithmetic without compensation, since the
+ * sign of a margin needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so that the
+ * barrier is at most rise^2 / (2 bend). */
 struct glide {
     real J, dH;
-    real rise;  /* dH/dtheta where the head begins */
-    real bend;  /* -d2H/dtheta2 is at least this, up to the tilt from which H decreases */
-    real t;     /* tan of half the turn of a domino */
-    real curve; /* -theta_i'' of a domino is at most this */
-    bool rises; /* a follower rises at first */
+    real rise;  /* dH/dtheta where the motion of the head begins */
+    real bend;  /* lower bound of -d2H/dtheta2, up to the tilt from which H decreases */
+    real t;     /* tangent of half the angle by which the present domino turns */
+    real curve; /* upper bound of -theta_i'' of the present domino */
+    bool rises; /* some follower rises at first */
 };
 
-/* Adds one domino, which has moved from b to a. */
+/* Adds one domino, which moves from b to a. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -54,8 +53,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Passes on the bound of the curve: from b to a, X and theta_1' decrease, and Y is least at one of the two.
- */
+/* Passes the bound `curve` on to the next domino. From b to a, X and theta_1' decrease, and Y is smallest at
+ * one of the two ends. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -64,22 +63,23 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* By this factor the energy must exceed the bound of the barrier, which leaves out the tail of the chain. */
+/* The energy must exceed the bound of the barrier by this factor, since the bound leaves out the tail of the
+ * chain. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
-/* Returns true if the kinetic energy is surely enough. */
+/* Returns true if the kinetic energy certainly exceeds the barrier. */
 static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
 {
     const struct geometry *self = head->geometry;
-    /* Without followers that rise, H decreases from theta_u of the head on. */
+    /* If no follower rises, H decreases from theta_u of the head on. */
     const real height = geometry_height(self, standing),
                bend = g->bend + (g->rises ? fmin(height, geometry_height(self, head->tilt)) : height);
     const real rise = fmax(g->rise, 0);
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true when the dominoes after this one can be left out. `shrinks` is t of the next domino over t of
- * this. */
+/* Returns true when the dominoes after this one can be left out. `shrinks` is the ratio of t for the next
+ * domino to t for this domino. */
 static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
 {
     const struct geometry *self = a->geometry;
@@ -106,15 +106,13 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/*
- * Returns true if head k of a plain row surely goes on, and sets `at` to its state at the next domino. The
- * chain at that moment replaces that at the end of the head before.
- */
+/* Returns true if head k of a plain row certainly goes on, and sets `at` to the state in which it hits the
+ * next domino. The chain at that moment replaces the stored chain of the previous head. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
     const real tol = TAIL_SHARE * (real)s->request.tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
-    const bool alone = run->moving == 1; /* then nothing rubs on it */
+    const bool alone = run->moving == 1; /* then there is no friction */
     struct link a = link_head(head, head->c), b = link_head(head, standing);
     struct glide g = {.t = half_of_tilt(head->c)};
     const size_t known = k > 0 && s->head == k - 1 ? s->deep : k;
@@ -141,13 +139,13 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
         return glide_passes(&g, &s->link[k], kinetic);
     if (!s->rough)
         return false;
-    if (k + 1 == s->request.count && !g.rises) /* beyond theta_u all dominoes fall */
+    if (k + 1 == s->request.count && !g.rises) /* beyond theta_u all dominoes go down */
         return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
                             run->omegasq);
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Lets head k hit the next domino, which inherits the relative error of omegasq. */
+/* Lets head k hit the next domino, which takes over the relative error of omegasq. */
 static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
                                   const struct geometry *hitting, const struct start *at)
 {
@@ -156,13 +154,12 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A contact force of a rough run, over the weight of the domino, must be farther from 0 than this. */
+/* In a rough run, a contact force relative to the weight of the domino must differ from 0 by more than
+ * this. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/*
- * Runs head k as in any other row. The error of omegasq at its beginning is at most s->slide.off; s->doubt is
- * set if that error may change the verdict.
- */
+/* Runs head k as in any other row. The error of omegasq when the head is hit is at most s->slide.off.
+ * s->doubt is set if this error may change the verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;
@@ -180,7 +177,7 @@ static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
     return sample_hit(s, run, k, &d.st.geometry, &d.st.start);
 }
 
-/* Runs the row. */
+/* Runs the row until it ends, or until its verdict is in doubt. */
 static enum dom_status sample_falls(struct random_row *s, struct run *run)
 {
     enum dom_status status = DOM_OK;
@@ -204,7 +201,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     return status;
 }
 
-/* Sets the tolerance for a rough run or for a fine one. */
+/* Sets the tolerance of a rough run or of a precise one. */
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;

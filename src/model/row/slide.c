@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/slide.h"
 
-/* The margin must be so many times the estimated error, and more than this part of the energy. */
+/* A verdict is certain if the margin is at least SLIDE_CLEAR times the estimated error, and more than the
+ * fraction SLIDE_ROOM of the energy. */
 #define SLIDE_CLEAR 8
 #define SLIDE_ROOM  ((real)1 / 64)
 
-/* Places where the required energy is found, in search of its maximum. */
+/* Number of tilts at which the required energy is computed, to find its maximum. */
 enum { SLIDE_PLACES = 12 };
 
-/* The sums of the equation of motion (friction.c), in plain arithmetic. */
+/* The sums of the equation of motion (friction.c), in plain arithmetic without compensation. */
 struct slide_sums {
     real A, B, C;
-    real S, curve; /* of a domino: S_i and theta_i'' */
+    real S, curve; /* S_i and theta_i'' of the present domino */
 };
 
-/* Adds one domino. Returns false when those after it can be left out. */
+/* Adds one domino. Returns false when the dominoes after it can be left out. */
 static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, real tol)
 {
     const struct geometry *self = k->geometry;
@@ -55,8 +56,8 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
     return true;
 }
 
-/* Returns the omegasq that the head needs to come over the hardest tilt: the maximum of -v, from samples and
- * a parabola through each three of them. */
+/* Returns the omegasq that the head needs to pass the hardest tilt: the maximum of -v, from samples and a
+ * parabola through every three neighbouring ones. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

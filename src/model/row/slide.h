@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A rough motion of heads with friction: eight evaluations of the equation of motion give the motion of a
- * head to a few digits, with an estimate of the error. Most verdicts need no more.
- */
+/* A rough computation of the motion of heads with friction. Eight evaluations of the equation of motion give
+ * the motion of a head to a few digits, with an estimate of the error. Most verdicts need no more. */
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 
@@ -16,16 +14,16 @@ struct slide {
     real off; /* the largest possible error of omegasq of the present head */
 };
 
-/* Returns the relative error of omegasq that follows from the tolerance of the sums. */
+/* Returns the relative error of omegasq that the tolerance of the sums causes. */
 KERNEL real slide_error(const struct geometry *head);
 
-/* Returns true if a plain head, whose contacts all push, surely reaches the tilt 2 atan hi. */
+/* Returns true if the head certainly reaches the tilt 2 atan hi. It must be plain (plumb, with sharp edges),
+ * and all contacts must push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/*
- * Finds omegasq, with its possible error, at the end of the motion of a plain head whose contacts all push.
- * Returns false if the head may not reach its end.
- */
+/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq. The head must be
+ * plain (plumb, with sharp edges), and all contacts must push. Returns false if the head may not reach its
+ * end. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 

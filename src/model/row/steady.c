@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* Dominoes beyond the longest pass that must be equal, too. */
+/* Besides the dominoes of the longest pass, this many more must be equal. */
 enum { STEADY_MORE = 2 };
 
-/* The fewest dominoes whose geometry is made first. */
+/* Among the equal dominoes at the end of a row, the geometry is at first made for only this many. */
 enum { STEADY_FIRST = 256 };
 
-/* omegasq may still change by this part of the tolerance, in all heads to come. */
+/* All heads to come together may still change omegasq by this fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
-/* Returns true if domino k is like the one before it. */
+/* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */
 static bool equal(const struct row_request *row, size_t k)
 {
     const struct dom_domino *a = &row->domino[k], *b = a - 1;

@@ -1,40 +1,36 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A sequence of equal dominoes: after some of them each head moves as the head before it did. By then all
- * dominoes that matter to a head are equal, and omegasq no longer changes.
- */
+/* In a sequence of equal dominoes, each head moves in the same way as the previous one after a while. By then
+ * all dominoes that matter to a head are equal, and omegasq no longer changes. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
 #include "row/run.h"
 
 struct steady {
-    struct dom_fall fall; /* of the last head that was computed */
+    struct dom_fall fall; /* the fall of the last head that was computed */
     size_t alike;         /* number of equal dominoes up to the present head */
-    size_t more;          /* 1 if one more domino moves with each head, 0 if as many move as before */
-    bool found;           /* the next head repeats this motion if its dominoes are equal as well */
+    size_t more; /* 1 if each head has one more moving domino than the previous one, 0 if it has as many */
+    bool found;  /* the next head repeats this motion if its dominoes are also equal */
 };
 
-/* Makes the geometry of the row up to domino k. */
+/* Makes the geometry of the row up to domino k, as far as it is not made yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns the number of dominoes whose geometry is made first. All dominoes after them are equal, so that
- * none of them can fail. */
+/* Returns the number of dominoes whose geometry is made before the run. All later dominoes are equal to
+ * these, so that their geometry cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
-/* Begins with head k. Returns true if head k repeats the motion of the head before. `fall` is filled then,
- * and the run goes on to the next head. */
+/* Called when head k begins. Returns true if head k repeats the motion of the previous head: then `fall` is
+ * filled, and the run is advanced to the next head. */
 KERNEL bool steady_repeats(struct steady *s, struct run *run, size_t k, struct dom_fall *fall);
 
-/* Finds whether the next head will repeat the motion of head k, which began with omegasq = before and has hit
- * it. */
+/* Finds whether the next head will repeat the motion of head k. Head k began with omegasq = before, and has
+ * hit the next head. */
 KERNEL void steady_find(struct steady *s, const struct run *run, size_t k, real before,
                         const struct descent *d, const struct dom_fall *fall);
 
-/*
- * Runs the last head of a row as that of a shorter row, since all heads before it repeat and their geometry
- * is not made. Returns false if the shorter row is too short for that.
- */
+/* Runs the last head of a row as the last head of a shorter row, since all heads before it repeat one motion
+ * and their geometry has not been made. Returns false if the shorter row is too short for that. */
 KERNEL bool steady_last(const struct steady *s, struct run *run, size_t k, struct descent *d,
                         struct dom_fall *fall, enum dom_status *status);
 
