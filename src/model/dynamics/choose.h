@@ -6,17 +6,20 @@
 #include "dynamics/energy_balance.h"
 #include "effects/effects.h"
 
-/* Chooses the law of motion and the potential energy for the effects that are on. Needs geometry->d. */
+/* Chooses the law of motion and the potential energy for the effects that are switched on. geometry->d must
+ * already be set. */
 KERNEL enum dom_status dynamics_choose(const dom_real effect[DOM_DYNAMICS_COUNT], struct geometry *geometry);
 
-/* Prepares a train without its separation and growth, which geometry_set adds. */
+/* Prepares the geometry and the law of motion of a train, except for its separation and growth, which
+ * geometry_set adds. */
 KERNEL enum dom_status dynamics_read(const struct request *train, struct geometry *geometry);
 
-/* Checks a train and makes its geometry with the law of motion. dynamics_begin comes before the first use of
- * the law. */
+/* Checks a train and prepares its complete geometry and its law of motion. Call dynamics_begin before the
+ * first use of the law. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
 
-/* Allocate and free the memory that the law of motion needs. dynamics_end may also follow a failure. */
+/* Allocate and free the memory that the law of motion needs. dynamics_end may also be called after
+ * dynamics_begin has failed. */
 KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
 KERNEL void dynamics_end(struct geometry *geometry);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of motion of a train, as a table of functions. energy_balance.c and friction.c each have such a
- * table. README.md in this folder says how to add an effect.
+ * The law of motion of a train, as a table of functions. energy_balance.c and friction.c each define such a
+ * table. README.md in this folder explains how to add an effect.
  */
 #ifndef DOM_DYNAMICS_H
 #define DOM_DYNAMICS_H
@@ -9,100 +9,107 @@
 #include "geometry/chain.h"
 
 /*
- * The collision (22; c4), derived as (59; e8): the struck domino, which is upright, and the chain that hits
- * it move on together. T = r^-(q+1) J(theta_c) is the inertia ratio, where J is the inertia of the chain;
- * with friction S_1 A replaces J. The collision conserves the angular momentum that all contacts pass on:
+ * The collision (22; c4), derived as in (59; e8): the struck domino, which is upright, and the chain that
+ * hits it move on together. The inertia ratio T is r^-(q+1) J(theta_c), where J is the inertia of the hitting
+ * chain; with friction S_1 A replaces J. The collision conserves the angular momentum that the contacts
+ * transmit along the chain:
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  */
-/* Returns omega(0) / omega_1(theta_c), the share of the angular velocity that is left after a collision. */
+/*
+ * Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a collision.
+ */
 KERNEL real collision_velocity_ratio(real inertia_ratio)
 {
     return inertia_ratio / (1 + inertia_ratio);
 }
 
-/* The beginning of a cycle, in units of the head. */
+/* The state in which a cycle begins, in units of the head. */
 struct launch {
-    real fuel;           /* P, the fuel that the train uses */
+    real fuel;           /* P, the energy released in a cycle, by the chosen fuel formula */
     real J0;             /* J(0) */
-    real inertia_ratio;  /* T of the collision */
+    real inertia_ratio;  /* T, as defined above */
     real velocity_ratio; /* omega(0) / omega_1(theta_c) */
     real omegasq;        /* tau^2 omega(0)^2 */
     real kinetic;        /* J(0) tau^2 omega(0)^2 */
-    real arrives;        /* kinetic energy at theta_c, of a train that reaches theta_c */
+    real arrives;        /* kinetic energy at theta_c, if the train gets that far */
 };
 
-/* The beginning of a motion, at the tilt `from` of the head. */
+/* The state in which a motion begins, with the head at the tilt `from`. */
 struct start {
     struct tilt from;
     real J;             /* inertia of all moving dominoes (20; c2) */
     real omegasq;       /* tau^2 omega^2 */
     real kinetic;       /* J omegasq */
-    real kinetic_error; /* bound of the error of `kinetic` */
+    real kinetic_error; /* error bound of `kinetic` */
 };
 
 struct dynamics {
-    /* True if the energy H of position decides: then the barrier is the maximum of H, found by Newton's
-     * method. */
+    /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H, which
+     * Newton's method finds. */
     bool conservative;
 
-    /* Optional: allocate and free the memory of the law. May return DOM_NO_MEMORY. */
+    /* Optional: allocate and free the memory of this law. `begin` returns DOM_OK or DOM_NO_MEMORY. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
-    /* Optional: solves the motion over a whole cycle, unless an earlier call has solved it. */
+    /* Optional: solves the motion over a whole cycle, unless an earlier call has already done so. */
     enum dom_status (*solve)(const struct geometry *geometry);
     /*
-     * Optional: solves the motion over [lo, *hi] alone, where J is the inertia at lo. Returns DOM_LOCKS if no
-     * motion gets beyond a tilt, which is then written to *hi.
+     * Optional: solves the motion only over [lo, *hi]; J is the inertia at lo. If friction locks the motion
+     * at some tilt, the function returns DOM_LOCKS and stores that tilt in *hi.
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: narrows the search for the end of a motion that uses up its energy before *hi, and sets *hi
-     * to a tilt soon after that end. `edge` has the ends of the piece of the motion that contains `start`.
+     * Optional: helps to find the tilt at which a motion that does not reach *hi has used up its energy, by
+     * lowering *hi to a tilt soon after it. edge[0] and edge[1] are the ends of the smooth piece of the
+     * motion that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional: finds whether a motion that locks is braked there (true) or driven (false). */
+    /* Optional: sets *braked to true if a motion that locks at this tilt is braked there, or to false if it
+     * is driven. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
-    /* Finds the cycle of a train that repeats itself (24; c6), with bounds unless error is NULL. */
+    /* Finds the launch of a train in which each cycle repeats the one before, scaled by r (24; c6). Also
+     * finds error bounds unless error is NULL. */
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of a collision in which `hitting`, with its head at `at` and the inertia J,
-     * hits the upright domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the ratio is not positive.
+     * Finds the inertia ratio of the collision in which the chain `hitting`, with its head at the tilt `at`
+     * and with the inertia J, hits the upright domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the
+     * ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds the derivative of the required energy at a tilt, which is dH/dtheta without friction. If `rough`,
-     * only its sign is right. */
+    /* Finds the derivative of the required energy at a tilt of the head; without friction it is dH/dtheta. If
+     * `rough` is true, only the sign of the result is reliable. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
-    /* Finds the kinetic energy at the tilt `from` that is just enough to reach the tilt 2 atan p. */
+    /* Finds the kinetic energy at the tilt `from` that is just sufficient to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
                                        real *energy);
-    /* Optional: returns an estimate of the errors of required energies. They may be large compared with a
-     * small barrier, which is the difference of larger energies. */
+    /* Optional: returns an estimate of the error of required energies. The error may be large compared with a
+     * small barrier, because the barrier is a difference of larger energies. */
     real (*unsure)(const struct geometry *geometry);
-    /* Finds tau^2 omega^2 at a tilt, with its bound unless error is NULL. */
+    /* Finds tau^2 omega^2 at a tilt, and its error bound unless error is NULL. */
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
     /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
-     * Writes NaN if there is no such value. */
+     * Stores NaN if the energy does not allow that tilt. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
-    /* Finds tau^2 times the acceleration of the head where tau^2 omega^2 is w. *n, unless n is NULL, gets the
-     * number of dominoes that matter. */
+    /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
+     * receives the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* Returns d omegasq / d omegasq(launch) at a tilt with the inertia J_at. `gain` is this derivative at the
-     * start. */
+    /* Returns the derivative of omegasq at a tilt with respect to omegasq at the launch. `gain` is this
+     * derivative at the start of the motion, and J_at is the inertia at the tilt. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };
 
-/* Returns true if error bounds are known, and bounds between samples guide the searches for limits. If not,
- * error bounds are NaN and searches use samples alone. */
+/* Returns true if the law of motion and the contacts provide error bounds, and bounds on the margin between
+ * samples for the searches for limits. Otherwise error bounds are NaN, and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

@@ -3,8 +3,8 @@
 
 /* ---- Fuel ---- */
 
-/* Returns the error bound of the paper's fuel: the rounding errors of two terms that are subtracted, and the
- * error of theta_f. */
+/* Returns the error bound of the paper's fuel, which is the difference of two terms: their rounding errors,
+ * and the error of theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {
     real s = geometry->s, x = geometry->h.x, y = geometry->h.y;
@@ -44,7 +44,8 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 KERNEL struct launch launch_of(const struct geometry *geometry, enum dom_fuel fuel, const struct fuel *f)
 {
     real P = fuel == DOM_FUEL_PAPER ? f->paper : f->exact, J0 = geometry->upright * (1 + f->inertia_ratio);
-    /* (24; c6) with r^q J(0) - J(0) + 1 = r^q + T (r^q - 1): all terms have one sign. */
+    /* (24; c6), with its denominator r^q J(0) - J(0) + 1 written as r^q + T (r^q - 1), in which all terms
+     * have the same sign. */
     real kinetic = P * f->inertia_ratio / (geometry->rq + f->inertia_ratio * geometry->rq_1);
     return (struct launch){.fuel = P,
                            .J0 = J0,
@@ -68,7 +69,9 @@ static enum dom_status energy_collide(const struct geometry *geometry, enum dom_
     real J0 = launch->J0, kinetic = launch->kinetic;
     if (error) {
         real size = fabs(kinetic), P_error = fuel == DOM_FUEL_PAPER ? e.paper : e.exact;
-        real powers = 12 * UNIT; /* rounding errors of the denominator, and of the operations that follow */
+        real powers =
+            12 *
+            UNIT; /* rounding errors of the powers in the denominator, and of the operations after them */
         real of_kinetic = P_error * f.inertia_ratio / (geometry->rq + f.inertia_ratio * geometry->rq_1) +
                           size * (e.inertia_ratio / f.inertia_ratio + powers);
         real of_J0 = e.inertia_ratio + UNIT * J0;
@@ -139,7 +142,7 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    /* Where the motion begins, the difference may be below the lean by a rounding error. */
+    /* At the beginning of the motion, rounding may put end - by slightly below the lean. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);

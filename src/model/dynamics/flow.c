@@ -9,17 +9,18 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The most dominoes in all passes of a flow, which are about a hundred: in double they take half a second. */
+/* Upper bound of the number of dominoes visited in all passes of one solution, of which there are about a
+ * hundred. In double precision that many take half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
     const struct geometry *geometry;
     enum dom_status status;
-    real locked;     /* the last tilt at which friction locked */
-    size_t dominoes; /* dominoes visited up to now */
+    real locked;     /* the last tilt at which friction was found to lock the motion */
+    size_t dominoes; /* number of dominoes visited so far */
 };
 
-/* Computes dw/dtheta = -2 B / A w + 2 C / A. */
+/* Computes the coefficients of dw/dtheta = (-2 B / A) w + 2 C / A. */
 static bool flow_rate(real theta, void *context, struct num_rate *rate)
 {
     struct flow_context *f = context;
@@ -46,14 +47,17 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 }
 
 /*
- * Solves two regions on panels of their own. From upright to theta ~ d, u changes by only d^2, and by much
- * more after it. Near the tilt sqrt(1 - r s), followers come down.
+ * Solves the beginning of a motion on separate narrow panels, whose ends increase by factors of 8, because
+ * the solution changes on two small scales there. From upright to theta ~ d, u changes by only d^2, and by
+ * much more afterwards. Near the tilt sqrt(1 - r s) followers come down. *lo receives the tilt up to which
+ * the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
     const struct geometry *geometry = c->geometry;
     real finest = geometry_finest(geometry);
-    while (finest <= *lo && finest < hi / 8) /* it leans */
+    while (finest <= *lo &&
+           finest < hi / 8) /* a head that leans at the start is already past the smallest scale */
         finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
         enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);
@@ -64,7 +68,7 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
     return DOM_OK;
 }
 
-/* Solves one smooth piece. */
+/* Solves the motion over one piece in which no domino detaches. */
 static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, real hi)
 {
     bool begins = lo <= REAL_MIN || lo == c->geometry->lean;
@@ -77,8 +81,11 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 
 #define FLOW_FINER 64
 
-/* Returns the geometry with a finer tolerance: a sum that ends elsewhere is a jump for a series, and must
- * stay below what the series resolves. */
+/*
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. Where a sum over the chain
+ * ends one domino earlier than at the neighbouring tilt, it jumps, and the jump must stay below what a
+ * Chebyshev series resolves.
+ */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
     struct geometry fine = *geometry;
@@ -88,7 +95,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Finds the collision. The hitting train has all dominoes but the head, which is upright. */
+/* Finds the inertia ratio of the collision, J(0) and J(theta_c). The hitting chain consists of all dominoes
+ * except the new head, which is upright. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;
@@ -117,7 +125,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* A piece keeps its dominoes up to its end, whatever rounding makes of the tilt at which one detaches. */
+    /* All sums over one piece include the same dominoes, even if rounding puts the tilt at which a domino
+     * detaches inside the piece. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -128,15 +137,16 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     return status;
 }
 
-/* Returns the tilt up to which the flow is solved. */
+/* Returns the tilt up to which the flow is solved, or lo if it is not solved at all. */
 static real flow_end(const struct flow *flow, real lo)
 {
     return flow->solution.panels > 0 ? flow->solution.panel[flow->solution.panels - 1].hi : lo;
 }
 
 /*
- * Solves up to the tilt where A vanishes, as near as the tolerance asks, by halving the distance to a tilt
- * that is locked. The panels become as short as the remaining distance, since 2 B / A has a pole there.
+ * Solves the motion up to the tilt where A vanishes, to within the tolerance, by repeatedly halving the
+ * distance to a tilt known to be locked. Panels become as short as the remaining distance, since 2 B / A has
+ * a pole there.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -148,7 +158,7 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
             break;
         enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
         if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
-            break; /* so near to the pole that its panels have no digits left */
+            break; /* so close to the pole that its panels have no significant digits left */
         if (solver != NUM_OK && c.status != DOM_LOCKS)
             return model_status(c.status, solver);
     }
@@ -156,8 +166,8 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
     return DOM_LOCKS;
 }
 
-/* Returns a locked tilt soon after `from`, where panels became too short before a pole; NaN if there is
- * none. */
+/* Returns a locked tilt soon after `from`, where panels have become too short because a pole is near. Returns
+ * NaN if no tilt before hi is locked. */
 static real flow_locked_near(const struct geometry *geometry, real from, real hi)
 {
     for (real step = 4 * REAL_EPSILON * hi; from + step < hi; step *= 2) {
@@ -202,7 +212,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/* Solves the first part of a smooth piece again: the motion uses up its energy between lo and *hi. */
+/* Solves the first part of a smooth piece again, if the motion uses up its energy soon after lo. The panels
+ * of the whole piece may be too wide to show that. Lowers *hi to the end of the part that was solved. */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {
@@ -222,7 +233,7 @@ static enum dom_status flow_spent_in(const struct geometry *geometry, const stru
             return DOM_OK;
         }
     }
-    /* The motion goes on for long enough to be seen in the solution of the whole piece. */
+    /* The motion lasts long enough for the solution of the whole piece to resolve it. */
     return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
 }
 
@@ -235,7 +246,7 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
         *hi = spent;
         return status;
     }
-    /* the motion continues beyond the edge: the whole flow is needed again */
+    /* the motion continues beyond edge[1], so the flow of the whole cycle is needed again */
     geometry->flow->solution.panels = 0;
     return flow_solve(geometry);
 }
@@ -243,8 +254,9 @@ KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct 
 /* ---- Functions of a law of motion ---- */
 
 /*
- * Finds the cycle of a train that repeats itself. A cycle that begins with w(0) ends with w(theta_c) = G
- * (w(0) - u). The collision multiplies w(theta_c) by kappa = r (T / (1 + T))^2, which is w(0) again.
+ * Finds the launch of a train in which each cycle repeats the one before. A cycle that begins with w(0) ends
+ * with w(theta_c) = G (w(0) - u). The collision and the change of units multiply w(theta_c) by kappa = r (T /
+ * (1 + T))^2, and the result must again be w(0).
  */
 KERNEL enum dom_status flow_collide(const struct geometry *geometry, enum dom_fuel fuel,
                                     struct launch *launch, struct launch *error)
@@ -283,7 +295,7 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     return DOM_OK;
 }
 
-/* The sums of a pass have tails, too. */
+/* The error of the solution, plus that of the sums in it, each of which leaves out the tail of the chain. */
 KERNEL real flow_unsure(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;
@@ -313,7 +325,7 @@ KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real en
 {
     real ln_G, u;
     flow_at(geometry, end - by, &ln_G, &u);
-    /* G (u(end) - u), without cancellation. */
+    /* The remaining w is G (u(end) - u), computed without cancellation. */
     real left = -exp(ln_G) * num_linear_moved(&geometry->flow->solution, end, by);
     *slowness = left > 0 ? 1 / left : REAL_NAN;
     return DOM_OK;
@@ -328,7 +340,8 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* Finds whether the motion is braked. For A -> 0 the sign of C decides: w' = 2 (C - B w) / A. */
+/* Finds whether the motion is braked where it locks. As A -> 0 the sign of C decides, since w' = 2 (C - B w)
+ * / A. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};

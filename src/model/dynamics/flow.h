@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solution of an equation of motion (A/2) dw/dtheta + B w = C for all initial values: w = G (w(0) - u). u
- * is the smallest tau^2 omega(0)^2 with which the head reaches theta. The barrier is the maximum of the
- * energy J(0) u. Without friction u = [H(theta) - H(0)] / J(0).
+ * The solution of an equation of motion (A/2) dw/dtheta + B w = C for all initial values: w = G (w(0) - u).
+ * u(theta) is the smallest tau^2 omega(0)^2 with which the head reaches the tilt theta. The barrier is the
+ * maximum of J(0) u, an energy. Without friction u = [H(theta) - H(0)] / J(0).
  */
 #ifndef DOM_FLOW_H
 #define DOM_FLOW_H
@@ -12,15 +12,15 @@
 
 struct flow {
     struct num_linear solution;
-    real tol;           /* tolerance of the solution */
+    real tol;           /* tolerance with which `solution` was computed */
     real inertia_ratio; /* A(0) - 1 = r^-(q+1) S_1(0) A(theta_c), of the collision */
-    real J0, J_c;       /* J(0), and J(theta_c) of the hitting train */
+    real J0, J_c;       /* J(0), and J(theta_c) of the hitting chain */
 };
 
-/* Frees a flow and its members. The flow may be NULL. */
+/* Frees a flow and its panels. `flow` may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
-/* Functions of struct dynamics: solve, solve_piece, spent and so on. */
+/* The members of struct dynamics with the same names: solve, solve_piece, spent and so on. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,

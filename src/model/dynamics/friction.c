@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Friction between dominoes (van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)). The tip of a
- * follower slides down the face of its leader, and Coulomb's force mu N along the face brakes both. The arms
- * of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1). Energy is not conserved, so the
- * equation of motion replaces (21; c3). S_0 = 1 and S_{i+1} = S_i a_i / b_i (55; e4) are the factors with
- * which the torques of all dominoes add up without their contact forces. w = tau^2 omega^2 obeys
+ * follower slides down the face of its leader, and the Coulomb force mu N along the face brakes both
+ * dominoes. The lever arms of the contact are a = Y/r - L x - mu d and b = (Y + mu X)/r (table 1). Energy is
+ * not conserved, so an equation of motion replaces the energy balance (21; c3). Multiplied by the factors S_0
+ * = 1 and S_{i+1} = S_i a_i / b_i (55; e4), the equations for the torques on all dominoes add up to one
+ * equation without contact forces. It determines w = tau^2 omega^2:
  *
  *     (A/2) dw/dtheta + B w = C,
  *     A = sum r^-(q+1)i S_i theta_i',   B = sum r^-(q+1)i S_i theta_i'',
- *     C = sum r^-qi S_i (x_i - d y_i) / 2,
+ *     C = sum r^-qi S_i (x_i - d y_i) / 2.
  *
- * which is linear in w (flow.h). Without friction S_i = theta_i', A = J and C = -H'/2.
+ * This equation is linear in w (flow.h). Without friction S_i = theta_i', A = J and C = -H'/2.
  */
 #include "dynamics/energy_balance.h"
 #include "dynamics/flow.h"
@@ -36,7 +37,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* Finds the slope of u: C replaces -H'/2. */
+/* Finds the derivative of the required energy, with -2 C in the place of H', up to a positive factor. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
@@ -49,7 +50,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
                                              real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
-    /* The forces need as many dominoes as the energies. */
+    /* Computing forces takes as many dominoes as computing energies does. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
         status = geometry->law->equation(geometry, head, &equation);
@@ -91,7 +92,7 @@ static const struct dynamics friction = {
     .gain = flow_gain,
 };
 
-/* Turns the effect on: mu = value. */
+/* Switches the effect on, with mu = value. */
 KERNEL enum dom_status friction_apply(struct geometry *geometry, real value)
 {
     geometry->mu = value;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, scales and rows: functions that are equal in every precision, in the arithmetic of dom_real. */
+/* Defaults, physical units and rows: functions that use the arithmetic of dom_real whatever the precision of
+ * a request. */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -57,8 +58,9 @@ dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *
 }
 
 /*
- * The smallest values of tol: about five units, for the rounding errors that no tolerance removes. On some
- * machines a long double of 64 bits is the widest type.
+ * The table of the precisions. The smallest tolerance of each is about five units of rounding, since rounding
+ * errors set a limit that no tolerance can improve on. On some machines a long double with a 64-bit mantissa
+ * is the widest type.
  */
 #define TENTH(power) (1 / (dom_real)(power)) /* a power of ten that a double holds exactly */
 

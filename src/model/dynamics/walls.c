@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Walls: a domino is a box of six walls, not a solid block of the same mass. Its moment of inertia is larger
- * (walls.h), its centre is the same. In a train all are larger by one factor, which is a part of tau^2 and so
- * of the unit of time: in units of tau a train moves as without walls. Only the force of the floor, mass
- * times the acceleration of the centre, sees the factor. In a row, dominoes of unequal shape, or of the same
- * boards, have factors of their own.
+ * Walls: a domino is a box of six walls rather than a solid block of the same mass. The moment of inertia of
+ * the box is larger (walls.h), and its centre of mass is the same. In a train all moments of inertia grow by
+ * the same factor. This factor is included in tau^2, so in units of tau a train moves exactly as without
+ * walls; only the force of the floor, which is mass times the acceleration of the centre, depends on the
+ * factor. In a row, the factor differs between dominoes of different shape, or between dominoes built from
+ * the same boards.
  */
 #include "dynamics/walls.h"
 #include "geometry/geometry.h"
 
-/* Turns the effect on: walls = value, over the height. */
+/* Switches the effect on; value is the thickness of the walls, relative to the height. */
 KERNEL enum dom_status walls_apply(struct geometry *geometry, real value)
 {
     if (geometry->work)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A box: six walls of one thickness around a hollow, half as wide as tall. With d the thickness of the domino
- * and t that of a wall, over the height, the hollow is smaller by the shares
+ * A hollow box with six walls of the same thickness. Let d be the thickness of the domino, w its width and t
+ * the thickness of a wall, all relative to the height. The hollow is smaller than the box by the fractions
  *
- *     a = 2 t,   b = 2 t / d,   c = 2 t / (1/2)
+ *     a = 2 t,   b = 2 t / d,   c = 2 t / w
  *
- * of the height, the thickness and the width, and has the share v = (1 - a) (1 - b) (1 - c) of the volume.
- * The moments of inertia of the block and of the hollow about their common centre, and the parallel axis,
- * give the moment of inertia about the lower edge, over that of a solid block of the same mass:
+ * of the height, the thickness and the width, and has the fraction v = (1 - a) (1 - b) (1 - c) of the volume.
+ * The parallel axis theorem, applied to the block and to the hollow, which have the same centre, gives the
+ * moment of inertia about the lower edge, relative to that of a solid block of the same mass:
  *
  *     1 + v (1 - u) / (4 (1 - v)),   u = [(1 - a)^2 + d^2 (1 - b)^2] / (1 + d^2).
  */
@@ -17,12 +17,12 @@
 #include "numerics/real.h"
 
 struct box {
-    real filled;  /* share of the volume that the walls fill */
-    real inertia; /* over that of a solid block of the same mass */
+    real filled;  /* fraction of the volume that the walls fill */
+    real inertia; /* moment of inertia relative to that of a solid block of the same mass */
 };
 
-/* Returns the box. A measure that the walls fill has no hollow. `width` is over the height. No terms cancel.
- */
+/* Returns the properties of a box; all arguments are relative to the height. If two walls fill one of the
+ * three dimensions, there is no hollow. The formulas are free of cancellation. */
 KERNEL inline struct box walls_box(real d, real width, real walls)
 {
     real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);
@@ -31,14 +31,14 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
     return (struct box){filled, 1 + v * smaller / (4 * filled)};
 }
 
-/* Returns true if two walls have room in the thickness; they may fill it, also after the rounding errors of
- * both. */
+/* Returns true if two walls fit into the thickness. They may fill it completely, with an allowance for the
+ * rounding errors of both numbers. */
 KERNEL inline bool walls_fit(real d, real walls)
 {
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
 }
 
-/* The width of a domino over its height, where no other is known. */
+/* The width of a domino relative to its height, if none is given. */
 #define WALLS_WIDTH ((real)1 / 2)
 
 #endif

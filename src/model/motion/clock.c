@@ -1,24 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The clock of a cycle: times from tilts and tilts from times, and the cycle as a table. */
+/* The clock of a cycle: finds times from tilts, tilts from times, and the cycle as a table. */
 #include "motion/motion.h"
 
 /*
- * The time as a Chebyshev series on each smooth piece. All times together cost as much as a few times from
- * integrals of their own, since a series gives every time between its nodes.
+ * The time as a function of the tilt: one Chebyshev series for each smooth piece. Since a series gives the
+ * time at every tilt of its piece, the whole clock costs no more than a few times computed by separate
+ * integrals.
  */
 struct clock {
     int pieces;
     struct tick {
         struct num_series series;
-        real begins; /* the time at lo */
-        bool before; /* true: a stop; the series is of x in slowness_before, from the stop back */
+        real begins; /* the time at which the head reaches lo */
+        /* The train stops at the end of this piece. The series is then one of x in slowness_before, which
+         * runs backwards from the stop. */
+        bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
     real whole;
 };
 
-/* Returns the width of the peak of the slowness before a stop, in u: there w is H' delta - H'' delta^2 /
- * 2. */
+/* Returns the width, in the variable u of slowness_before, of the peak of the slowness before a stop, where w
+ * is H' delta - H'' delta^2 / 2 at the distance delta from the stop. Returns NaN if there is no such peak. */
 static real stop_width(const struct motion *m)
 {
     struct tilt rest;
@@ -49,7 +52,8 @@ static enum dom_status tick_make(struct motion *m, struct tick *tick, real *time
     return model_status(st->status, solver);
 }
 
-/* Makes the series. DOM_NOT_CONVERGED: a piece has no series that is short enough. */
+/* Computes the series of all pieces. Returns DOM_NOT_CONVERGED if the series of some piece would need too
+ * many terms. */
 static enum dom_status clock_make(struct motion *m, struct clock *clock)
 {
     const struct barrier *b = &m->cycle.segment.barrier;
@@ -95,8 +99,9 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
 }
 
 /*
- * Finds the tilt at a time, by Newton's method with the derivative omega, and by halving where that leaves
- * the bracket. *at: the first guess, then the result.
+ * Finds the tilt at a given time by Newton's method, with omega as the derivative, and by bisection where a
+ * step of Newton's method would leave the bracket. *at holds the first guess on entry and the result on
+ * return.
  */
 static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
 {
@@ -121,12 +126,13 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
     return DOM_NOT_CONVERGED;
 }
 
-/* Finds the tilt at a time by the clock, or by integrals if there is none (clock->pieces = 0). */
+/* Finds the tilt at a given time from the clock, or, if the clock has no pieces, from integrals. */
 static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
 {
     if (clock->pieces > 0)
         return clock_tilt(m, clock, time, at);
-    /* Integrals of few digits lead near the tilt; then each step doubles the digits. */
+    /* A search with few digits comes close to the tilt cheaply; from there each step of Newton's method
+     * doubles the number of correct digits. */
     const real tol = m->tol;
     *at = 0;
     enum dom_status status = tilt_search(m, time, fmax(tol, (real)1e-8), at);
@@ -136,7 +142,8 @@ static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, 
     return status;
 }
 
-/* Makes the clock, and finds the time that the cycle takes. */
+/* Computes the clock and the duration of the cycle. If no clock can be computed, the duration comes from an
+ * integral. */
 static enum dom_status clock_begin(struct motion *m, struct clock *clock, real *whole)
 {
     enum dom_status status = clock_make(m, clock);
@@ -176,7 +183,7 @@ struct table {
     bool errors;
     dom_state_visit *visit;
     void *context;
-    bool ended; /* the visitor has ended the walk */
+    bool ended; /* true once the visitor has asked to end the walk */
 };
 
 static enum dom_status table_row(struct table *t, real theta, const struct instant *event)

@@ -101,7 +101,8 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         cycle_free(&cycle);
         if (status != DOM_OK)
             return status;
-        /* Near a stop the remaining energy is known to the tolerance only from finer sums. */
+        /* Near a stop the remaining energy is a small difference, which has the requested tolerance only if
+         * the sums have a finer one. */
         real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;
@@ -111,7 +112,8 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
     return DOM_OK;
 }
 
-/* Finds the error of the tilt of a stop: the error of the remaining energy there, over its slope. */
+/* Finds the error of the tilt at which a train stops, as the error of the remaining energy there divided by
+ * the slope of the energy. */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     const struct geometry *geometry = &cycle->segment.geometry;
@@ -122,7 +124,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
-                     (1 + 4 * geometry->tol) + /* to the second order for a loose tolerance */
+                     (1 + 4 * geometry->tol) + /* allows for the second order if the tolerance is loose */
                  4 * UNIT * theta;
     if (energy)
         *energy = fabs(at.H1) * (real)*error;
@@ -152,7 +154,8 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* Kinetic energy and height each have a few rounding errors, which over the margin bound the accuracy. */
+    /* Kinetic energy and barrier each have a few rounding errors. Divided by the margin, these errors limit
+     * the accuracy of the duration. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

@@ -3,11 +3,11 @@
 
 enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 
-/* Searches end when a smooth maximum can be larger by no more than this part. */
+/* A search ends when a smooth maximum can exceed the largest known value by at most this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* Dominoes slower than this part of the head's speed are left out: they may need much friction, but no slip
- * would be visible. */
+/* Dominoes slower than this fraction of the head's speed are ignored. They may need much friction to stay in
+ * place, but a slip of theirs would be invisible. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)
@@ -26,7 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Raises *need to what this tilt needs; *motion is what this tilt alone needs. */
+/* Raises *required_friction to the friction that is needed at this tilt, if that is more. *motion receives
+ * the friction that the motion needs at this tilt alone. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
@@ -51,9 +52,10 @@ static enum dom_status required_at(const struct segment *st, real theta,
 }
 
 /*
- * Halves an interval as long as a maximum inside may be higher than the highest known value. A parabola
- * through the ends and the middle exceeds these by at most an eighth of their second difference; a whole
- * second difference leaves room for other shapes. So no maximum is missed because another one is found first.
+ * Bisects an interval recursively while a maximum inside it may exceed the largest known value. A parabola
+ * through the two ends and the middle exceeds the largest of the three values by at most an eighth of their
+ * second difference; allowing for a whole second difference covers other shapes too. The order in which
+ * maxima are found therefore does not matter: none is missed.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

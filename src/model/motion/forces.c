@@ -3,8 +3,9 @@
 #include <stdlib.h>
 
 /*
- * Dominoes after the last one that is shown, since that one needs a tail: as many again. A long train gets at
- * most this number, since the tail at its end is a series (moving_push).
+ * The force on the last domino that is shown comes from the dominoes after it, so the list holds about as
+ * many again. In a long train this number of extra dominoes is enough, because moving_push replaces all later
+ * ones by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -13,12 +14,12 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* Finds the contact forces from the tail up to the head: torques on the followers, and the contacts that
- * carry what remains of these torques. */
+/* Finds the contact forces from the tail up to the head: first the torque on each follower that its
+ * acceleration leaves over, then the contact force that balances this torque. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    real rest = 0, push = 0; /* as torques on domino j */
+    real rest = 0, push = 0; /* of the contact between domino j and its leader: torques on domino j */
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *self = &k[j].link, *leader = &k[j - 1].link;
@@ -30,13 +31,13 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
              omegasq = self->slope * self->slope * kinematics->omegasq;
         rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
         push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
-        /* the dominoes after the last are alike: their torques are a geometric series */
+        /* the dominoes after the last one all move alike, so their torques form a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1 the collision is at the hinge itself: no force turns a domino, however large. */
+        /* At r s = 1 the tip hits exactly at the hinge, where even the largest force turns no domino. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -44,7 +45,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
     }
 }
 
-/* A push on the back face of a domino, with the friction that pulls the face down. */
+/* A push on the back face of a domino, including the friction that pulls the face down. */
 struct push {
     real x, z;
 };
@@ -57,16 +58,16 @@ static struct push push_on(const struct moving *k, real normal)
 }
 
 /*
- * Finds the force of the floor by Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
- * its hinge: what contacts and gravity do not supply. If its edges are rounded, the centre of the edge rolls
- * along the floor at the height rho.
+ * Finds the force of the floor from Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
+ * its hinge: the floor supplies whatever force the contacts and gravity do not. If the edges are rounded, the
+ * centre of the lower edge rolls along the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
                        struct hinge_load *hinge_load)
 {
     const struct link *self = &k->link;
-    real tausq = head->box * (1 + head->d * head->d) / 3; /* in h/g of the head */
+    real tausq = head->box * (1 + head->d * head->d) / 3; /* tau^2 of the head, in units of h/g */
     const struct rounded *shape = &self->geometry->rounded;
     real mass = self->weight / k->size,
          across = (shape->tall * self->tilt.x - shape->wide * self->tilt.y) / 2,
@@ -87,12 +88,14 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
-    /* at r s = 1 no impulse turns a domino, however large: no floor supplies that */
+    /* at r s = 1 no impulse turns a domino, so no floor can supply enough friction */
     if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;
 }
 
-/* Returns the list with room for n dominoes. The old contents are lost. */
+/*
+ * Returns a list with room for n dominoes, or NULL if there is not enough memory. The old contents are lost.
+ */
 static struct moving *room_for(struct room *room, size_t n)
 {
     if (room->size >= n)
@@ -143,8 +146,8 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- Of a motion ---- */
 
-/* Finds the motion at a tilt. In the collision theta_j' omega of the hitting chain falls from 1 + T to T
- * parts of 1 + T. */
+/* Finds the motion at a tilt. If T is the inertia ratio, the collision reduces the angular velocities of the
+ * hitting chain by the factor T / (1 + T): each loses 1 / T of its value after the collision. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -205,11 +208,16 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /* ---- The smallest contact force ---- */
 
-/* The smallest force up to now, with its tilt and domino; and the smallest force at the last tilt. */
+/*
+ * The state of a search for the smallest contact force, relative to the weight of the domino that the force
+ * pushes. `theta` is the present tilt and `force` the smallest force at that tilt; `least` is the smallest so
+ * far, on domino `domino` at the tilt `least_theta`; `impulse` is the smallest impulse so far, and `dominoes`
+ * the number of moving dominoes.
+ */
 struct least_context {
     const struct segment *segment;
     real theta, force, least, least_theta, impulse;
-    size_t domino, dominoes; /* the second: number of moving dominoes */
+    size_t domino, dominoes;
     enum dom_status status;
 };
 
@@ -230,7 +238,7 @@ static bool least_seen(const struct hinge_load *hinge_load, void *context)
     return true;
 }
 
-/* Returns minus the smallest force at a tilt, as a function for a maximum search. */
+/* Returns minus the smallest force at a tilt, so that a search for a maximum finds the smallest force. */
 static real least_at(real theta, void *context)
 {
     struct least_context *c = context;
@@ -245,11 +253,12 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* A minimum of the force between two samples is found to a thousandth of their distance. */
+/* The number of samples, and the relative tolerance of a minimum between them, which is found to within a
+ * thousandth of their distance. */
 #define LEAST_SAMPLES 24
 #define LEAST_LONG                                                                                           \
-    100000 /* in dominoes: a train this long, with a tiny s, moves smoothly, and a third of the samples is   \
-              enough */
+    100000 /* number of dominoes above which a train, whose s is then tiny, moves so smoothly that a third   \
+              of the samples is enough */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi], where forces do not jump. */
@@ -267,7 +276,7 @@ static enum dom_status least_over(struct least_context *c, real lo, real hi)
     if (c->status != DOM_OK)
         return c->status;
     real middle = lo + (real)top * step, before = middle - step, after = middle + step;
-    if (top == 0) { /* at the end itself, unless forces decrease from there on */
+    if (top == 0) { /* the minimum is at lo itself, unless the force decreases just after lo */
         before = lo;
         middle = lo + step * LEAST_TOL;
     } else if (top == samples) {
@@ -287,7 +296,7 @@ KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
     for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
         real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
-        /* From a backward lean to a small tilt, lo + (to - lo) can round past `to`. */
+        /* If the head leans backwards at lo and `to` is a small tilt, lo + (to - lo) can round past `to`. */
         least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);
     }
     *least = c.least;

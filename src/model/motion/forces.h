@@ -1,41 +1,46 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The forces in a moving chain, from the tail up to the head. A follower passes on to its leader the part of
- * its torque that its own acceleration does not need. The hinge of a domino supplies the force that the
- * contacts do not supply.
+ * The forces in a moving chain, computed from the tail up to the head. A follower passes on to its leader
+ * that part of its torque which its own acceleration does not use. The hinge of each domino supplies whatever
+ * force the contacts and gravity do not.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
 
 #include "motion/motion.h"
 
-/* The motion of a chain: tau^2 omega^2, and tau^2 times the acceleration of its head. */
+/* The motion of a chain: tau^2 omega^2 and tau^2 times the angular acceleration of its head. */
 struct kinematics {
     real omegasq, acceleration;
-    size_t n; /* number of dominoes that matter */
-    /* For a collision, which is at the lean of the head: tau omega of the head after the collision, and the
-     * share of it that followers lose. */
+    size_t n; /* number of dominoes that contribute */
+    /*
+     * If `hit` is true, this is also the moment of the collision that begins the motion. `omega` is tau times
+     * the angular velocity of the head just after the collision. Follower i loses theta_i' omega_lost of its
+     * own.
+     */
     bool hit;
     real omega, omega_lost;
-    bool floor;        /* find the forces of the floor */
-    struct room *room; /* for the list of dominoes, which later calls use again; may be NULL */
+    bool floor;        /* true if the forces of the floor are needed */
+    struct room *room; /* memory for the list of dominoes, reused by later calls; may be NULL */
 };
 
-/* A tolerance that gives forces to a few digits. In a long train it needs half as many dominoes. */
+/* A tolerance that is fine enough for a few digits of a force. In a long train it halves the number of
+ * dominoes. */
 #define FORCES_TOL ((real)1e-6)
 
-/* The forces on one domino, in m g of the head, and the impulses on it, in m g tau of the head. x points
- * forward, z up. */
+/* The forces on one domino, in units of m g of the head, and the impulses on it, in units of m g tau of the
+ * head. x points forward and z up. */
 struct hinge_load {
     const struct link *link;
-    real size;                 /* height over that of the head */
+    real size;                 /* height relative to that of the head */
     bool leaned;               /* a follower leans on this domino */
-    real force, impulse;       /* of that follower, normal to the back face */
+    real force, impulse;       /* exerted by the follower, normal to the back face of this domino */
     real x, z;                 /* force of the floor at the hinge */
     real impulse_x, impulse_z; /* impulse of the floor at the hinge in the collision */
 };
 
-/* Visits at most `shown` dominoes from the head down. A visitor returns false to end the walk. */
+/* Finds the forces on at most `shown` dominoes and visits these dominoes from the head down. The visitor
+ * returns false to end the walk. Returns DOM_NO_MEMORY if the list of dominoes cannot be allocated. */
 typedef bool hinge_load_visit(const struct hinge_load *hinge_load, void *context);
 KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt head,
                                    const struct kinematics *kinematics, size_t shown, hinge_load_visit *visit,
@@ -45,31 +50,34 @@ KERNEL enum dom_status forces_walk(const struct geometry *geometry, struct tilt 
 KERNEL enum dom_status segment_kinematics(const struct segment *segment, real theta, struct tilt *head,
                                           struct kinematics *kinematics);
 
-/* Finds the part of a cycle between edge i - 1 and edge i of its barrier. Its ends are just inside of the
- * edges, since forces jump where a domino detaches. Returns false if the cycle does not reach that part. */
+/*
+ * Finds the part of a cycle between edge i - 1 and edge i of its barrier. The ends *lo and *hi are just
+ * inside these edges, since forces jump where a domino detaches. Returns false if the cycle does not reach
+ * that part.
+ */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
-/* Lowers *least to the smallest contact force at a few tilts up to `to`, over the weight of the domino that
- * the force pushes. Does nothing if segment->end shows that all contacts push. */
+/* Lowers *least to the smallest contact force, relative to the weight of the domino that the force pushes, at
+ * a few tilts up to `to`. Does nothing if segment->end.pushes already shows that every contact pushes. */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns |x| / z of the force of the floor, the friction that a hinge needs. It is infinite if the domino is
- * lifted. */
+/* Returns |x| / z for the force (x, z) of the floor, which is the friction coefficient that a hinge needs. It
+ * is infinite if the force would have to pull the domino down. */
 KERNEL real forces_needed(real x, real z);
 
 /*
- * The friction that the floor needs: no hinge slips as long as |R_x| / R_z is below the floor's friction,
- * with the force R at the hinge in the motion and the impulse in the collision.
+ * The friction coefficient that the floor needs: no hinge slips while |R_x| / R_z is below the coefficient of
+ * the floor, where R is the force at the hinge during the motion, and the impulse in the collision.
  */
 struct required_friction {
-    real motion, theta; /* the largest value in motion, and the tilt of the head there */
-    size_t domino;      /* number of the domino of that hinge, 0 = head */
-    real hit;           /* the largest value in the collision */
+    real motion, theta; /* the largest ratio during the motion, and the tilt of the head at that time */
+    size_t domino;      /* the domino that needs it, 0 for the head */
+    real hit;           /* the largest ratio in the collision */
     size_t hit_domino;
 };
 
-/* Raises *required to what the floor needs over [lo, hi], where no domino detaches. A smooth maximum has a
- * relative error of a millionth. */
+/* Raises *required to the friction needed over [lo, hi], an interval in which no domino detaches. The
+ * relative error of a smooth maximum is about a millionth. */
 KERNEL enum dom_status floor_over(const struct segment *segment, real lo, real hi,
                                   struct required_friction *required);
 

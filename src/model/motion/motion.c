@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One cycle in time: events, times, accelerations. */
+/* One cycle as a function of time: events, times, and the state at a tilt. */
 #include "motion/motion.h"
 #include <stdlib.h>
 
@@ -27,16 +27,17 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Returns the slowness before a stop as a function of x. The slowness grows like 1/sqrt(end - theta). In u,
- * theta = end (1 - u^2), dt/du = 2 end u / (tau omega) is smooth. The remaining energy is H(end) - H(theta),
- * computed from end - theta, and u runs from root over span as x runs from 0 to 1. So nothing cancels,
- * neither at the stop nor at the launch.
+ * Returns the slowness before a stop as a smooth function of x. The slowness grows like 1/sqrt(end - theta),
+ * but with theta = end (1 - u^2) the integrand dt/du = 2 end u / (tau omega) is smooth in u. As x runs from 0
+ * to 1, u runs from `root` to root + span. The remaining energy H(end) - H(theta) is computed directly from
+ * end - theta, so nothing cancels, neither at the stop nor at the launch.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Near the stop dt/du is constant to rounding, where the remaining energy would underflow. */
+    /* Very near the stop the remaining energy would underflow. There dt/du is constant to rounding accuracy,
+     * so that a larger u serves as well. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -61,7 +62,7 @@ KERNEL enum dom_status motion_time(struct motion *m, real from, real to, real *t
     *time = 0;
     if (to <= from)
         return DOM_OK;
-    if (m->stops) { /* the last piece before the stop needs slowness_before */
+    if (m->stops) { /* only the last piece before the stop needs slowness_before */
         m->smooth = from;
         for (int i = 0; i < b->edges; i++)
             m->smooth = b->edge[i] < m->end ? fmax(m->smooth, fmin(b->edge[i], to)) : m->smooth;
@@ -120,11 +121,11 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds the error bound of the time up to theta: the integral of the slowness's bound, and what the tolerance
- * leaves. Near a stop, where the slowness has no bound, the rounding of the energy counts through m->tol, and
- * through the tilt of the stop. An error of_end of that tilt shifts times by of_end / omega. The shift is at
- * most the time from there on; early in the cycle it is at most half of the part of the energy that of_end
- * leaves open.
+ * Finds the error bound of the time at which the head reaches theta: the integral of the error bound of the
+ * slowness, plus the error that the tolerance of the integral allows. The slowness has no error bound near a
+ * stop; there, the rounding of the energy enters through m->tol and through the tilt of the stop. An error
+ * of_end of that tilt shifts times by at most of_end / omega. Early in the cycle a better bound is half of
+ * the time so far, multiplied by the relative error of the kinetic energy.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -146,8 +147,8 @@ static enum dom_status time_error(struct motion *m, const struct dom_state *stat
     return model_status(m->cycle.segment.status, solver);
 }
 
-/* Finds the energy of dominoes that have detached. At the tilt where a follower detaches, which rounding may
- * place before or after it, the follower has detached. */
+/* Finds the energy that detached dominoes have released. If theta is the tilt at which a follower detaches,
+ * rounding may put theta before or after it; either way the follower counts as detached. */
 static enum dom_status fallen_energy(const struct geometry *geometry, real theta, real *left)
 {
     const real near = 4096 * REAL_EPSILON;
@@ -187,7 +188,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The hitting train is this train at theta_c, made smaller: its energy has the factor r^-q. */
+    /* The train that hits is this same train at theta_c, made smaller by one domino: its energy has the
+     * additional factor r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

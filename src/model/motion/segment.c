@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "motion/segment.h"
 
-/* Finds the tilt at which the first domino detaches: before the one that has detached by the end, another one
- * may detach earlier, and so on. */
+/*
+ * Ends the segment where the first domino detaches. The search starts with a domino that has detached by the
+ * end of the segment, moves the end to the tilt where it detaches, and repeats this, since another domino may
+ * have detached even earlier.
+ */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
     const struct geometry *geometry = &st->geometry;
@@ -14,8 +17,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* A domino that moves less than rounding errors does not detach now; after one that detaches, nothing
-         * moves at that moment. */
+        /* A domino whose motion is below the rounding errors does not count as detaching. No domino after one
+         * that detaches moves at that moment. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -45,15 +48,15 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no energy away. If it detaches at once (r s = 1), J decreases with
-     * it. */
+    /* A domino that detaches carries no kinetic energy away. If one detaches at once (r s = 1), J is smaller
+     * without it, and omegasq becomes larger by the same factor. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
     start->J = at.J;
     st->summed = st->geometry.n;
     start->kinetic = start->J * start->omegasq;
-    if (st->geometry.n == 1) /* nothing leans on it */
+    if (st->geometry.n == 1) /* a single domino has no contacts, and so no friction */
         st->geometry.dynamics = &energy_balance;
     if (status == DOM_OK && st->geometry.dynamics->solve_piece && st->lo < st->hi)
         status = st->geometry.dynamics->solve_piece(&st->geometry, start->J, st->lo, &st->hi);
@@ -96,8 +99,8 @@ KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)
     return status == DOM_OK ? st->geometry.dynamics->braked(&st->geometry, head, braked) : status;
 }
 
-/* Returns how much of the kinetic energy the highest point up to theta has used; it never decreases with
- * theta. */
+/* Returns the largest energy required on the way to theta, minus the kinetic energy at the start; it never
+ * decreases with theta. */
 static real segment_short(real theta, void *context)
 {
     struct segment *st = context;
@@ -115,7 +118,8 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* The energy reaches the highest point but for a rounding error: the row rests there. */
+    /* But for a rounding error, the energy is just enough for the highest point, so the row comes to rest
+     * there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;
         return DOM_OK;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. They are compiled twice: plain, where dom_real is double,
- * and with DOMQ, where each name of domino.h becomes that of domino_quad.h (domq_names.h: "#define dom_train
- * domq_train").
+ * The public API for the sources of the library. These sources are compiled twice: once as they are, where
+ * dom_real is double, and once with DOMQ defined, where every name of domino.h is replaced by that of
+ * domino_quad.h (domq_names.h has lines such as "#define dom_train domq_train").
  */
 #ifndef DOM_API_H
 #define DOM_API_H
 
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
-#else /* a source that is checked alone, before the build has made domq_names.h */
+#else /* a source file that is checked by itself, before the build has generated domq_names.h */
 #include "domino.h"
 typedef long double domq_real;
 #endif

@@ -4,7 +4,7 @@
 
 enum { N = LINEAR_ORDER };
 
-/* Finds the Chebyshev nodes of the first kind. Sums over them use the recurrence of T_k(node j). */
+/* Finds the n Chebyshev nodes of the first kind. Sums over the nodes evaluate T_k by its recurrence. */
 static void nodes_make(real *node, int n)
 {
     for (int j = 0; j < n; j++)
@@ -16,7 +16,8 @@ static void series_of(const real *node, const real *value, int n, real *series)
     for (int k = 0; k < n; k++)
         series[k] = 0;
     for (int j = 0; j < n; j++) {
-        real x = node[j], T = 1, before = x, part = value[j] * 2 / (real)n; /* T_-1 = T_1 = x */
+        real x = node[j], T = 1, before = x,
+             part = value[j] * 2 / (real)n; /* `before` starts as T_-1 = T_1 = x */
         for (int k = 0; k < n; k++) {
             series[k] += part * T;
             real next = 2 * x * T - before;
@@ -28,8 +29,9 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has died out: by its last terms, *left, the rest is below the tolerance. Terms
- * never get below the noise of the values, or a few units each.
+ * Returns true if the series has died out, that is, if its last terms, whose largest absolute value is stored
+ * in *left, are below the tolerance. Terms never fall below the noise of the function values, or below a few
+ * units of rounding.
  */
 static bool series_died(const real *series, real tol, real noise, real *left)
 {
@@ -40,7 +42,7 @@ static bool series_died(const real *series, real tol, real noise, real *left)
     return *left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
-/* The values of p and c at the nodes, and the largest noise of each. */
+/* The values of p and c at the nodes, and the largest noise of each of the two. */
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
@@ -62,7 +64,8 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
     return true;
 }
 
-/* Makes one panel that begins with ln_G and v. Returns false if the panel is too wide. */
+/* Computes one panel, at whose left end the solution is ln_G and v. Returns false if the panel is too wide
+ * for its series to die out, or, with *status = NUM_NOT_FINITE, if f fails. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {
@@ -73,7 +76,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         return false;
     }
     series_of(node, at.p, N, series);
-    /* ln G is an exponent: its absolute error counts. */
+    /* The solution contains exp(ln G), so the absolute error of ln G counts. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
     if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
@@ -116,7 +119,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* A narrow rest of the interval gets no panel of its own. */
+        /* If little of the interval would remain, this panel includes the remainder. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
@@ -132,7 +135,8 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
     return NUM_OK;
 }
 
-/* Returns more than the terms that a series leaves out, if they go on to shrink. */
+/* Returns an upper estimate of the sum of the terms that are left out, provided that they continue to
+ * decrease. */
 static real rough_rest(const real *series)
 {
     return fabs(series[ROUGH - 1]) + fabs(series[ROUGH - 2]);
@@ -177,7 +181,7 @@ KERNEL real num_rough_G(const struct num_rough *s, real u)
     return exp(series_at(s->ln_G, ROUGH + 1, u));
 }
 
-/* Returns the number of the panel that contains x. */
+/* Returns the index of the panel that contains x. */
 static int panel_of(const struct num_linear *s, real x)
 {
     int k = s->panels - 1;
@@ -195,7 +199,7 @@ KERNEL void num_linear_at(const struct num_linear *s, real x, real *ln_G, real *
     *v = series_at(panel->v, N + 1, u);
 }
 
-/* Returns the series at x minus the series at x - by: T_k(x) - T_k(x - by) has a recurrence of its own,
+/* Returns the series at x minus the series at x - by. A separate recurrence yields T_k(x) - T_k(x - by)
  * without cancellation. */
 static real series_moved(const real *series, int n, real x, real by)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/numerics.h"
 
-/* Bisection from the largest to the smallest quad number takes about 33,000 steps. 2000 are enough if lo and
- * hi have one order of magnitude, or if one of them is 0 and the root is at least 1e-300. */
+/* Bisection from the largest to the smallest quad number takes about 33,000 steps. 2000 steps are enough if
+ * lo and hi are of the same order of magnitude, or if one of them is 0 and the root is at least 1e-300. */
 #define ITERATIONS_MAX 2000
 
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x)
@@ -14,7 +14,7 @@ KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x)
 {
-    /* a is the newest point, b the other end of the bracket, c the point before. */
+    /* a is the newest point, b the other end of the bracket, and c the previous point. */
     real a = lo, b = hi, fa = f_lo, fb = f_hi;
     if (!isfinite(fa) || !isfinite(fb))
         return NUM_NOT_FINITE;
@@ -44,7 +44,7 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
         }
         a = next;
         fa = value;
-        /* Interpolation through a, b, c stays inside the bracket if xi and phi meet this condition. */
+        /* Interpolation through a, b and c stays inside the bracket if xi and phi satisfy this condition. */
         real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         t = (real)0.5;
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
@@ -83,7 +83,7 @@ KERNEL enum num_status num_maximum(num_function *f, void *context, real lo, real
     return NUM_NOT_CONVERGED;
 }
 
-/* ---- Integrals: of a rule in levels, each of which has twice the nodes of the one before ---- */
+/* ---- Integrals: a rule with levels, each of which has twice as many nodes as the level before ---- */
 
 enum { LEVELS_MAX = 12 };
 
@@ -91,20 +91,23 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    real cut; /* terms of this relative size end the sum: they decrease faster than a geometric series */
+    /* A sum ends at terms of this relative size, since terms decrease faster than a geometric series. */
+    real cut;
     bool failed;
-    /* the part of f that the nodes of the last level do not resolve, relative to f */
+    /* the part of f, relative to f, that the nodes of the last level do not resolve */
     real tail;
-    real step, sum; /* of the double exponential rule */
+    real step, sum; /* used by the double exponential rule */
     real peak, width, from, to,
-        *value; /* of the other rule, in x = peak + width sinh u, if width is not NaN */
+        /* Used by the rule of Clenshaw and Curtis. If width is not NaN, its variable is u in x = peak + width
+         * sinh u. */
+        *value;
 };
 
 /* Returns the integral on the next finer level. */
 typedef real span_level(struct span *s, int level);
 
-/* Returns the error that remains, from the differences between levels, where the number of digits nearly
- * doubles from level to level. */
+/* Estimates the remaining error from the differences between successive levels. From level to level the
+ * number of correct digits nearly doubles. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -121,14 +124,14 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            /* an estimate is no bound: the next level shows the error that was left */
+            /* an estimate is not a bound, so one more level shows how large the error really was */
             if (error && level < levels)
                 off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
             if (error)
                 *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
         }
-        if (level >= 2 && s->tail > (real)0.01) /* not resolved at all: another rule is better */
+        if (level >= 2 && s->tail > (real)0.01) /* f is not resolved at all, and another rule is better */
             break;
         before = value;
         off_before = off;
@@ -138,21 +141,21 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
 
 /* ---- x = tanh(pi/2 sinh t) on [-1, 1], trapezoidal in t ---- */
 
-/* Returns the two nodes at +t and -t, and their weight. They are distances from the ends, so that no digit of
- * the distance is lost. */
+/* Returns the weighted sum of f at the two nodes +t and -t, and stores their weight in *weight. Each node is
+ * computed from its distance to the nearer end of the interval, so that the distance keeps all its digits. */
 static real node_pair(struct span *s, real t, real *weight)
 {
     real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* e^(-2 u), u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
-    /* Nodes that are rounded to the end itself still count: a peak may be there. */
+    /* A node that rounds to the end of the interval still counts: there may be a peak at that end. */
     real sum = s->f(s->lo + from_end, s->context) + s->f(s->hi - from_end, s->context);
     s->failed = s->failed || !isfinite(sum);
     return *weight * sum;
 }
 
-/* Returns the sum over all nodes at first, first + step, ..., until the terms no longer matter at the
- * tolerance. */
+/* Returns the sum over all nodes first, first + step, ..., up to the node from which on the terms are too
+ * small to matter. */
 static real node_sum(struct span *s, real first, real step)
 {
     real sum = 0, weight = 1;
@@ -170,7 +173,7 @@ static real exponential_level(struct span *s, int level)
     if (level == 0) {
         s->step = 1;
         s->sum = PI / 2 * s->f(s->lo + s->half, s->context) + node_sum(s, 1, 1);
-    } else { /* the nodes between those of the level before */
+    } else { /* only the nodes between those of the previous level are new */
         s->step /= 2;
         s->sum += node_sum(s, s->step, 2 * s->step);
     }
@@ -189,7 +192,8 @@ KERNEL enum num_status num_integral(num_function *f, void *context, real lo, rea
     return span_integral(&s, exponential_level, LEVELS_MAX, tol, integral, error);
 }
 
-/* ---- Chebyshev nodes u = cos(pi j / n) on what sinh makes of [lo, hi] ---- */
+/* ---- The rule of Clenshaw and Curtis: nodes u = cos(pi j / n), scaled to [lo, hi] after the substitution
+ * ---- */
 
 static real arsinh(real x)
 {
@@ -197,7 +201,7 @@ static real arsinh(real x)
     return x < 0 ? -y : y;
 }
 
-/* Returns f dx/du at a node from -1 to 1. */
+/* Returns f(x) dx/du at a node between -1 and 1. */
 static real chebyshev_value(struct span *s, real node)
 {
     real u = s->lo + s->half * (1 + node), x = u, by = 1;
@@ -211,8 +215,8 @@ static real chebyshev_value(struct span *s, real node)
     return value;
 }
 
-/* Returns the weight of node j of n, times n: 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1), the last
- * term halved. */
+/* Returns n times the weight of node j of n: 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1) over k = 1,
+ * ..., n / 2, of which the last term is halved. The weight of node 0 is half as large. */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {
     real sum = 1;
@@ -231,11 +235,12 @@ static real chebyshev_level(struct span *s, int level)
     real cosine[CHEBYSHEV_MOST + 1], sum = 0, a[3] = {0};
     for (int j = 0; j <= n; j++)
         cosine[j] = j == n / 2 ? 0 : cos(PI * (real)j / (real)n);
-    /* From level to level the odd nodes are new. */
+    /* Each level adds the odd nodes; the even ones are those of the previous level. */
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n && !s->failed; j++) {
-        /* The last terms of the Chebyshev series, n, n - 1 and n - 2, alternate with the nodes. */
+        /* The last coefficients of the Chebyshev series, those of T_n, T_(n-1) and T_(n-2), are sums with
+         * alternating signs. */
         real value = s->value[(size_t)j * stride], c = cosine[j];
         real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
         sum += chebyshev_weight(cosine, j <= n / 2 ? j : n - j, n) * value;
@@ -247,8 +252,8 @@ static real chebyshev_level(struct span *s, int level)
     return s->half * sum / (real)n;
 }
 
-/* Returns [lo, hi] after the substitution with sinh. A piece that is shorter than the peak is wide, or
- * shorter than its distance from the peak, has no peak. */
+/* Returns the interval [lo, hi] after the substitution x = peak + width sinh u. No substitution is made if
+ * the interval is shorter than the width of the peak, or shorter than its distance from the peak. */
 static struct span peak_span(num_function *f, void *context, real lo, real hi, real peak, real width,
                              real *value)
 {
@@ -301,8 +306,8 @@ static real series_at(const real *series, int n, real x)
     return x * b - before + series[0];
 }
 
-/* Finds the integral from -1 times half, of a series of n terms, as a series of n + 1 terms that is `start`
- * at -1. */
+/* Finds the integral of a Chebyshev series of n terms, times `half`, as a series of n + 1 terms whose value
+ * at -1 is `start`. */
 static void series_integral(const real *series, int n, real half, real start, real *integral)
 {
     real at_left = 0;
@@ -314,7 +319,8 @@ static void series_integral(const real *series, int n, real half, real start, re
     integral[0] = start - at_left;
 }
 
-/* Finds the series through the values at the nodes cos(pi j / n), which are `stride` apart. */
+/* Finds the Chebyshev series that interpolates the values at the nodes cos(pi j / n); these values are
+ * `stride` elements apart. */
 static void series_through(const real *value, size_t stride, int n, real *series)
 {
     for (int k = 0; k <= n; k++) {
@@ -359,7 +365,8 @@ struct series_target {
     real integral;
 };
 
-/* Returns the value at a distance from the left end, so that places near that end keep their digits. */
+/* Returns the series minus the target, at the distance `right` from the left end of [-1, 1]. Roots close to
+ * that end keep their digits, because the search varies the distance. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Turn off GSL's error handler, which would end the program. There is one handler for the whole process, and
- * answers are computed in parallel: the first call turns it off, and the last one restores it.
+ * Switch off GSL's error handler, which would abort the program. There is only one handler in a process, and
+ * several threads may compute at the same time, so the calls are counted: the first dom_quiet_begin switches
+ * the handler off, and the last dom_quiet_end restores it.
  */
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H
 
-/* Both are hidden: only the library uses them, from several of its objects. */
+/* Hidden symbols: several object files of the library call these functions, but nothing outside the library
+ * does. */
 __attribute__((visibility("hidden"))) void dom_quiet_begin(void);
 __attribute__((visibility("hidden"))) void dom_quiet_end(void);
 

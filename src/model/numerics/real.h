@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels. Their one source is compiled for each precision (precision/): REAL_FLOAT or
- * REAL_QUAD selects it, and double is the default. `real` is the type, and sqrt() and the other functions are
- * those of that type, as in <tgmath.h>.
+ * The arithmetic of the kernels. The same source is compiled for each precision (precision/): REAL_FLOAT or
+ * REAL_QUAD selects one, and the default is double. `real` is the floating-point type, and sqrt() and the
+ * other functions are those for that type, as with <tgmath.h>.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
@@ -12,12 +12,13 @@
 #include <math.h>
 #include <stdint.h>
 
-/* Marks functions of the kernels. Each precision has its own copy, whose name the linker does not see. */
+/* Marks functions of the kernels. Each precision has a separate copy with internal linkage. */
 #define KERNEL static __attribute__((unused))
 /* Marks functions in the loops along a train, where a call would cost as much as the arithmetic. */
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
 
-/* The functions of <math.h> that exist in every precision: X(name) with one argument, Y(name) with two. */
+/* The functions of <math.h> that exist in every precision: X(name) for those with one argument, Y(name) for
+ * those with two. */
 #define REAL_FUNCTIONS(X, Y)                                                                                 \
     X(sqrt)                                                                                                  \
     X(cbrt)                                                                                                  \
@@ -51,7 +52,7 @@ typedef double real;
 #define REAL_BITS DBL_MANT_DIG
 #define REAL_MIN  DBL_MIN
 #elif defined DOMQ_REAL_FLOAT128
-/* glibc has these functions for every compiler; its header declares them for gcc alone. */
+/* glibc provides these functions for every compiler, but its header declares them only for gcc. */
 #define DECLARE_ONE(f) extern domq_real f##f128(domq_real);
 #define DECLARE_TWO(f) extern domq_real f##f128(domq_real, domq_real);
 REAL_FUNCTIONS(DECLARE_ONE, DECLARE_TWO)
@@ -67,13 +68,13 @@ typedef domq_real real;
 #define MATH(name) name##l
 #endif
 
-/* Twice the unit roundoff. */
+/* Twice the unit roundoff: the distance from 1 to the next larger number. */
 #define REAL_EPSILON ((real)1 / ((uint64_t)1 << ((REAL_BITS - 1) / 2)) / ((uint64_t)1 << (REAL_BITS / 2)))
 
 /* The unit roundoff: the largest relative error of one operation. */
 #define UNIT     (REAL_EPSILON / 2)
 #define REAL_NAN ((real)NAN)
-/* Pi as a sum of doubles, right to 49 digits. */
+/* Pi as a sum of doubles, correct to 49 digits. */
 #define PI ((real)3.141592653589793116 + (real)1.2246467991473532072e-16 - (real)2.9947698097183396659e-33)
 
 #ifndef MATH
@@ -101,7 +102,9 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/* Returns the larger number without a call. C's fmax must treat NaN in its own way, which needs a call. */
+/*
+ * Returns the larger number without a function call. C's fmax has special rules for NaN, which cost a call.
+ */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;
