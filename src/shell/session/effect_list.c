@@ -89,7 +89,7 @@ const char *effect_usage(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-/* Commands that show an effect. effect_example makes them for the other effects. */
+/* Example commands for some effects. effect_example composes the examples of the other effects. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",

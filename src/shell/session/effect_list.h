@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of all effects: first those of the library, and then those of the rigid-body engine, which a
- * train with one degree of freedom cannot have. To add an effect of the engine, write its name here, its
- * description into effect_list.c, and what it does into src/engine/.
+ * Descriptions of all effects: first the effects of the library, and then the effects that only the
+ * rigid-body engine can compute, because a train with one degree of freedom cannot have them. To add an
+ * effect of the engine, add its name here, its description to effect_list.c, and its code to src/engine/.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
@@ -14,7 +14,7 @@
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
 enum {
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers continue those of the library */
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers continue after the library's effects */
 #define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
     ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
 #undef ENGINE_EFFECT_ENUM
@@ -25,26 +25,26 @@ enum {
 ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
 #undef ENGINE_EFFECT_DECLARE
 
-/* Two words for values of an effect. EFFECT_ON turns an effect on with its usual values, and does not change
- * an effect that is on. */
+/* Two special values that stand for the words "off" and "on". EFFECT_ON turns an effect on with its usual
+ * values. If the effect is already on, EFFECT_ON changes nothing. */
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
 /* Returns the description of effect k, from 0. */
 const struct domq_effect *effect_at(int k);
 
-/* The list of the names, for names.h. */
+/* Lists the names of all effects, in the form that names.h takes. */
 const char *effect_names(const void *context, int k);
 
 /* If the word is the name of an effect, writes a message that says how to turn the effect on, and returns
  * true. */
 bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
-/* Writes the usage of an effect: "friction MU". */
+/* Writes the usage of an effect, such as "friction MU". */
 enum { EFFECT_USAGE = 64 };
 const char *effect_usage(int name, char usage[EFFECT_USAGE]);
 
-/* Writes commands that show an effect. */
+/* Returns commands that demonstrate an effect. They are in `example` or in static memory. */
 enum { EFFECT_EXAMPLE = 128 };
 const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
 

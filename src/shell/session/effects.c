@@ -28,13 +28,13 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
     return setting;
 }
 
-/* Returns true if an effect needs another one. */
+/* Returns true if effect `name` cannot be on without effect `other`. */
 static bool needs(int name, int other)
 {
     return effect_at(name)->needs >> other & 1;
 }
 
-/* Writes the effects that are on and need the row: ", with push and placement". */
+/* Lists the effects that are on and need the row, as in ", with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     int n = 0;
@@ -54,7 +54,7 @@ static void row_drop(struct scene *scene)
     effects_apply(scene);
 }
 
-/* Reads a row from a file. */
+/* Reads a row from a file. Returns false with a problem. */
 static bool row_read(const struct scene *scene, const char *name, const struct means *means,
                      struct listed_row *row, struct problem *problem)
 {
@@ -70,7 +70,8 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: not used: the columns %s; those that are: %s", csv->path,
                    csv->head.at.line, csv->unused, csv->kind->names);
-    /* 'save' may write into another folder, and so needs the full path. A pipe has none. */
+    /* 'save' may write a script in another directory, and so needs the absolute path. A pipe has no such
+     * path, and keeps its name. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     if (good && !row->path) {
         row->path = csv->path;
@@ -114,7 +115,8 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem)
                          effect_at(name)->name);
 }
 
-/* Stores the values of an effect. A new row forgets that from a file. */
+/* Stores the values of an effect, and returns true. The new values of the effect 'row' replace a row from a
+ * file. */
 static bool effect_store(struct scene *scene, int name, struct effect_state state)
 {
     if (name == DOM_EFFECT_row)
@@ -183,7 +185,7 @@ bool effects_savable(const struct scene *scene, struct problem *problem)
     return true;
 }
 
-/* Writes a path between quotes. If the file is in or below the folder, the path begins with "./", so that the
+/* Writes a path in double quotes. If the file is in or below `folder`, the path begins with "./", so that the
  * script and the file can be moved together. */
 static void save_name(const char *path, const char *folder, FILE *out)
 {
@@ -218,8 +220,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses of which only the ratios are known: the first domino gets the mass of the session, or if that
- * is not known, a mass for which m g h / 2 is 1. */
+/* Scales masses of which only the ratios are known. The first domino gets the mass that the session has for
+ * it. If there is no such mass, m g h / 2 of the first domino becomes 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -243,7 +245,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         row_weigh(scene, domino, count);
 }
 
-/* Returns true if the walls fit into every domino. Otherwise describes the problem. */
+/* Returns true if the walls fit into every domino. Otherwise reports the problem. */
 static bool walls_fit(const struct scene *scene, const struct domq_domino *domino, size_t count,
                       struct problem *problem)
 {
@@ -282,12 +284,12 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
     };
-    row->row.walls *= scene->scale.h; /* from h to m */
+    row->row.walls *= scene->scale.h; /* from fractions of h to m */
     row->compute = scene->compute;
     return true;
 }
 
-/* Returns true if all dominoes of a row stand by themselves. Otherwise describes the problem. */
+/* Returns true if no domino of a row would fall over by itself. Otherwise reports the problem. */
 static bool row_stands(const struct scene *scene, const struct domq_row *row, struct problem *problem)
 {
     for (size_t k = 0; k < row->count; k++) {

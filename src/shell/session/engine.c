@@ -25,8 +25,8 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The engine computes in units of the height and mass of the first domino and of g, so that rounding does not
- * depend on the size of the row. */
+/* The engine's units of length and mass are the height and mass of the first domino, and in its unit of time
+ * g is 1. Rounding errors then do not depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };
@@ -44,10 +44,13 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
     struct domq_box box;
     if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    return 4 * (double)box.inertia - 3; /* by the parallel axis theorem, from the inertia about the edge */
+    /* box.inertia is the ratio about the lower edge; the parallel axis theorem gives the ratio about the
+     * centre. */
+    return 4 * (double)box.inertia - 3;
 }
 
-/* Converts the dominoes of a row. Returns false if the size or the mass of one is not positive and finite. */
+/* Converts the dominoes of a row to the engine's units. Returns false unless all sizes and masses are finite
+ * and positive; gaps may be 0. */
 static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engine_box *box)
 {
     for (size_t k = 0; k < row->count; k++) {
@@ -95,7 +98,7 @@ static enum dom_status status_of(enum engine_status status)
     return DOM_NOT_CONVERGED;
 }
 
-/* Converts hits to m, s and kg. */
+/* Converts hits from the engine's units to m, s and kg. */
 static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
 {
     for (size_t k = 0; k < hits; k++) {
@@ -147,7 +150,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
                                      .spare = DOMQ_NAN};
 }
 
-/* Runs a row for the library. */
+/* The function through which the library runs a row in the engine, see struct dom_engine. */
 static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)
@@ -208,18 +211,18 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    double zero;             /* when the clock starts, in the engine's time */
-    const domq_real *times;  /* the times that are left */
-    size_t left;             /* the number of these times */
-    domq_real *tilt, *omega; /* the tilts and angular velocities at the last step */
-    double *feet, time;      /* how far the feet have slid by then; when it was */
+    double zero;             /* the time of the engine at which the clock starts, in the engine's units */
+    const domq_real *times;  /* the times in s that have not been visited yet */
+    size_t left;             /* the number of elements of `times` */
+    domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
+    double *feet, time;      /* how far the feet have slid in m, and the time in s, after the last step */
     size_t head;
     domq_moment_visit *visit;
     void *context;
-    bool more; /* the visitor wants more */
+    bool more; /* the visitor wants to see more times */
 };
 
-/* Shows the last step as the state at a time. */
+/* Calls the visitor with the state after the last step, as the state at `time`. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,
@@ -232,7 +235,8 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* Is called after each step of the engine. The state is not interpolated, since steps are short. */
+/* The engine calls this function after each step. Steps are so short that the state is not interpolated
+ * between them. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -271,7 +275,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
-    /* After the end of the motion the state no longer changes. */
+    /* When the motion has ended, the last state is also that of all later times. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);
@@ -280,7 +284,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
 
 /* ---- Preparation ---- */
 
-/* Returns true if the engine has all effects that are on. Otherwise describes the problem. */
+/* Returns true if the engine includes all effects that are on. Otherwise reports the problem. */
 static bool effects_check(const struct scene *scene, struct problem *problem)
 {
     const unsigned known = 1U << DOM_EFFECT_friction | 1U << DOM_EFFECT_slope | 1U << DOM_EFFECT_edges |

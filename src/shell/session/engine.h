@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Runs rows in the rigid-body engine: rows with an effect that the model lacks, and all rows after 'set
- * method engine'. The searches and studies of the library then call the engine through struct dom_engine.
+ * Runs rows in the rigid-body engine, if an effect is on that the model lacks, or after 'set method engine'.
+ * The library's searches and studies of such rows also call the engine, through struct dom_engine.
  */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
@@ -12,38 +12,36 @@
 /* The values of the parameter 'method'. */
 enum { METHOD_MODEL, METHOD_ENGINE };
 
-/* What the engine finds in one run, besides what the library asks for. */
+/* What the engine finds in one run, in addition to what the library needs. */
 struct engine_report {
-    struct engine_hit *hit; /* in m and s; the caller provides an element for each domino */
+    struct engine_hit *hit; /* in m, s and kg; the caller provides one element for each domino */
     struct engine_settled settled;
-    double seconds; /* until the row has fallen or stopped */
+    double seconds; /* the time until the row has fallen or stopped */
 };
 
 struct scene_engine {
     struct domq_engine engine;    /* its member `own` points to this struct */
-    struct engine_row effects;    /* the effects that the library lacks */
-    struct engine_report *report; /* is filled by a run, unless it is NULL, as it must be for studies */
+    struct engine_row effects;    /* the engine's settings for the effects that the library lacks */
+    struct engine_report *report; /* filled in by each run unless it is NULL; it must be NULL in studies */
 };
 
-/* Returns true if the engine runs the rows of the scene. */
+/* Returns true if the engine, and not the model, runs the row of the scene. */
 bool scene_has_engine(const struct scene *scene);
 
-/* Returns the reason why the engine runs the rows: "feet is on", "method is engine". */
+/* Returns the reason why the engine runs the row, such as "feet is on" or "method is engine". */
 const char *scene_engine_why(const struct scene *scene);
 
-/*
- * Prepares the engine for a row of `count` dominoes. Returns false with a problem if the engine is not
- * installed, or cannot run so many dominoes, or lacks an effect that is on.
- */
+/* Prepares the engine for a row of `count` dominoes. Returns false with a problem if the engine is not
+ * installed, cannot run that many dominoes, or does not include an effect that is on. */
 bool scene_engine_make(const struct scene *scene, size_t count, struct scene_engine *engine,
                        struct problem *problem);
 
-/* Runs a row once with coarse steps, to measure the time. */
+/* Runs a row once with coarse steps, so that the caller can measure how long a run takes. */
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
 /*
- * Does what domq_row_watch does, with the step size that an earlier run has left in the report. Before each
- * visit, `feet` is filled: how far the foot of each domino has slid, in m.
+ * Does the same as domq_row_watch, in the engine, with the step size that an earlier run stored in the
+ * report. Before each visit, feet[k] is set to the distance in m that the foot of domino k, from 0, has slid.
  */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,

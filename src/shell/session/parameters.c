@@ -32,7 +32,7 @@ const struct parameter *parameter_find(const char *name)
     return k < 0 ? NULL : &session_parameters[k];
 }
 
-/* Returns the index of a word in a list of words between blanks, or -1. */
+/* Returns the index of a word in a list of words separated by blanks, or -1. */
 static int index_in(const char *list, const char *word)
 {
     const size_t length = strlen(word);
@@ -126,7 +126,7 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lowest value of argument i at the precision of the state. */
+/* Returns the lower bound of a parameter's value number i at the precision of the state. */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
@@ -180,13 +180,13 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
     return true;
 }
 
-/* Returns the rank of a parameter in the order of parameter_in_order. */
+/* Returns the rank by which parameter_in_order sorts a parameter. */
 static int rank(const struct state *state, const struct parameter *p)
 {
+    /* Effects that are on come last. Of the effects that are off, those that need another effect come first.
+     */
     if (p->effect)
-        return state->scene.effect[p->which].on
-                   ? 5
-                   : !p->effect->needs; /* an effect that needs another one comes first */
+        return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
     return !p->words_only ? 4 : p->setting ? 2 : 3;
 }
 
@@ -223,7 +223,7 @@ const char *parameter_word(const struct parameter *p, domq_real value)
 
 void parameter_range(const struct state *state, const struct parameter *p, int i, char *text, size_t size)
 {
-    int digits = p->value[i].whole ? 15 : 6; /* a whole number is shown whole */
+    int digits = p->value[i].whole ? 15 : 6; /* show every digit of a whole number */
     if (!p->words_only)
         snprintf(text, size, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
                  (double)p->value[i].highest);
@@ -236,7 +236,7 @@ void parameter_text(const struct parameter *p, domq_real value, int digits, char
 {
     char number[WIDE_TEXT];
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
-    digits = p->value->whole && digits < 15 ? 15 : digits; /* a whole number is shown whole */
+    digits = p->value->whole && digits < 15 ? 15 : digits; /* show every digit of a whole number */
     snprintf(text, size, "%s",
              word                    ? word
              : digits >= WIDE_DIGITS ? quad_exact(value, number)
@@ -251,7 +251,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
-    /* A floor such as 1e-15 is a decimal: both the decimal and the nearest double are in the range. */
+    /* A lower bound such as 1e-15 is not exactly a double. Both the decimal number and the nearest double are
+     * accepted. */
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
@@ -277,7 +278,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = format_at(style.output);
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* this is ceil(1 + bits log10(2)) */
     style.tol_digits = (int)fmax(floor(-log10((double)state->scene.compute.tol) + 1e-6), 1);
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -20,7 +20,8 @@ struct range means_part(const struct means *means, size_t points)
     struct shard s = means->shard;
     if (s.parts == 0)
         return (struct range){0, points};
-    /* points * k / parts, rounded down, computed without that product, which could overflow */
+    /* Part k ends at floor(points * k / parts). Since the product could overflow, the quotient and the
+     * remainder of points / parts are multiplied instead. */
     size_t whole = points / s.parts, rest = points % s.parts, k = s.part - 1;
     size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
     return (struct range){first, end - first};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The query that a command answers: a state, arguments, the last answer, and the means of computing. */
+/* The input of a command: a state, the command's arguments, the last answer, and the means of computing. */
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
@@ -9,17 +9,18 @@
 struct command;
 struct arguments;
 
-/* The part of a sweep or a study that --shard asks for, from 1. `parts` is 0 without --shard. */
+/* The part of a sweep or study that the option --shard requests, counted from 1. Without --shard, `parts` is
+ * 0. */
 struct shard {
     size_t part, parts;
 };
 
-/* The means of computing, which do not change the answer. */
+/* The circumstances of a computation. They do not change the numbers of an answer. */
 struct means {
     struct shard shard;
     bool safe;          /* commands may not touch files */
     bool sourced;       /* the command is in a file that is sourced */
-    const char *script; /* the path of the script, for files beside it; NULL at the prompt */
+    const char *script; /* the path of the script, to find files in its directory; NULL at the prompt */
     /* Shows a note to the user at once. May be NULL. */
     void (*note)(void *context, const char *text);
     void *context; /* for `note` */
@@ -28,7 +29,8 @@ struct means {
 /* Shows a note to the user. */
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns which of the points --shard asks for: the index of the first one, and their number. */
+/* Returns the range of points that --shard requests: the index of the first point, and the number of points.
+ */
 struct range {
     size_t first, count;
 };
@@ -40,7 +42,7 @@ enum { ANSWER_CELLS = 16 };
 struct ans {
     const struct command *command; /* NULL if there was no answer */
     struct cell cells[ANSWER_CELLS];
-    bool printed; /* the answer was the value of an expression */
+    bool printed; /* the last answer was the value of an expression */
     struct quantity value;
 };
 
@@ -53,7 +55,7 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* Returns how to compute the answer, with error bounds if the settings ask for them. */
+/* Returns the options for the library's computations. They request error bounds if the settings do. */
 struct domq_compute query_compute(const struct query *query);
 
 #endif

@@ -4,7 +4,7 @@
 #include "language/quad.h"
 #include "session/engine.h"
 
-/* Names the type of quad precision, for 'show'. */
+/* The type that quad precision uses, for the description of the parameter. */
 #if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
@@ -73,7 +73,8 @@ static bool precision_check(const struct state *state, domq_real precision, stru
            problem_error(problem, "%s: %s", arithmetic->name, dom_status_text(DOM_NO_PRECISION));
 }
 
-/* Follows a change of the precision: a tol that had its default gets the new default. */
+/* Adapts tol to a new precision. A tol at its old default changes to the new default, and any other tol is
+ * raised to the new lower bound if necessary. */
 static void precision_before(struct state *state, domq_real precision)
 {
     struct domq_compute *compute = &state->scene.compute;
@@ -83,7 +84,7 @@ static void precision_before(struct state *state, domq_real precision)
         compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
 }
 
-/* More members for the rows of the numbers that the library lists. */
+/* More members for the parameters that the library lists. */
 #define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
 #define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
@@ -94,7 +95,7 @@ static void precision_before(struct state *state, domq_real precision)
 #define MORE_h   .synonyms = "height size tall scale",
 #define MORE_g   .synonyms = "gravity acceleration weight moon planet",
 
-/* The numbers of the formats. */
+/* The formats in the order of their numbers, for the parameter 'output'. */
 #define FORMAT_NUMBER(name) FORMAT_##name,
 #define FORMAT_WORD(name)   {#name, FORMAT_##name},
 enum { FORMATS(FORMAT_NUMBER) };
@@ -102,7 +103,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 /* clang-format off */
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
-/* The first members of a row: the place of the value in the state, and its description. */
+/* The first members of an entry: the offset of the value in the state, and its description. */
 #define ROW(name_, member, unit_, meaning_, ...) \
     .name = name_, .offset = offsetof(struct state, member), \
     .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}

@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Returns the path of a file in the folder of the script that names it, or the name itself if there is no
- * such file. Returns NULL if there is no memory. The caller frees the path. */
+/* Looks for a file in the directory of the script that names it. Returns its path, or a copy of the name if
+ * there is no such file there. Returns NULL if there is no memory. The caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
     const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
@@ -65,7 +65,7 @@ enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOM
 #define WEIGHT "write a number in the unit of the first line, as in "
 #define PLAIN  "", "none", "", "write a plain number: "
 
-/* Masses can be as small and as large as in single precision. */
+/* The range of masses is the range of single precision. */
 static const struct csv_column columns[KINDS] = {
     {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
@@ -91,7 +91,8 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino. The arrays double when the count is 0 or a power of 2. */
+/* Makes room for one more domino. The arrays grow when the count is 0 or a power of 2. Returns false if there
+ * is no memory. */
 static bool row_grow(struct listed_row *rows)
 {
     if ((rows->count & (rows->count - 1)) != 0)
@@ -140,7 +141,8 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all rows. Writes the other columns of each line to `others`, with a NUL byte after each line. */
+/* Reads all rows. Writes the cells of all other columns to `others`, with a NUL byte after each line. Returns
+ * false after a problem. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MASS] && csv->column[DENSITY])

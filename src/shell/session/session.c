@@ -56,10 +56,10 @@ bool session_stops(const struct session *session, long errors)
 
 /* ---- Errors and notes ---- */
 
-/* The indentation of a copy of the line, with a caret below it. */
+/* The indentation of the copy of the line above a caret. */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line has no control characters, which it may have if it was pasted. */
+/* Returns true if the typed line has no control characters. A pasted line may have some. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed.text, (size_t)session->typed.length);
@@ -68,8 +68,8 @@ static bool typed_is_plain(const struct session *session)
     return plain;
 }
 
-/* At the prompt, writes a caret below the column: directly below the typed line, or below a copy of it if
- * there is output between them. */
+/* At the prompt, writes a caret below the column of the error. The caret goes directly below the typed line,
+ * or, if other output has followed that line, below a copy of the line. */
 static void session_caret(const struct session *session, int column)
 {
     int width = terminal_width(stderr), at = session->source.prompt_width + column;
@@ -78,7 +78,7 @@ static void session_caret(const struct session *session, int column)
     bool above = session->typed.is_last && width > 0;
     if (!above && (session->typed.columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
-    if (above) /* a long line is wrapped */
+    if (above) /* the terminal wraps a long line */
         at = (at - 1) % width + 1;
     if (!above)
         fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
@@ -86,7 +86,7 @@ static void session_caret(const struct session *session, int column)
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error into the answers of a script, if their format has a place for errors. */
+/* Writes an error among the answers of a script, if the format of answers can represent errors. */
 static void session_tell(const struct session *session, const struct problem *problem)
 {
     const struct format *format = format_at(session->state.settings.style.output);

@@ -15,7 +15,7 @@ struct session {
     struct means means;
     struct undo *undo; /* NULL until something has changed */
 
-    struct output *output; /* the top of the stack of outputs */
+    struct output *output; /* the top of the stack of outputs, to which answers go */
     struct output standard;
 
     struct source {
@@ -27,13 +27,14 @@ struct session {
     } source;
 
     struct typed {
-        const char *text; /* the line that runs, which does not end with a NUL byte; NULL between lines */
+        const char *text; /* the line that is running, not terminated by a NUL byte; NULL between lines */
         int length, columns;
-        bool is_last; /* at the prompt: there is no output below the line yet */
+        bool is_last; /* at the prompt: nothing has been written below the typed line yet */
     } typed;
 
-    const char *command; /* the command that runs, for notes */
-    /* The flag that SIGINT sets, if SIGINT ends only the command and not the script. Otherwise NULL. */
+    const char *command; /* the name of the command that is running, for notes */
+    /* If SIGINT ends only the running command and not the script: the flag that the signal handler sets.
+     * Otherwise NULL. */
     volatile sig_atomic_t *resumes;
     bool bail; /* the first error ends the session */
     bool quit;
@@ -41,31 +42,29 @@ struct session {
     long errors;
 };
 
-/* Begins a session in which every parameter has its default. */
+/* Initialises a session that writes to `out`. Every parameter has its default. */
 void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer: that of the file that it goes to, or else that of 'set output'. */
+/* Returns the format of the next answer. If the answer goes to a file with a format, this is the file's
+ * format, and otherwise the format chosen with 'set output'. */
 const struct format *session_answers(const struct session *session);
 
-/* Returns a query of the session's state. The caller sets its arguments and next state. */
+/* Returns a query about the session's state. The caller sets the members `given` and `next`. */
 struct query session_query(struct session *session);
 
-/* Writes an error message with its place to stderr, and counts it. */
+/* Writes an error message with its position to stderr, and increments session->errors. */
 void session_problem(struct session *session, const struct problem *problem);
 
-/* Writes an error message that has no place in the line. */
+/* Like session_problem, for an error that has no position in the line. */
 void session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Writes a message to stderr that is no error. */
+/* Writes a message to stderr that is not an error. */
 void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/*
- * Returns true if no more lines may run: after 'quit', after an interrupt, if nobody reads the output, and
- * with
- * --bail after an error. `errors` is the number of errors before the last line.
- */
+/* Returns true if no more lines may run: after 'quit', after an interrupt, after a failed write, or, with
+ * --bail, after an error. `errors` is the value of session->errors before the last line. */
 bool session_stops(const struct session *session, long errors);
 
 #endif

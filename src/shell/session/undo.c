@@ -5,11 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 100, HELD_MOST = 4000000 /* dominoes and changed gaps in all steps */ };
+enum { STEPS = 100, HELD_MOST = 4000000 /* the most dominoes and changed gaps in all steps together */ };
 
 /*
- * Steps before `done` can be undone, and hold the state before their commands. The others can be redone, and
- * hold the state after their commands. To go a step is to swap its state with that of the session.
+ * Steps with an index below `done` can be undone; each holds the state before its command. The other steps
+ * can be redone; each holds the state after its command. Undoing or redoing a step swaps its state with the
+ * session's state.
  */
 struct undo {
     struct step {
@@ -59,7 +60,7 @@ static bool state_equal(const struct state *a, const struct state *b)
     return row_equal(&a->scene.listed, &b->scene.listed) && variables_equal(&a->variables, &b->variables);
 }
 
-/* Removes the steps from one index up to, but not including, another. */
+/* Removes the steps with the indices from `from` up to, but not including, `to`. */
 static void steps_drop(struct undo *undo, int from, int to)
 {
     for (int k = from; k < to; k++)
@@ -105,7 +106,7 @@ const char *undo_step(struct undo *undo, struct state *state, bool back)
     const struct state left = *state;
     *state = *step->state;
     *step->state = left;
-    state->scene.walk = left.scene.walk; /* the walk goes on */
+    state->scene.walk = left.scene.walk; /* a walk through the train is not undone */
     return step->text;
 }
 
