@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * libdomino computes how a row of dominoes falls, and how much larger each may be than the one before.
+ * libdomino computes how a row of dominoes falls, and how much larger each domino may be than the one before.
  *
  * Introduction
  *
@@ -19,27 +19,28 @@
  * a relative tolerance of 1e-12.
  *
  * Errors: if compute.errors is set, the member `error` of a result holds upper bounds of the absolute errors
- * of its numbers. The bounds cover rounding, once the parameters have been rounded to the precision, and what
- * the tolerance cuts off. A bound is NaN if it was not asked for, and if none is known, as for motion and
- * limits with friction.
+ * of its numbers. The bounds cover rounding errors, except those made when the parameters are rounded to the
+ * precision, and the terms that are cut off at the tolerance. A bound is NaN if compute.errors is not set, or
+ * if no bound is known, as for the motion and the limits of trains with friction.
  *
  * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
- * header, has the same functions, structures and lists in the widest type of the machine, with domq_ instead
- * of dom_. Both can compute in every precision and differ only in the type of parameters and answers.
+ * header, declares the same functions, structures and lists for the widest floating-point type of the
+ * machine, with domq_ instead of dom_. The functions of both headers can compute in every precision; they
+ * differ only in the type of their parameters and results.
  *
  * Units: the head is the foremost falling domino and has number 0. The dominoes that push it, its followers,
- * are 1, 2, ... down the train. Lengths are in the height h of the head, energies in m g h / 2 of the head,
- * angles in radians from the vertical, and times in tau (1; a1). Only struct dom_scale and rows are in
- * metres, kilograms and seconds.
+ * have the numbers 1, 2, ..., counted backwards from the head. Lengths are in the height h of the head,
+ * energies in m g h / 2 of the head, angles in radians from the vertical, and times in tau (1; a1), which
+ * dom_scale_tau converts to seconds. Only struct dom_scale and rows are in metres, kilograms and seconds.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
- * range. With any status but DOM_OK only the bounds of the result are written, unless the comment of the
- * function says otherwise.
+ * range. With any status other than DOM_OK, only the error bounds of the result are written, unless the
+ * comment of the function says otherwise.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
  *
- * "(24; c6)" in a comment is an equation: the number that the paper prints, and the label of its source.
- * "corrected" marks where the paper has a slip.
+ * "(24; c6)" in a comment is an equation of the paper: its printed number and its label in the source text.
+ * "corrected" marks an equation that is misprinted in the paper.
  */
 #ifndef DOMINO_H
 #define DOMINO_H
@@ -125,16 +126,17 @@ const char *dom_status_text(enum dom_status status);
 
 /* ---- Choices ---- */
 
-/* The arithmetic that computes. Quad is __float128 where the machine has it, else long double if wider. */
+/* The floating-point type of the computation. DOM_QUAD is __float128 where the machine has it, and otherwise
+ * long double if that is wider than double. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
 /* The fuel P in (24; c6): see dom_fuel_find. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
- * The algorithm that computes the answer: that of this library or, for comparison and in double precision
- * only, solvers of GSL around the textbook formulas, or the paper's recipe, which raises theta and r in
- * steps.
+ * The algorithm. The other two methods are for comparison and compute in double precision only:
+ * DOM_METHOD_GSL applies solvers of GSL to the textbook formulas, and DOM_METHOD_PAPER follows the recipe of
+ * the paper, which raises theta and r in steps.
  */
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
@@ -142,9 +144,9 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
  * Effects beyond the paper, which struct dom_effect describes. The code of an effect runs only while the
  * effect is on, and struct dom_work counts how often.
  *
- * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). The member of
- * struct dom_train and struct dom_row holds the value of the effect, where 0 means off. The status is
- * returned for a value outside its range.
+ * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` is the
+ * member of struct dom_train and of struct dom_row that holds the value of the effect, where 0 means off.
+ * `status` is returned if the value is outside its range.
  */
 #define DOM_DYNAMICS(X)                                                                                      \
     X(friction, mu, DOM_BAD_MU)                                                                              \
@@ -172,12 +174,12 @@ enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
 /* The largest number of arguments that an effect has. */
 enum { DOM_EFFECT_ARGUMENTS = 2 };
 
-/* What limits the growth: the barrier, the reach of the head (dom_train_reach), or NONE if not even equal
- * dominoes go on. */
+/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE means that
+ * even equal dominoes do not keep falling. */
 enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 
-/* Returns "none", "barrier" or "reach". This function and those for other texts return "unknown" for a number
- * that is not in the enumeration. */
+/* Returns "none", "barrier" or "reach". Like dom_event_text and dom_row_end_text, returns "unknown" for a
+ * number that is not in the enumeration. */
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
@@ -194,11 +196,11 @@ enum { DOM_EVENTS_MAX = 5 };
 /* Returns "launch", "fall", "top", "stop" or "hit". */
 const char *dom_event_text(enum dom_event_kind kind);
 
-/* The spacing of the states of dom_cycle_walk. */
+/* The variable in which the states that dom_cycle_walk visits are evenly spaced. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
-/* The questions that dom_trains_ask answers: each has the name of a function above, and the structure that
- * the function writes. */
+/* The questions that dom_trains_ask can ask. Each comment names the function that answers the question about
+ * one train, and the structure that it fills. */
 enum dom_question {
     DOM_ASK_ANGLES,   /* dom_angles_find: struct dom_angles */
     DOM_ASK_CONTACT,  /* dom_contact_find, at a tilt: struct dom_contact */
@@ -215,7 +217,7 @@ enum dom_question {
 
 /* ---- Work and interrupts ---- */
 
-/* Counters of work. Every answer adds its own work to them. Start from {0}. */
+/* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
 struct dom_work {
     size_t passes;                    /* passes down the train */
     size_t dominoes;                  /* dominoes visited in all passes */
@@ -223,7 +225,8 @@ struct dom_work {
     size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
 };
 
-/* Returns true if *flag is not 0. Reads it atomically, since another thread may set it. flag may be NULL. */
+/* Returns true if flag is not NULL and *flag is not 0. Reads *flag atomically, since another thread may set
+ * it. */
 static inline bool dom_raised(const volatile sig_atomic_t *flag)
 {
 #if defined __GNUC__
@@ -235,23 +238,23 @@ static inline bool dom_raised(const volatile sig_atomic_t *flag)
 
 /* ==== From here on everything is also in <domino_quad.h>, with domq_ instead of dom_ ==== */
 
-/* The type of parameters and answers. */
+/* The type of parameters and results. */
 typedef double dom_real;
 
-/* The value of a number that does not exist. */
+/* The value of a result that does not exist. */
 #define DOM_NAN ((dom_real)NAN)
 
 /* ---- Simple API: these functions return one number, or NaN if there is no answer ---- */
 
-/* Returns the largest growth for the separation s and the thickness d, both over the height, and the exponent
- * q, which is 3 for hollow and 4 for solid dominoes. */
+/* Returns the largest growth of a train. The separation s and the thickness d are relative to the height; the
+ * exponent q is 3 for hollow and 4 for solid dominoes. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
-/* Returns the smallest n with first r^n >= height: how many dominoes topple one of that height. */
+/* Returns how many dominoes topple one of the given height: the smallest n with first r^n >= height. */
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
-/* Returns the front speed in m/s of equal solid dominoes, for their height h in m, and s and d over the
- * height, at g = 9.81 m/s^2. */
+/* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is their height in m; the
+ * separation s and the thickness d are relative to the height. */
 dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 
 /* ---- The train ---- */
@@ -268,8 +271,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 #define DOM_MU_HIGHEST 100
 
 /*
- * A self-similar train. Start from dom_train_default() and change what differs. The last four members are the
- * effects of DOM_DYNAMICS, which are 0, off, by default:
+ * A self-similar train. Start from dom_train_default() and change the members that differ. The last four
+ * members are the effects of DOM_DYNAMICS, all off (0) by default:
  *
  * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. The equation of motion then
  * replaces (21; c3) and (24; c6).
@@ -277,12 +280,12 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * alpha: the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5. The
  * status is DOM_NO_STAND if no domino can stand upright on that slope.
  *
- * walls: the thickness of the walls over the height, 1e-9 ... 1, for dominoes that are boxes of six walls,
- * half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Such a train takes
- * longer, by dom_scale_tau, and needs more friction of the floor. Everything else is as without walls.
+ * walls: the thickness of the walls relative to the height, 1e-9 ... 1, for dominoes that are boxes of six
+ * walls, half as wide as they are tall. The status is DOM_NO_ROOM if the walls do not fit. Walls increase tau
+ * (dom_scale_tau) and the friction that the floor must supply. They change no other result.
  *
- * rho: the radius of the edges over the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more than
- * d/2. No error bounds are known for rounded edges: all of them are NaN.
+ * rho: the radius of the edges relative to the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
+ * than d/2. No error bounds are known for rounded edges, so that all bounds are NaN.
  *
  * With friction, a slope or rounded edges the paper's fuel and the methods other than DOM_METHOD_OURS do not
  * apply: the status is DOM_NO_METHOD.
@@ -302,7 +305,7 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* Return the defaults in the two lists. */
+/* Return the defaults in DOM_TRAIN_PARAMETERS and DOM_SCALE_PARAMETERS, with no effects. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -311,13 +314,15 @@ struct dom_scale dom_scale_default(void);
 #define DOM_COMPUTE_PARAMETERS(X)                                                                            \
     X(tol, 1 / (dom_real)1e12, 1e-34, 0.1, "", "relative tolerance of the answers")
 
-/* How to compute. Start from dom_compute_default() and change what differs. NULL means these defaults. */
+/* How to compute. Start from dom_compute_default() and change the members that differ. Functions take NULL
+ * for the defaults. */
 struct dom_compute {
-    dom_real tol;                 /* relative tolerance of the answers */
-    enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to it */
-    enum dom_method method;       /* default DOM_METHOD_OURS; the others give few answers, and no bounds */
-    bool errors;                  /* true if results get bounds of their errors, which takes more time */
-    struct dom_work *work;        /* counts the work of the answer; may be NULL */
+    dom_real tol;                 /* relative tolerance of the results */
+    enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
+    /* Default DOM_METHOD_OURS. The other methods answer only a few questions and give no error bounds. */
+    enum dom_method method;
+    bool errors;           /* true to compute error bounds as well, which takes more time */
+    struct dom_work *work; /* counters to which the work is added; may be NULL */
     /* A long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
 };
@@ -329,7 +334,7 @@ struct dom_compute dom_compute_default(void);
 struct dom_arithmetic {
     const char *name; /* "float", "double" or "quad" */
     const char *type; /* the C type that is used */
-    int bits;         /* of the significand; 0 if this machine has no such type (DOM_NO_PRECISION) */
+    int bits;         /* bits of the significand; 0 if the machine has no such type (DOM_NO_PRECISION) */
     double epsilon;   /* twice the unit roundoff */
     dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest that is allowed */
     int digits;                      /* significant digits worth printing at tol_default */
@@ -367,7 +372,7 @@ struct dom_angles {
     dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (2; a2) */
     dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (4; b1) */
     dom_real theta_inf;   /* far followers approach this angle: cos theta_inf = d / (s + d) (40; A16) */
-    dom_real theta_f;     /* the last angle of a follower: (42; A18) if it detaches, else theta_inf */
+    dom_real theta_f;     /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
     dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
     bool detaches;        /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
@@ -391,7 +396,7 @@ struct dom_contact {
     struct dom_contact_error error;
 };
 
-/* Finds the contact at 0 <= theta <= theta_c. For other tilts this function and every function below returns
+/* Finds the contact at 0 <= theta <= theta_c. For other tilts this function and all functions below return
  * DOM_BAD_TILT. */
 enum dom_status dom_contact_find(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, struct dom_contact *contact);
@@ -404,17 +409,18 @@ struct dom_link_error {
 
 /* Domino i of the train. */
 struct dom_link {
-    size_t i;              /* number of the domino, 0 = head */
-    dom_real theta;        /* the angle theta_i of the domino (27; A2) */
-    dom_real slope;        /* d theta_i / d theta (33; A9) */
-    dom_real arm_a, arm_b; /* of its contact with domino i + 1, in h (table 1); NaN if there is no contact */
-    dom_real weight;       /* r^(-q i), the weight of the domino in H (19; c1) */
+    size_t i;       /* number of the domino, 0 = head */
+    dom_real theta; /* the angle theta_i of the domino (27; A2) */
+    dom_real slope; /* d theta_i / d theta (33; A9) */
+    /* Lever arms of the contact with domino i + 1, in h (table 1). NaN if there is no contact. */
+    dom_real arm_a, arm_b;
+    dom_real weight; /* r^(-q i), the weight of the domino in H (19; c1) */
     struct dom_link_error error;
 };
 
 /*
  * Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
- * visit returns false to end the walk early, and the status is DOM_OK then as well.
+ * visit returns false to end the walk early; the status is DOM_OK in that case, too.
  */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -433,7 +439,7 @@ struct dom_energy {
     struct dom_energy_error error;
 };
 
-/* Finds the energy of the train where the head leans at theta. */
+/* Finds the energy of the train when the head leans at theta. */
 enum dom_status dom_energy_find(const struct dom_train *train, const struct dom_compute *compute,
                                 dom_real theta, struct dom_energy *energy);
 
@@ -447,7 +453,7 @@ struct dom_fuels {
     struct dom_fuels_error error;
 };
 
-/* Finds both fuels, in m g h / 2. If they are zero or negative, the train does not move on. */
+/* Finds both fuels, in m g h / 2. If the fuel is zero or negative, the train does not keep falling. */
 enum dom_status dom_fuel_find(const struct dom_train *train, const struct dom_compute *compute,
                               struct dom_fuels *fuels);
 
@@ -458,18 +464,19 @@ struct dom_launch_error {
 };
 
 struct dom_launch {
-    dom_real fuel;           /* P, as train->fuel selects it, minus the work of friction */
-    dom_real J0;             /* J(0) */
-    dom_real velocity_ratio; /* omega(0) / omega_1(theta_c), after / before: (J(0) - 1) / J(0) (22; c4) */
-    dom_real omegasq;        /* tau^2 omega(0)^2 after the collision (24; c6) */
-    dom_real kinetic;        /* J(0) tau^2 omega(0)^2 */
+    dom_real fuel; /* P, as train->fuel selects it, minus the work of friction */
+    dom_real J0;   /* J(0) */
+    /* omega(0) after the collision over omega_1(theta_c) before it: (J(0) - 1) / J(0) (22; c4). */
+    dom_real velocity_ratio;
+    dom_real omegasq; /* tau^2 omega(0)^2 after the collision (24; c6) */
+    dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
     struct dom_launch_error error;
 };
 
 /*
- * Finds the motion just after a collision. With DOM_NO_FUEL, P <= 0, the members fuel, J0 and velocity_ratio
+ * Finds the motion just after a collision. With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio
  * are written, and omegasq and kinetic are NaN. DOM_LOCKS, from this function and from all functions of a
- * cycle below, means that friction lets no cycle begin; nothing is written then.
+ * cycle below, means that friction prevents the cycle from beginning; no member is written in that case.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);
@@ -485,16 +492,16 @@ struct dom_barrier {
     /* The global maximum of H(theta) - H(0) over the cycle, >= 0; with friction, the kinetic energy after the
      * collision that just suffices to pass every tilt. */
     dom_real barrier;
-    dom_real kinetic; /* just after the collision; NaN without fuel */
-    dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN without fuel */
+    dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
+    dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
     struct dom_barrier_error error;
 };
 
 /*
- * Finds whether the train goes on. DOM_OK means that it does: margin >= 0. DOM_STOPS means that it does not;
- * all members are written then as well. With DOM_NO_FUEL theta_m and barrier are written, and the other
- * members are NaN. All functions of a cycle give the same verdict: if a rough tolerance does not decide it,
- * the tolerance is refined.
+ * Finds whether the train keeps falling. The status is DOM_OK if it does (margin >= 0), and DOM_STOPS if it
+ * stops; all members are written in both cases. With DOM_NO_FUEL theta_m and barrier are written, and the
+ * other members are NaN. All functions about a cycle give the same verdict: if a coarse tolerance does not
+ * decide it, the tolerance is refined.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
@@ -509,18 +516,18 @@ enum dom_status dom_cycle_omegasq(const struct dom_train *train, const struct do
                                   dom_real theta, struct dom_value *omegasq);
 
 /*
- * Finds the tilt at which a train that stops comes to rest, the smallest tilt at which H(theta) - H(0) has
- * used up the kinetic energy. The value is NaN, with DOM_OK, if the train goes on. The status is DOM_NO_FUEL
- * if the train does not start.
+ * Finds the tilt at which a train that stops comes to rest: the smallest tilt at which H(theta) - H(0) has
+ * used up the kinetic energy. If the train keeps falling, the value is NaN and the status is DOM_OK. The
+ * status is DOM_NO_FUEL if the train does not start.
  */
 enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_value *theta);
 
 /*
- * Finds the duration of a cycle in tau, t_f / tau = the integral of 1/(tau omega) over [0, theta_c]. The
+ * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. The
  * duration grows like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff.
  * The status is DOM_NO_MARGIN if the margin is 0 to rounding, and DOM_NO_FUEL or DOM_STOPS if there is no
- * whole cycle.
+ * complete cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -531,13 +538,13 @@ struct dom_event {
     enum dom_event_kind kind;
     dom_real theta; /* tilt of the head */
     dom_real time;  /* since the launch, in tau */
-    size_t domino;  /* the domino that detaches; 0, the head, for other events */
+    size_t domino;  /* number of the domino that detaches; 0 for all other events */
 };
 
 /*
- * Finds the events of the cycle in order. `events` has room for DOM_EVENTS_MAX. With DOM_STOPS all events are
- * written, and the last one is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. For DOM_NO_MARGIN, which every
- * function that finds a time may return, see dom_cycle_duration.
+ * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX of them. With DOM_STOPS
+ * all events are written, and the last one is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every
+ * function that finds a time, may return DOM_NO_MARGIN: see dom_cycle_duration.
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -556,11 +563,11 @@ struct dom_state {
     dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
     dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (21; c3) */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
-    dom_real climbed;       /* H(theta) - H(0); negative once the train has come down */
-    dom_real fallen;        /* the part of `climbed` in dominoes that have detached in this cycle */
+    dom_real climbed;       /* H(theta) - H(0); negative once the train is lower than at the launch */
+    dom_real fallen;        /* the part of `climbed` that is due to dominoes that detached in this cycle */
     dom_real before;        /* kinetic energy of the train just before the collision */
     dom_real lost;          /* energy lost in the collision: before / J(0) without friction (22; c4) */
-    dom_real friction_work; /* energy that friction has taken since the launch */
+    dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;
 };
 
@@ -575,22 +582,22 @@ enum dom_status dom_cycle_tilt(const struct dom_train *train, const struct dom_c
                                dom_real time, dom_real *theta);
 
 /*
- * Calls visit, in order, for `rows` states evenly spaced over the cycle, with event = NULL, and for the state
- * at each event of the cycle. visit returns false to end the walk early. Many states cost far less than as
- * many calls of dom_cycle_state. The statuses are those of dom_cycle_events; DOM_STOPS is returned after all
- * states.
+ * Calls visit, in order of time, for `rows` states evenly spaced over the cycle and for the state at each
+ * event of the cycle. `event` is NULL for the evenly spaced states. visit returns false to end the walk
+ * early. A walk over many states takes far less time than as many calls of dom_cycle_state. The statuses are
+ * those of dom_cycle_events; DOM_STOPS is returned after all states have been visited.
  */
 typedef bool dom_state_visit(const struct dom_state *state, const struct dom_event *event, void *context);
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* The force and the impulse between domino i and its follower, which stay in contact while the force is > 0
- * (section 5). */
+/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
+ * force is > 0 (section 5 of the paper). */
 struct dom_force {
     size_t i;         /* number of the domino, 0 = head */
-    dom_real force;   /* in m g of the head; NaN without a follower */
-    dom_real of_own;  /* the force over the weight of domino i */
-    dom_real impulse; /* of the collision, in m g tau of the head; NaN unless theta = 0 */
+    dom_real force;   /* contact force in m g of the head; NaN if domino i has no follower */
+    dom_real of_own;  /* the force divided by the weight of domino i */
+    dom_real impulse; /* impulse of the collision, in m g tau of the head; NaN unless theta = 0 */
 };
 
 /*
@@ -604,33 +611,33 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
 /* The smallest contact force. Dominoes stay in contact if force and impulse are > 0. Both are infinite if
  * there is no contact. */
 struct dom_least_force {
-    dom_real force;   /* the smallest force of the cycle, over the weight of the domino that it pushes */
-    dom_real theta;   /* the tilt of the head at that force */
-    size_t domino;    /* the domino that is pushed, 0 = head */
+    dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
+    dom_real theta; /* the tilt of the head at that force */
+    size_t domino;  /* the domino that is pushed, 0 = head */
     dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
 
-/* Finds the smallest force over the cycle, or up to a stop, with an error of at most 1e-5 of that weight. The
- * status is DOM_NO_FUEL if there is no cycle. */
+/* Finds the smallest contact force over the cycle, or over its part before the train stops. The error is at
+ * most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the force
- * of the floor, and of its impulse in the collision. A value is infinite if a domino would be lifted off the
- * floor.
+ * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the
+ * reaction force of the floor during the motion, and of its impulse in the collision. A value is infinite if
+ * a domino would be lifted off the floor.
  */
 struct dom_floor {
     dom_real motion, theta; /* the largest value during the motion, and the tilt of the head at that time */
-    size_t domino;          /* the domino whose foot needs it, 0 = head */
+    size_t domino;          /* the domino whose foot needs `motion`, 0 = head */
     dom_real hit;           /* the largest value in the collision */
-    size_t hit_domino;      /* the domino whose foot needs it */
+    size_t hit_domino;      /* the domino whose foot needs `hit`, 0 = head */
 };
 
 /*
- * Finds what the floor needs over the cycle, or up to where the train stops. Dominoes slower than a
- * thousandth of the speed of the head are left out. A smooth maximum has a relative error of at most a
- * millionth. The status is DOM_NO_FUEL if there is no cycle.
+ * Finds the friction that the floor needs over the cycle, or over its part before the train stops. Dominoes
+ * slower than a thousandth of the speed of the head are left out. The relative error of a maximum is at most
+ * a millionth if the ratio is smooth there. The status is DOM_NO_FUEL if there is no cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -651,20 +658,20 @@ struct dom_limit {
 
 /*
  * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0, or dom_train_reach if
- * the margin never does. train->r is not used. The status is DOM_OK, with DOM_END_NONE, if not even equal
- * dominoes go on. DOM_TOO_LONG, from this function and the next two, means that the answer would take more
- * than a second or two in double. Without friction, bounds cover every growth up to r_max; they can miss a
- * dip of the margin narrower than 1e-6 in ln r (1e-4 just before r_max; more if 1,500 intervals do not
- * decide). With friction, growths are only sampled.
+ * the margin never reaches 0. train->r is not used. If even equal dominoes do not keep falling, the status is
+ * DOM_OK and `ends` is DOM_END_NONE. This function and the next two return DOM_TOO_LONG if the computation
+ * would take more than a second or two in double. Without friction the search uses bounds of the margin that
+ * cover every growth up to r_max; it can miss a dip of the margin narrower than 1e-6 in ln r (1e-4 just
+ * before r_max, and wider dips if 1,500 intervals are not enough). With friction, growths are only sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
 
 /*
  * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
- * domino 0 over the barrier of the pair. train->r and train->fuel are not used. If equal dominoes fail but
- * larger ones succeed, since (5; b0) is a lower bound on r, r_max is the end of the first band of growths
- * that succeed.
+ * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since (5; b0) is a lower
+ * bound on r, equal dominoes can fail where larger ones succeed. r_max is then the upper end of the first
+ * interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -675,14 +682,14 @@ struct dom_best_error {
 
 struct dom_best {
     dom_real s;     /* the separation that allows the largest growth */
-    dom_real r_max; /* that growth */
+    dom_real r_max; /* the largest growth at this separation */
     struct dom_best_error error;
 };
 
 /*
  * Finds the best separation. train->s and train->r are not used. The status is DOM_NO_GROWTH if no separation
- * allows r > 1. Without friction, bounds exclude a larger growth at another s, except in a peak of r_max(s)
- * narrower than 0.2 % of s. With friction, separations are only sampled.
+ * allows r > 1. Without friction, bounds rule out a larger growth at any other s, except in a peak of
+ * r_max(s) narrower than 0.2 % of s. With friction, separations are only sampled.
  */
 enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_best *best);
@@ -690,11 +697,12 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 /* ---- Many trains at once ---- */
 
 /*
- * Asks the same question of `count` trains, one after the other. `answers` is an array of `count` structures
- * of the question, and `statuses` one of as many statuses, so that a train without an answer does not keep
- * the others from theirs. `tilts` has `count` tilts for a question at a tilt, and may be NULL for the others.
- * Returns DOM_OK; DOM_INTERRUPTED, which is then also the status of all trains that were left out; or
- * DOM_NO_METHOD for a question that is none of the list.
+ * Asks the same question about `count` trains, one after the other. `answers` is an array of `count`
+ * structures of the type that enum dom_question names. `statuses` is an array of `count` statuses, one for
+ * each train, so that a failure for one train does not affect the others. `tilts` is an array of `count`
+ * tilts if the question is asked at a tilt, and may otherwise be NULL. Returns DOM_OK, or DOM_NO_METHOD if
+ * the question is not in the enumeration. Returns DOM_INTERRUPTED after an interrupt; all remaining trains
+ * get this status, too.
  */
 enum dom_status dom_trains_ask(enum dom_question question, const struct dom_train *trains,
                                const dom_real *tilts, size_t count, const struct dom_compute *compute,
@@ -705,11 +713,11 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 /* An argument of an effect, which is a number. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
-    dom_real lowest, highest; /* its range; both ends are allowed */
-    dom_real usual;           /* the value if the argument is left out, and if the cost is measured */
-    bool optional;            /* this argument and those after it may be left out */
-    bool whole;               /* the argument is a whole number */
-    const char *or_file;      /* the kind of file that may replace the number, or NULL */
+    dom_real lowest, highest; /* the range of the argument; both ends are allowed */
+    dom_real usual;      /* the value if the argument is left out, and for measuring the cost of the effect */
+    bool optional;       /* this argument and those after it may be left out */
+    bool whole;          /* the argument is a whole number */
+    const char *or_file; /* the kind of file that may replace the number, or NULL */
 };
 
 /* The description of an effect. */
@@ -717,12 +725,13 @@ struct dom_effect {
     const char *name;
     const char *adds;   /* what the effect adds, in a few words */
     const char *help;   /* what the effect adds, in full sentences, with equations in the paper's letters */
-    const char *source; /* where the mathematics is from */
+    const char *source; /* where the mathematics comes from */
     const char *plan;   /* what is solved, and how */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
-    unsigned needs;       /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
-    bool dissipates;      /* dominoes lose energy while they move: see dom_law */
-    bool cancels;         /* in units of tau a train moves as without the effect */
+    unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
+    bool dissipates; /* dominoes lose energy while they move: see dom_law */
+    /* The effect changes only tau: with times in tau, a train moves as it does without the effect. */
+    bool cancels;
     const char *synonyms; /* other words for the effect, separated by blanks */
 };
 
@@ -747,21 +756,21 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* A box of six walls. */
 struct dom_box {
-    dom_real filled;  /* the share of its volume that the walls fill */
-    dom_real inertia; /* moment of inertia about its lower edge, over that of a solid block of its mass */
+    dom_real filled;  /* the fraction of the volume of the box that the walls fill */
+    dom_real inertia; /* moment of inertia about a lower edge, over that of a solid block of the same mass */
 };
 
-/* Finds a box with these outer sizes, all in one unit. The status is DOM_NO_ROOM if a size is not positive,
- * or if the walls are thicker than half of the thickness. */
+/* Finds the properties of a box with these outer sizes and walls, all in the same unit. The status is
+ * DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half of the thickness. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
-/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and more for boxes. Makes
- * no checks. */
+/* Returns tau in seconds (1; a1): sqrt((h^2 + (d h)^2) / (3 g h)) for solid blocks, and more for boxes. Does
+ * not check the arguments. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s, (s + d) r h over the duration of a cycle. The duration is in tau. Makes no
- * checks. */
+/* Returns the front speed in m/s: (s + d) r h divided by the duration of a cycle, which is given in tau. Does
+ * not check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {
@@ -778,10 +787,10 @@ struct dom_count {
 
 /*
  * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each is r times
- * as tall as the one before. A power that differs from the height only by rounding, half a unit of the
- * precision for each of 4 + n numbers, counts as exact. The status is DOM_BAD_HEIGHT unless both heights are
- * > 0, and DOM_BAD_R unless r >= 1. Both heights are in one unit. Of compute only precision and errors are
- * used.
+ * as tall as the one before. Both heights are in the same unit. A power that differs from the height only by
+ * rounding, half a unit of the precision for each of 4 + n numbers, counts as exact. The status is
+ * DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision and
+ * compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Answers with a proof: each is a pair of bounds between which the true answer surely is.
+ * Results with a proof: each is a pair of bounds that certainly enclose the true value.
  *
- * The functions of <domino.h> compute answers to a tolerance. The functions of this header prove bounds, by
- * interval arithmetic in double with outward rounding, and share no formula with the others. domino-model(7)
- * has the proof.
+ * The functions of <domino.h> compute results to a tolerance. The functions of this header prove bounds, by
+ * interval arithmetic in double with outward rounding, and share no formula with the functions of <domino.h>.
+ * domino-model(7) explains the proof.
  *
- * A proof holds for all trains whose s, d and q (unless q is a whole number) round to the doubles given:
- * decimals and fractions such as 7/48 are among them. A train with friction or a slope has no proof. In
- * another rounding mode than to nearest, nothing is proved.
+ * A proof holds for every train whose s, d and q (unless q is a whole number) round to the given doubles, and
+ * therefore also for decimals and fractions such as 7/48. A train with friction, a slope or rounded edges has
+ * no proof. Nothing is proved unless the rounding mode is to nearest.
  */
 #ifndef DOMINO_PROOF_H
 #define DOMINO_PROOF_H
@@ -39,24 +39,25 @@ const char *dom_proof_gap_text(enum dom_proof_gap gap);
 
 /* The work that a proof took. */
 struct dom_proof_work {
-    size_t boxes;  /* parts of the plane of tilts and growths */
+    size_t boxes;  /* rectangles of tilt and growth that were examined */
     size_t chains; /* passes down the train */
 };
 
 /* What is proved about the largest growth. */
 enum dom_proof_end {
-    DOM_PROVED_BARRIER, /* every growth from `from` to `low` goes on; at `high` the train stops */
-    DOM_PROVED_REACH,   /* every growth from `from` up to 1/s goes on; low <= 1/s <= high */
-    DOM_PROVED_NONE,  /* the train stops at r = 1; for a pair, no larger growth was found that goes on either
-                       */
-    DOM_PROVED_PARTLY /* every growth from `from` to `low` goes on, or none is proved if `low` is NaN; see
-                         `gap` */
+    DOM_PROVED_BARRIER, /* the train keeps falling for all growths from `from` to `low` and stops at `high` */
+    DOM_PROVED_REACH,   /* the train keeps falling for all growths from `from` to 1/s; low <= 1/s <= high */
+    /* The train stops at r = 1. For a pair, no larger growth was found at which it keeps falling, either. */
+    DOM_PROVED_NONE,
+    /* The train keeps falling at every growth from `from` to `low`, or no growth is proved if `low` is NaN.
+     * `gap` says why the proof is incomplete. */
+    DOM_PROVED_PARTLY
 };
 
 struct dom_proof {
     enum dom_proof_end ends;
-    /* 1, or a growth in the band that goes on, for a pair in which equal dominoes fail but larger ones
-     * succeed. */
+    /* The lowest growth of the proved interval. 1, or for a pair in which equal dominoes fail but larger ones
+     * succeed, a growth at which the pair succeeds. */
     double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */
@@ -66,11 +67,11 @@ struct dom_proof {
 };
 
 /*
- * Prove bounds of the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair find it.
- * The bounds are decimals with a relative distance of compute->tol, but at least 1e-15. Rounding may leave
- * them farther apart, and they are true then as well. Of compute only tol and interrupt are used. After an
- * interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED. Other statuses are DOM_BAD_... and
- * DOM_NO_MEMORY.
+ * Prove bounds of the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair define
+ * it. The bounds are decimal numbers whose relative distance is compute->tol, but at least 1e-15. Rounding
+ * may leave a larger distance; the bounds are true even then. Only compute->tol and compute->interrupt are
+ * used. After an interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED. Other statuses are
+ * DOM_BAD_... and DOM_NO_MEMORY.
  */
 enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_proof *proof);
@@ -97,17 +98,17 @@ struct dom_proof_cycle {
     struct dom_proof_work work;
 };
 
-/* Proves whether a train goes on at train->r and at all growths that round to this double, and bounds of its
- * barrier, as dom_barrier_find finds it. The statuses are those of dom_prove_rmax. */
+/* Proves whether a train keeps falling at train->r and at all growths that round to this double, and proves
+ * bounds of its barrier as dom_barrier_find defines it. The statuses are those of dom_prove_rmax. */
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *proof);
 
 /*
- * Proves bounds of the smallest n with first r^n >= height, as dom_count_find finds it: `least` <= n <=
- * `most`. The bounds differ if the last digit of a height or of r decides. For powers that are exact in
- * double, such as those of r = 2, the doubles themselves decide. Infinity means that no n is enough. If
- * nothing is proved, the bounds are 0 and infinity. The status is DOM_BAD_HEIGHT or DOM_BAD_R for a number
- * outside its range.
+ * Proves bounds of the smallest n with first r^n >= height, as dom_count_find defines it: *least <= n <=
+ * *most. If the powers are exact in double, as those of r = 2 are, the arguments count as exact numbers.
+ * Otherwise the bounds hold for all numbers that round to the arguments, and differ if n depends on that
+ * rounding. Infinity means that no n is large enough. If nothing is proved, the bounds are 0 and infinity.
+ * The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

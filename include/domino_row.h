@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finite rows of any dominoes: how they fall, what saves a row that does not fall, how precisely a row must
- * be set up, and the design of a row. <domino.h>, which has the introduction, includes this header.
+ * Finite rows of dominoes of any sizes: how they fall, which changes make a row fall that does not, how
+ * precisely a row must be set up, and the design of a row. <domino.h>, which has the introduction, includes
+ * this header.
  */
 #ifndef DOMINO_ROW_H
 #define DOMINO_ROW_H
@@ -29,14 +30,14 @@ enum dom_row_end {
 #undef DOM_ROW_ENUM
 };
 
-/* Returns the meaning of an end: a phrase about the domino where the row ends. */
+/* Returns the meaning of an end: a phrase about the domino at which the row ends. */
 const char *dom_row_end_text(enum dom_row_end end);
 
-/* What a design keeps small. Between given heights of the first and last domino, a row of the fewest dominoes
- * also has the smallest mass. */
+/* What a design minimizes. For given heights of the first and the last domino, the row with the fewest
+ * dominoes also has the smallest mass. */
 enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
-/* Why a wish cannot be fulfilled, and what dom_design.needs is then. */
+/* Why a wish cannot be fulfilled, and the meaning of dom_design.needs in that case. */
 enum dom_design_limit {
     DOM_DESIGN_FITS,   /* the wish can be fulfilled */
     DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is a bit less than the largest safety of a train
@@ -49,9 +50,9 @@ enum dom_design_limit {
 
 /* What dom_row_windows changes. */
 enum dom_window_of {
-    DOM_WINDOW_GAP,   /* the gap before a domino; all dominoes after the gap move along */
-    DOM_WINDOW_PLACE, /* the distance from the back of the first domino to that of this one, which alone moves
-                       */
+    DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move along */
+    /* The distance from the back of the first domino to the back of this domino. No other domino moves. */
+    DOM_WINDOW_PLACE,
     DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since its density stays the same */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
@@ -60,16 +61,16 @@ enum dom_window_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback that reports progress: `done` of `of` parts of a long computation are done. */
+/* A callback that reports progress: `done` of the `of` parts of a long computation are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
 
 /*
- * The library starts no threads. It divides parallel work into tasks and calls a dom_parallel, which is a
- * callback, to run them. The callback runs task(0, context) to task(count - 1, context), each once, in any
- * order and on any threads, and waits for all of them. It returns DOM_OK, or the reason why tasks were left
- * out, such as DOM_INTERRUPTED. The library passes `pool` through.
+ * The library starts no threads. It divides parallel work into tasks and calls a callback, dom_parallel, to
+ * run them. The callback runs task(0, context) to task(count - 1, context), each once, in any order and on
+ * any threads, and waits for all of them. It returns DOM_OK, or the reason why tasks were left out, such as
+ * DOM_INTERRUPTED. The library passes `pool` to the callback unchanged.
  */
 typedef void dom_task(size_t index, void *context);
 typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context, void *pool);
@@ -79,16 +80,17 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 /* ---- A finite row of any dominoes ---- */
 
 /*
- * A solid block. The gap is the free distance to the domino before it, measured at the foot as if the block
+ * A solid block. The gap is the free distance to the previous domino, measured at the foot as if the block
  * were upright. The first domino has the gap 0. A domino whose floor or foot is not flat is not plumb: it
- * rests tilted about its front edge, on which it turns when it falls. Its lean must be within
+ * rests tilted about its front edge, and turns about this edge when it falls. Its lean must be within
  * dom_lean_limits.
  */
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
-    dom_real radius; /* m, of its edges, if rho of the row is not 0; 0 means rho times the height */
-    dom_real lean;   /* rad, its tilt before it is hit, > 0 in the direction of the fall */
+    /* Radius of the edges in m, used only if rho of the row is not 0. 0 means rho times the height. */
+    dom_real radius;
+    dom_real lean; /* rad, the tilt before the domino is hit, > 0 in the direction of the fall */
 };
 
 /*
@@ -106,7 +108,7 @@ void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real r
  */
 struct dom_engine;
 struct dom_row {
-    const struct dom_domino *domino; /* `count` of them: domino[0] is number 1 */
+    const struct dom_domino *domino; /* array of `count` dominoes; domino[0] is number 1 */
     size_t count;                    /* at least 1 */
     dom_real g;                      /* acceleration of gravity in m/s^2, > 0 */
     /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. NaN means that the first domino
@@ -116,29 +118,29 @@ struct dom_row {
      * for all dominoes. */
     dom_real mu, alpha, walls, rho;
     bool floor;                      /* true to find the friction that the floor needs */
-    const struct dom_engine *engine; /* runs the row instead of this library; may be NULL */
+    const struct dom_engine *engine; /* simulates the row instead of this library; may be NULL */
 };
 
 /* Returns a row without dominoes, to fill in: g = 9.81 m/s^2, no push, no effects, no engine. */
 struct dom_row dom_row_default(void);
 
 /* One domino of the row while it is the head: from the moment when it is hit until it hits the next domino or
- * lies on the floor. */
+ * lies on the floor. In the comments below, "it" is this domino. */
 struct dom_fall {
     size_t domino;     /* number of this domino, from 1 */
     dom_real time;     /* s, when it was hit; the clock starts with the push, or else with the first hit */
     dom_real duration; /* s, until it hits the next domino or lies on the floor; NaN if it does neither */
     dom_real omega;    /* rad/s, just after it was hit */
-    dom_real kinetic;  /* J, of all moving dominoes, just after it was hit */
+    dom_real kinetic;  /* J, the kinetic energy of all moving dominoes just after it was hit */
     dom_real barrier;  /* J, the kinetic energy needed to go on; infinite if friction locks the row later */
     dom_real margin;   /* J, kinetic - barrier */
-    dom_real lost;     /* J, lost in the collision */
-    dom_real
-        friction_work; /* J, lost to friction between dominoes since it was hit; NaN if the row ends here */
-    dom_real theta_m;  /* rad, the tilt at which it is hardest to go on */
-    dom_real theta;    /* rad, the tilt at which it hits the next domino, lies on the floor, or rests */
-    size_t moving;     /* the number of dominoes that move when it is hit, itself included */
-    /* As in struct dom_floor, but with numbers from 1. NaN and 0 unless row->floor is set. */
+    dom_real lost;     /* J, the energy lost in the collision */
+    /* J, the energy lost to friction between dominoes since it was hit. NaN if the row ends here. */
+    dom_real friction_work;
+    dom_real theta_m; /* rad, the tilt at which it is hardest to go on */
+    dom_real theta;   /* rad, the tilt at which it hits the next domino, lies on the floor, or rests */
+    size_t moving;    /* the number of dominoes that move when it is hit, including it */
+    /* As in struct dom_floor, but dominoes are numbered from 1. NaN and 0 unless row->floor is set. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
 };
@@ -147,26 +149,28 @@ struct dom_verdict {
     enum dom_row_end end;
     /* The last domino that was hit, at which the row ends. With DOM_BAD_... the domino with the bad value. */
     size_t domino;
-    dom_real
-        short_by; /* J, the missing energy, > 0 for DOM_ROW_STOPS; infinite if friction would lock the row */
-    dom_real seconds; /* until all dominoes lie, or until the last hit; NaN without times */
-    size_t weakest;   /* the domino that goes on with the smallest margin / barrier; 0 if there is none */
+    /* J, the missing energy, > 0 for DOM_ROW_STOPS. Infinite if friction would lock the row. */
+    dom_real short_by;
+    dom_real seconds; /* s, until all dominoes lie, or until the last hit; NaN if times were not requested */
+    size_t weakest;   /* the domino that falls with the smallest margin / barrier; 0 if there is none */
     dom_real spare;   /* margin / barrier of that domino; infinite if there is no barrier */
 };
 
 /*
  * Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. visit returns false to
- * end the run early. With times = false all times are NaN, which saves their work. DOM_BAD_HEIGHT and other
- * statuses about a domino write its number to verdict->domino. compute->method is not used.
+ * end the run early. If `times` is false, no times are computed, which is faster, and all times are NaN. If a
+ * status such as DOM_BAD_HEIGHT is about one domino, its number is written to verdict->domino.
+ * compute->method is not used.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
 enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 
 /*
- * Runs rows instead of this library, for instance in a rigid-body engine with effects that the model lacks.
- * run answers as dom_row_run does, and may use row->engine->own for data of its own. All functions about rows
- * then call run, except dom_row_watch, which returns DOM_NO_METHOD. Studies may call run from many threads.
+ * An engine that runs rows instead of this library, for instance a rigid-body simulation with effects that
+ * the model lacks. run has the parameters and the results of dom_row_run, and may use row->engine->own for
+ * data of its own. All functions about rows then call run, except dom_row_watch, which returns DOM_NO_METHOD.
+ * Studies may call run from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -185,20 +189,20 @@ struct dom_moment {
 };
 
 /*
- * Runs a row and calls visit for each of `count` times in s, which must not decrease. A time after the motion
- * gives the state in which the run ends, with the time of its end, so that INFINITY finds that state. A
+ * Runs a row and calls visit for each of `count` times in s, which must not decrease. A time after the end of
+ * the motion gives the final state and the time at which it was reached; INFINITY always gives this state. A
  * domino that has detached keeps the tilt that it had at that moment. visit returns false to end the run.
- * Times < 0 are only for a first domino that is tipped over its edge; otherwise, and for NaN, the status is
- * DOM_BAD_TIME. It is DOM_NO_MARGIN if the row comes so close to a stop that later times have no value. Other
- * statuses are those of dom_row_run.
+ * Times < 0 are allowed only if the first domino is tipped over its edge; otherwise, and for NaN, the status
+ * is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later times have no
+ * value. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict);
 
-/* Writes the first `count` dominoes of a train, with gaps of s times their own heights. The first domino has
- * the mass in kg. Makes no checks. */
+/* Writes the first `count` dominoes of a train. The gap of each is s times its own height, and the first
+ * domino has the mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -216,11 +220,11 @@ struct dom_row_growth {
 
 /*
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. r is raised from 1
- * to `highest`, first until the row falls, and then until it no longer does. make writes the dominoes for
- * each r that is tried; for a train it calls dom_row_of_train, and `highest` is dom_train_reach. row->domino
- * is not used. r is raised by steps of 2 %, or of 10 % while the row does not fall in an engine, so that a
- * narrower interval can be missed. The statuses are those of dom_row_run, also for the dominoes that make
- * writes. The status is DOM_BAD_R if `highest` is not a finite number >= 1.
+ * to `highest`, first until the row falls, and then until it no longer falls. make writes the dominoes for
+ * each r that is tried; for a train, let make call dom_row_of_train, and let `highest` be dom_train_reach.
+ * row->domino is not used. r is raised in steps of 2 %, or in steps of 10 % while the row does not fall in an
+ * engine; a narrower interval of growths can be missed. The statuses are those of dom_row_run, also for the
+ * dominoes that make writes. The status is DOM_BAD_R if `highest` is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
@@ -236,11 +240,11 @@ struct dom_mend {
 /*
  * Finds the changes of single gaps that make all dominoes fall, the smallest change first, and writes their
  * number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which the row
- * ends and the 30 gaps before it, down to 0 and up to the height of the domino before the gap. If a gap is
- * wider than that height, and all dominoes fall with a gap of that height, `to` is the height. Each way is
- * searched in 40 steps, the first one 1/64,000 of the way and each larger than the one before, and then by
- * bisection, so that an interval of gaps narrower than a step can be missed. Calls progress, which may be
- * NULL, for each gap. The statuses are those of dom_row_run.
+ * ends and the 30 gaps before that gap, down to 0 and up to the height of the domino before the gap. If a gap
+ * is wider than that height, and all dominoes fall with a gap of that height, `to` is the height. Each
+ * direction is searched in 40 steps, the first of which is 1/64,000 of the range and each larger than the one
+ * before, and then by bisection. An interval of gaps narrower than a step can be missed. Calls progress,
+ * which may be NULL, for each gap. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -255,24 +259,25 @@ struct dom_window {
     dom_real high; /* the largest value of the window */
     bool others;   /* the row also falls with values outside the window */
     /* How the row ends with a value just outside the window. DOM_ROW_FALLS if the window reaches the end of
-     * the values that are tried, and if the row does not fall now. */
+     * the range that is tried, or if the row does not fall now. */
     enum dom_row_end below, above;
 };
 
 /*
  * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights or leans
  * (row->count windows), or of the friction (one window). If the row falls, the window is the interval around
- * the present value, low <= now <= high. If the row does not fall, the window is the nearest interval beside
- * that value, and dominoes more than one after the end of the row have none.
+ * the present value, low <= now <= high. If the row does not fall, the window is the nearest interval on
+ * either side of the present value; dominoes more than one place after the domino at which the row ends have
+ * no window.
  *
- * Gaps are tried from 0 to the height of the domino before the gap. Places are tried as far as they are such
- * gaps, up to the next domino. Heights are tried from 1/100 to 4 times the present height, as far as the
- * domino stands on the slope, with the same density and lean. The friction is tried from 0 to 2, or to 4
- * times its present value. Leans are tried to either side, until the domino falls over by itself. The search
- * makes the steps of dom_row_mend, and all dominoes fall with low and with high. An interval narrower than a
- * step, in which the row does not fall, can be missed. In an engine a window is searched in a quarter of the
- * steps and has three digits, and a value that the engine cannot decide ends it. Calls progress, which may be
- * NULL, for each window. The statuses are those of dom_row_run.
+ * Gaps are tried from 0 to the height of the domino before the gap. Places are tried as far as the gap before
+ * the domino stays in that range, up to the next domino. Heights are tried from 1/100 to 4 times the present
+ * height, as far as the domino stands on the slope, with the same density and lean. The friction is tried
+ * from 0 to 2, or to 4 times its present value. Leans are tried in both directions, until the domino falls
+ * over by itself. The search makes the same steps as dom_row_mend, and all dominoes fall with low and with
+ * high. An interval narrower than a step, in which the row does not fall, can be missed. With an engine a
+ * window is searched in a quarter of the steps and has three digits, and it ends at a value that the engine
+ * cannot decide. Calls progress, which may be NULL, for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -293,9 +298,9 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 /* The row that a builder wants. */
 struct dom_wish {
     dom_real first, height; /* m, the heights of the first and of the last domino; height > first */
-    dom_real safety;        /* > 1, the energy of each cycle over the energy that it needs */
-    dom_real hall;          /* m, > height, for the row with its last domino lying; may be infinite */
-    dom_real g, push;       /* as in struct dom_row */
+    dom_real safety;  /* > 1, the kinetic energy of each cycle divided by the energy that the cycle needs */
+    dom_real hall;    /* m, > height, the space for the row with its last domino lying; may be infinite */
+    dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* the row must also fall in this engine; may be NULL */
 };
@@ -303,7 +308,7 @@ struct dom_wish {
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
  * `needs` are NaN or 0. */
 struct dom_design {
-    dom_real s, r;    /* gap of each domino over its height, a multiple of 0.001; growth */
+    dom_real s, r;    /* the gap of each domino divided by its height, a multiple of 0.001; the growth */
     size_t steps;     /* first r^steps = height, so that there are steps + 1 dominoes */
     dom_real feet;    /* m, from the back of the first domino to the front of the last */
     dom_real length;  /* m, with the last domino lying: feet + height */
@@ -317,15 +322,15 @@ struct dom_design {
 
 /*
  * Finds the row of a train in which every cycle has at least `safety` times the energy that it needs: kinetic
- * >= safety barrier, in the endless train and at each domino of the row after the first. The fewest dominoes
- * follow from the largest growth at which a train has this safety at any s. r is then made smaller, so that
- * the last domino is exactly `height` tall, and s stays where that growth is largest, or as close as the hall
- * and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, with up to 30 dominoes
- * more. train->s and train->r are not used. Separations are tried at multiples of 0.001 and in double; a
- * separation at which a train or a row cannot be computed is skipped. If the wish has an engine, the row also
- * falls in the engine, which runs it at separations 0.1 apart, while the safety is that of the model. The
- * status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish
- * is outside its range.
+ * >= safety * barrier, in the endless train and at each domino of the row after the first. The largest growth
+ * at which a train has this safety at any s gives the smallest number of dominoes. r is then reduced until
+ * the last domino is exactly `height` tall, and s stays where that growth is largest, or as close to it as
+ * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, with up to 30
+ * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001 and in
+ * double; a separation at which a train or a row cannot be computed is skipped. If the wish has an engine,
+ * the row must also fall in the engine, which is run at separations 0.1 apart; the safety is still that of
+ * the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a
+ * member of the wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
@@ -341,7 +346,7 @@ struct dom_placement {
     dom_real heights;       /* relative standard deviation of a height, 0 ... 1 */
     unsigned long seed;     /* row number i depends on the seed and i alone */
     size_t first, rows;     /* the rows are number first ... first + rows - 1; rows >= 1 */
-    dom_parallel *parallel; /* runs batches of rows; may be NULL, for one batch after the other */
+    dom_parallel *parallel; /* runs batches of rows; if NULL, the batches run one after the other */
     void *pool;             /* the last argument of `parallel` */
 };
 
@@ -353,8 +358,8 @@ struct dom_study {
 };
 
 /*
- * Counts how many rows fall. Writes to `stops`, which may be NULL and has room for row->count numbers, how
- * often a row ended at each domino, without the unknown rows. The answer does not depend on
+ * Counts how many rows fall. Unless `stops` is NULL, writes how often a row ended at each domino to stops[0]
+ * ... stops[row->count - 1], not counting the unknown rows. The result does not depend on
  * placement->parallel. Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After
  * DOM_INTERRUPTED the counts are those of the rows that were run, if there are any. The statuses are those of
  * dom_row_run and of placement->parallel.
@@ -369,16 +374,16 @@ enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely the dominoes must be placed. */
 struct dom_budget {
-    /* m, with its 95 % interval. Infinite if no error up to the largest gap matters. `low` is 0 if there are
-     * too few rows for a bound. */
+    /* The sigma in m, and its 95 % interval. Infinite if no error up to the largest gap matters. `low` is 0
+     * if there are too few rows for a bound. */
     double sigma, low, high;
 };
 
 /*
  * Finds the sigma at which the whole row falls with the given probability, 0 < probability < 1.
- * placement->sigma is not used. The status is DOM_STOPS if too few rows fall even with sigma = 0. After
- * DOM_INTERRUPTED, if a sigma is known already, `sigma` and `low` are the largest sigma with which enough of
- * these rows fall, and `high` is the smallest with which too few fall, or infinite.
+ * placement->sigma is not used. The status is DOM_STOPS if too few rows fall even with sigma = 0. If
+ * DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and `low` are the largest sigma with which
+ * enough of these rows fall, and `high` is the smallest with which too few fall, or infinite.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, double probability,
