@@ -44,7 +44,7 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
 void answer_leave_out(struct answer *a, const char *key)
 {
     struct column *c = answer_columns(a, a->columns);
-    int i = 0; /* the cell of this column */
+    int i = 0; /* the index of the cell that belongs to this column */
     for (; a->left_out >> i & 1 || strcmp(c->key, key) != 0; i++)
         c += !(a->left_out >> i & 1);
     a->left_out |= 1u << i;
@@ -71,7 +71,7 @@ bool answer_bounded(const struct answer *a, int i)
     return (a->layout.bounded >> i & 1) != 0;
 }
 
-/* ---- Before the first row ---- */
+/* ---- The layout, before the first row ---- */
 
 /* Finds out what the terminal can show. */
 static void terminal_look(struct answer *a)
@@ -85,7 +85,8 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    if (a->layout.is_planned || !a->out || a->sink) /* the sweep plans the rows of its points */
+    /* in a sweep, the sweep itself plans the layout for the rows of its points */
+    if (a->layout.is_planned || !a->out || a->sink)
         return;
     a->layout.is_planned = true;
     terminal_look(a);
@@ -93,7 +94,7 @@ void answer_plan(struct answer *a, const struct cell *sample)
         bool is_real = sample && sample[i].kind == CELL_REAL;
         if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
             a->layout.bounded |= 1u << i;
-        /* A column of which nothing is known gets its largest unit. */
+        /* A column whose numbers are unknown gets its largest unit. */
         domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
                : most > 0 ? most
@@ -128,10 +129,9 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/*
- * Makes cells empty whose numbers the precision cannot hold.  Returns the reason of the row, or this
- * explanation if the row has no other reason.  People read the explanation once, below the table.
- */
+/* Empties the cells whose numbers the precision cannot hold.  Returns the reason of the row, or an
+ * explanation of the empty cells if the row has no other reason.  People read that explanation only once,
+ * below the table. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {
@@ -151,7 +151,8 @@ static const char *cells_check(struct answer *a, struct cell *cells, const char 
     return people || (reason && *reason) ? reason : too_large;
 }
 
-/* Returns the text as it may be shown.  The caller frees *copy. */
+/* Returns the text with its control characters escaped.  If *copy is not NULL afterwards, it holds the
+ * escaped text, and the caller frees it. */
 static const char *escaped(const char *text, char **copy)
 {
     if (!text || !escape_needed(text))
@@ -164,7 +165,8 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
 {
     const struct format *format = a->style.format;
     struct cell shown[ANSWER_COLUMNS];
-    char *copies[ANSWER_COLUMNS] = {NULL}, too_large[ANSWER_REASON]; /* copies of words, then of the reason */
+    /* copies of the words, and after them of the reason */
+    char *copies[ANSWER_COLUMNS] = {NULL}, too_large[ANSWER_REASON];
     int count = 0;
     for (; a->columns[count].key; count++) {
         struct cell *cell = &shown[count];

@@ -54,7 +54,7 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return quad_text(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits an exact number has, at most `all`: 1 for 0.4. */
+/* Returns the number of significant digits of an exact number, at most `all`: 1 for 0.4. */
 static int exact_digits(domq_real number, int all)
 {
     char text[WIDE_TEXT];
@@ -64,8 +64,8 @@ static int exact_digits(domq_real number, int all)
     return digits;
 }
 
-/* Returns how many digits of a number to print so that rounding adds little to its error bound, at most
- * `all`. */
+/* Returns how many digits of a number to print, at most `all`.  They are enough that the rounding adds little
+ * to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -121,7 +121,7 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Reads a number as a program with this precision does. */
+/* Reads a number in the way of a program that computes with this precision. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
@@ -129,8 +129,8 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* Returns the style in which a cell is written.  Brief numbers are at best known in double, and a float
- * cannot hold large counts. */
+/* Returns the style in which a cell is written.  Brief numbers are written in double, since no more of their
+ * digits can be known.  So are counts if the precision is float, which cannot hold large counts. */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
@@ -159,7 +159,7 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* Most numbers need few digits, and the others nearly all. */
+    /* Most numbers need few digits, and the others need nearly all digits. */
     for (int n = all < 15 ? all - 2 : 15; n < all; n = n < all - 2 ? all - 2 : n + 1)
         if (read_back(style, quad_text(cell.number, n, text)) == cell.number)
             return text;

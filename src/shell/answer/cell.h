@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values of an answer, and how many digits of them are shown. */
+/* The cells of an answer, and the digits with which they are shown. */
 #ifndef SHELL_CELL_H
 #define SHELL_CELL_H
 
@@ -10,15 +10,15 @@ enum angle { ANGLE_RAD, ANGLE_DEG };
 
 struct format;
 
-/* How answers look, from the settings of the session. */
+/* The appearance of answers, according to the settings of the session. */
 struct answer_style {
-    unsigned output; /* the number of the format that 'set output' has chosen */
+    unsigned output; /* the index of the format that was chosen with 'set output' */
     const struct format *format;
     enum angle angle;
-    unsigned header;  /* csv begins with the column names */
-    domq_real digits; /* the most digits of a number in a table */
+    unsigned header;  /* a csv table begins with the column names */
+    domq_real digits; /* the largest number of digits in a table */
     enum dom_precision precision;
-    int tol_digits;  /* the digits that the tolerance guarantees */
+    int tol_digits;  /* the number of digits that the tolerance guarantees */
     int all_digits;  /* enough digits for an exact round trip at this precision */
     unsigned errors; /* show error bounds */
 };
@@ -28,15 +28,17 @@ struct cell {
     domq_real number;
     domq_real error; /* an upper bound of the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
-    int digits;    /* the digits in a table, or 0 for those of the style */
-    bool computed; /* a table shows at most the digits that the tolerance guarantees */
+    int digits; /* the number of digits in a table, or 0 to use the style's number */
+    /* the number was computed with the tolerance, so a table shows only the digits that the tolerance
+     * guarantees */
+    bool computed;
 };
 
-/* Makes a cell.  NaN and infinity give an empty cell, which is null in json. */
+/* Return a cell.  NaN and infinity give an empty cell, which is null in json. */
 struct cell cell_real(domq_real value);
 struct cell cell_bound(domq_real value, domq_real error);
 struct cell cell_unbounded(domq_real value); /* a number without a known error bound */
-struct cell cell_brief(double value);        /* a number of which only three digits are known */
+struct cell cell_brief(double value);        /* a number with only three known digits */
 struct cell cell_count(domq_real value);
 struct cell cell_flag(bool value);
 struct cell cell_word(const char *word);
@@ -44,13 +46,13 @@ struct cell cell_word(const char *word);
 /* Returns false if a number is not finite at the precision at which csv and json write it. */
 bool cell_finite(const struct answer_style *style, struct cell cell);
 
-/* Returns true if a number other than 0 becomes 0 at that precision. */
+/* Returns true if a number other than 0 becomes 0 at the precision at which csv and json write it. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
 enum { CELL_TEXT = 128 }; /* room for any cell but a word */
 
-/* Returns the text of a cell in a table, with at most this many digits, and with its error bound if `bounds`.
- */
+/* Returns the text of a cell in a table.  A number has at most `digits` digits.  It is followed by its error
+ * bound if `bounds` is set. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
 /* Returns the text of a cell for programs: the fewest digits for an exact round trip, without a bound. */

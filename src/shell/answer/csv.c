@@ -14,7 +14,7 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Returns what is to be added to the head or to the next row. */
+/* Returns the text that is to be appended to the head, and at later calls to each row. */
 static const char *extra_next(struct answer *a)
 {
     const char *extra = a->csv.extra ? a->csv.extra : "";
@@ -22,7 +22,7 @@ static const char *extra_next(struct answer *a)
     return extra;
 }
 
-/* Writes the column names, unless the rows above have the same columns. */
+/* Writes the column names, unless the previous rows in the output have the same columns. */
 static void csv_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)cells;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: one object a row, on a line of its own.  A command without rows and an error also give an
- * object. */
+/* The format json: each row is an object on a separate line.  A command without rows and an error also give
+ * an object. */
 #include "answer/answer.h"
 #include "io/escape.h"
 

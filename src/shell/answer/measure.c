@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A unit holds for numbers of the base unit below a limit.  The smallest limit comes first. */
+/* A unit applies to numbers below a limit, which is in the base unit.  For each base unit, the smallest limit
+ * comes first. */
 static const struct {
     const char *base;
     domq_real below;
@@ -51,7 +52,8 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10) /* 99.9 is not 1e+02 */
+    /* so that 99.9 does not become 1e+02 */
+    for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits, number),
              *measure.unit ? " " : "", measure.unit);

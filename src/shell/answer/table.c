@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables for people, which fit the width of their terminal and use the letters that it has. */
+/* The format for people: tables that fit into the width of the terminal and use the letters that it can
+ * show. */
 #include "answer/answer.h"
 #include "answer/wrap.h"
 #include "io/escape.h"
@@ -9,20 +10,20 @@
 #include <string.h>
 
 enum {
-    NUMBER_MARGIN = 6, /* what a number needs beside its digits: "-0." and "e-300" */
-    BOUND_MARGIN = 12, /* " +/- 1.2e-15" */
+    NUMBER_MARGIN = 6, /* the width of a number without its digits: "-0." and "e-300" */
+    BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* the last column of a row, with words, goes below if it has less room */
-    WORDS_SHORT = 12,   /* up to this width, a last column of words needs only its width */
-    WORDS_INDENT = 8,   /* where words begin that go below their row */
-    VALUE_INDENT = 4,   /* where a value or a meaning begins that goes below its key */
-    MEANING_LEAST = 20, /* a meaning goes below if it has less room */
+    WORDS_LEAST = 30,   /* the last column, if it contains words, goes below its row if it has less room */
+    WORDS_SHORT = 12,   /* up to this width, a last column of words needs no more room than that */
+    WORDS_INDENT = 8,   /* the indentation of words that go below their row */
+    VALUE_INDENT = 4,   /* the indentation of a value or meaning that goes below its key */
+    MEANING_LEAST = 20, /* a meaning goes below its key if it has less room */
     DIGITS_LEAST = 3
 };
 
 /* ---- Text ---- */
 
-/* Returns the unit that people see, which for angles is that of the style. */
+/* Returns the unit that people see: for angles that of the style, otherwise that of the measure. */
 static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
                                char text[CELL_TEXT])
 {
@@ -32,13 +33,14 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
     return text;
 }
 
-/* Returns how many columns of the terminal a number takes. */
+/* Returns how many columns of the terminal a number occupies. */
 static int number_width(const struct answer *a, int digits)
 {
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Returns the most digits that are shown.  If error bounds are shown, only they limit the digits. */
+/* Returns the largest number of digits that are shown.  If error bounds are shown, the digits are limited
+ * only by them. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
@@ -60,7 +62,7 @@ static const char *table_text(const struct answer *a, struct measure measure, st
     return cell_text(cell, !has_bound && digits > most ? most : digits, a->style.errors, text);
 }
 
-/* Returns the text with Greek letters and mathematical signs, if the terminal has them. */
+/* Returns the text with Greek letters and mathematical signs, if the terminal can show them. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
     enum { LETTERS = 7, LETTER = 4 /* bytes of a letter with its NUL */ };
@@ -104,14 +106,14 @@ static void key_field(const struct answer *a, const char *key, int width)
 
 /* ---- A table of rows ---- */
 
-/* Returns the width of a column.  If digits are few, its key may be the widest text. */
+/* Returns the width of a column.  With few digits, the key may be wider than the numbers. */
 static int column_width(const struct answer *a, const struct column *c, int digits)
 {
     int number = number_width(a, digits), key = terminal_columns(c->key);
     return c->width ? c->width : number > key ? number : key;
 }
 
-/* Returns how many digits all numbers may have so that the columns fit into the terminal. */
+/* Returns how many digits the numbers may have if all columns are to fit into the terminal. */
 static int row_digits(const struct answer *a)
 {
     int digits = table_digits(a), fixed = 0, numbers = 0;
@@ -123,8 +125,8 @@ static int row_digits(const struct answer *a)
     return a->layout.width == 0 || room >= digits ? digits : room < DIGITS_LEAST ? DIGITS_LEAST : room;
 }
 
-/* Returns where the last column begins, if it contains words, or -1 if they go below their row because there
- * is too little room. */
+/* If the last column contains words, returns the position where it begins, or -1 if the words go below their
+ * row because there is too little room. */
 static int row_words(const struct answer *a, int digits)
 {
     int at = 0;
@@ -135,7 +137,7 @@ static int row_words(const struct answer *a, int digits)
     return a->layout.width && a->layout.width - at < least ? -1 : at;
 }
 
-/* Returns true if the columns fit into the terminal, without long words in the last column. */
+/* Returns true if the columns fit into the terminal, apart from long words in the last column. */
 static bool rows_fit(const struct answer *a)
 {
     int width = -2, digits = row_digits(a);
@@ -171,7 +173,8 @@ static void row_stacked(struct answer *a, const struct cell *cells)
 
 enum line { KEYS, UNITS, VALUES };
 
-/* Writes a line of the table for rows with such cells.  The line of units is left out if there are none. */
+/* Writes one line of the table: the keys, the units or the values.  `cells` gives the kinds of the columns,
+ * and the values.  The line of units is left out if no column has a unit. */
 static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
     char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
@@ -182,7 +185,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         shown[i] = line == KEYS    ? c->key
                    : line == UNITS ? column_unit(a, c, a->layout.measure[i], text[i])
                                    : table_text(a, a->layout.measure[i], cells[i], digits, text[i]);
-        end = *shown[i] ? i + 1 : end; /* no blanks follow the last unit */
+        end = *shown[i] ? i + 1 : end; /* the line of units ends with the last unit, without blanks */
     }
     if (line == UNITS && end == 0)
         return;
@@ -199,7 +202,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
             }
             continue;
         }
-        bool ends_line = is_left && !c[2].key && words < 0; /* no blanks follow it */
+        bool ends_line = is_left && !c[2].key && words < 0; /* no blanks after the last word */
         int wide = column_width(a, c, digits), width = ends_line ? 0 : is_left ? -wide : wide;
         fputs(i ? "  " : "", a->out);
         if (line == KEYS)
@@ -238,7 +241,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
         const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, text);
-        if (meaning_below || !*c->meaning) /* no blanks follow the unit */
+        if (meaning_below || !*c->meaning) /* no blanks after the unit */
             fprintf(a->out, "%s%s%s", end, *unit ? " " : "", unit);
         else {
             fprintf(a->out, "%s ", end);
@@ -272,8 +275,8 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_stacked(a, cells);
 }
 
-/* Writes a sentence.  A '\n' at the beginning or the end of the format asks for a blank line.  A '\n' in the
- * arguments, perhaps in the name of a file, does not. */
+/* Writes a sentence.  A '\n' at the beginning or the end of the format stands for a blank line.  A '\n' in
+ * the arguments, perhaps in a file name, does not. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
     char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];

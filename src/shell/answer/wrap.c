@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Returns true if a word of n bytes must stay on one line with the next word: "r = 1.5", "7.5 cm", "5 %",
+/* Returns true if a word of n bytes must stay on the same line as the next word: "r = 1.5", "7.5 cm", "5 %",
  * "2: 0.14". */
 static bool word_joins(const char *word, size_t n)
 {
@@ -16,7 +16,8 @@ static bool word_joins(const char *word, size_t n)
            (number && last == ':' && isdigit((unsigned char)*next));
 }
 
-/* Returns the length of the first piece of a text: a word, with the words that it joins. */
+/* Returns the length of the first piece of a text.  A piece is a word with the words that must stay on its
+ * line. */
 static size_t piece_length(const char *text)
 {
     size_t n = strcspn(text, " \n"), word = 0;

@@ -11,11 +11,12 @@ enum { PLANE = 0x10000 };
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE}; /* fewer bytes would do for smaller codes */
+    /* the smallest code that needs so many bytes */
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE};
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
     for (size_t i = 1; i < length; i++) {
-        if (c[i] >> 6 != 2) /* perhaps the NUL at the end */
+        if (c[i] >> 6 != 2) /* not a continuation byte; may be the terminating NUL */
             return 0;
         *code = *code << 6 | (c[i] & 0x3fu);
     }
@@ -23,8 +24,8 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true for the Unicode classes Cc, Zl and Zp, and for Cf and Cn except the joiners U+200C and U+200D,
- * which some scripts need. */
+/* Returns true for characters of the Unicode classes Cc, Zl and Zp, and of Cf and Cn except the joiners
+ * U+200C and U+200D, which some scripts need. */
 static bool is_hidden(uint32_t code)
 {
     static const struct {
@@ -35,7 +36,7 @@ static bool is_hidden(uint32_t code)
         {0x2060, 0x206f}, {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xfff0, 0xfffb},
         {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
     };
-    bool found = (code & 0xfffe) == 0xfffe; /* the last two codes of every plane are no characters */
+    bool found = (code & 0xfffe) == 0xfffe; /* the last two codes of every plane are not characters */
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden && code >= hidden[i].first; i++)
         found = found || code <= hidden[i].last;
     return found;
@@ -70,9 +71,10 @@ const char *escape_text(const char *text, char *shown, size_t size)
 {
     static const char more[] = "...";
     char piece[ESCAPE_PIECE];
-    size_t n = 0, last = 0; /* last: the longest text that leaves room for "..." */
+    size_t n = 0, last = 0; /* `last` is the length of the longest text that leaves room for "..." */
     for (;;) {
-        while (*text >= ' ' && *text <= '~' && n + sizeof more < size) /* nearly all text is ASCII */
+        /* the fast path, since nearly all text is ASCII */
+        while (*text >= ' ' && *text <= '~' && n + sizeof more < size)
             shown[n++] = *text++;
         last = n + sizeof more <= size ? n : last;
         if (*text == '\0')
@@ -113,7 +115,7 @@ void escape_json(FILE *out, const char *text)
             fwrite(text, 1, length, out);
         else if (code < PLANE)
             fprintf(out, "\\u%04x", (unsigned)code);
-        else /* two surrogates */
+        else /* a pair of surrogates */
             fprintf(out, "\\u%04x\\u%04x", (unsigned)(0xd800 + ((code - PLANE) >> 10)),
                     (unsigned)(0xdc00 + (code & 0x3ff)));
         text += length ? length : 1;

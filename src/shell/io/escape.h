@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Text that others have written, such as file names and the words of a script, made safe to show: no control
- * character reaches a terminal, nothing changes the direction of writing, and the output is UTF-8.
- */
+/* Text from outside, such as file names and the words of a script, is made safe to show: no control character
+ * reaches a terminal, nothing changes the direction of writing, and the output is UTF-8. */
 #ifndef SHELL_ESCAPE_H
 #define SHELL_ESCAPE_H
 
@@ -13,9 +11,10 @@
 enum { ESCAPE_PIECE = 12 }; /* room for one character: itself, "\x1b", "\u202e" or "\u{e0001}" */
 
 /*
- * Escapes the first character of a text that is not empty, and returns how many bytes it takes in the text.
- * Control characters, invisible characters, and those that break lines or change the direction of writing
- * become \x.., \u.... or \u{.....}.  A byte that is not UTF-8 becomes \x...  Escaping twice changes nothing.
+ * Escapes the first character of a text that is not empty, and returns the number of bytes of this character
+ * in the text.  Control characters, invisible characters, and characters that break lines or change the
+ * direction of writing become \x.., \u.... or \u{.....}. A byte that is not UTF-8 becomes \x.. as well.
+ * Escaping a text twice gives the same result as escaping it once.
  */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
@@ -28,10 +27,8 @@ const char *escape_text(const char *text, char *shown, size_t size);
 /* Escapes a text of any length.  The caller frees the result, which is NULL if memory runs out. */
 char *escape_copy(const char *text);
 
-/*
- * Writes a JSON string with its quotes.  Whatever escape_next escapes becomes \u...., which programs read
- * back as the same character.  A byte that is not UTF-8 becomes U+FFFD.
- */
+/* Writes a JSON string with its quotes.  Every character that escape_next escapes becomes \u...., which
+ * programs decode to the same character.  A byte that is not UTF-8 becomes U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files after '>' and '>>', which are written completely or not at all.  The text first goes to a temporary
- * file without a name, of which nothing is left however the program ends.  At the end, '>' copies the text to
- * a draft, a new file in the same folder that is renamed to the old name.  '>>' locks the file and appends
- * the text.  A file that has several names or another owner, or whose folder takes no new file, is locked and
- * overwritten, as a rename would change more than its contents.
+ * Output files after '>' and '>>' are written completely or not at all.  The text first goes to a temporary
+ * file without a name, which vanishes however the program ends.  At the end, '>' copies the text to a draft,
+ * a new file in the same folder as the target, and renames the draft to the name of the target.  '>>' locks
+ * the target and appends the text.  A target that has several names or another owner, or whose folder takes
+ * no new file, is locked and overwritten, since a rename would change more than its contents.
  */
 #include "domino_quad.h"
 #include "io/io.h"
@@ -19,12 +19,13 @@
 struct file {
     struct output output; /* first: a pointer to one is a pointer to the other */
     struct target target;
-    bool is_held; /* the stream is the temporary file; text for a device or FIFO is written at once */
+    /* the stream is the temporary file; otherwise it is a device or FIFO, whose text is written at once */
+    bool is_held;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the file, or, if that folder takes no new files but the file
- * exists, where other temporary files are.  Returns NULL with errno on failure. */
+/* Opens the temporary file in the folder of the target.  If that folder takes no new files but the target
+ * exists, opens it in the usual folder for temporary files.  Returns NULL with errno on failure. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));
@@ -33,7 +34,7 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream of the level.  Returns NULL with errno on failure. */
+/* Opens the stream that takes the text of this output level.  Returns NULL with errno on failure. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -52,8 +53,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the text begins with a line of column names that is the same as the last such line of the file, returns
- * the length of that line, because it need not be appended again.  Returns 0 otherwise. */
+/* If the text begins with a line of column names that equals the last such line of the file, the line need
+ * not be appended again: returns its length.  Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -70,7 +71,7 @@ static long repeated_head(const struct file *f)
     return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
 }
 
-/* Writes the text from an offset on into an open file.  Returns false with errno on failure. */
+/* Copies the text, from the offset `from` on, into an open file.  Returns false with errno on failure. */
 static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
@@ -82,11 +83,9 @@ static bool text_copy(FILE *text, long from, int to)
     return !ferror(text);
 }
 
-/*
- * Writes the text into an open file, or appends it, and closes the file.  If there is no room, the file stays
- * as it was: blocks are reserved before the first byte is overwritten, and rows that were appended only in
- * part are cut off.  Returns false with errno on failure.
- */
+/* Writes the text into an open file, or appends it, and closes the file.  If the disk is full, the old
+ * contents stay: space is reserved before the first byte is overwritten, and a partly appended text is cut
+ * off again.  Returns false with errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
@@ -103,7 +102,7 @@ static bool file_fill(const struct file *f, int file)
     return is_copied && is_cut && is_closed;
 }
 
-/* Makes the draft, with the group and mode of the file that it is to replace.  Returns -1 if that is not
+/* Creates the draft, with the group and mode of the target if the target exists.  Returns -1 if that is not
  * allowed. */
 static int draft_open(const struct target *t, char **name)
 {
@@ -115,7 +114,7 @@ static int draft_open(const struct target *t, char **name)
         return -1;
     }
     int file = mkostemp(*name, O_CLOEXEC);
-    /* The group comes first, because its change clears bits of the mode. */
+    /* The group comes first, because changing it clears bits of the mode. */
     if (file >= 0 && (!t->exists || fchown(file, (uid_t)-1, t->status.st_gid) == 0) &&
         fchmod(file, t->exists ? t->status.st_mode & 0777 : 0666 & ~mask) == 0)
         return file;
@@ -128,7 +127,7 @@ static int draft_open(const struct target *t, char **name)
     return -1;
 }
 
-/* Opens the file itself, and locks it.  Returns -1 with errno on failure. */
+/* Opens the target itself, rather than a draft, and locks it.  Returns -1 with errno on failure. */
 static int file_lock(const struct file *f)
 {
     enum { SECONDS = 10 };
@@ -142,8 +141,8 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the file.  A signal waits until that is done, unless the file is still locked by
- * another program.  Returns false with errno on failure. */
+/* Writes the text into the target.  Signals are blocked until that is done, except while another program
+ * holds the lock of the target.  Returns false with errno on failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

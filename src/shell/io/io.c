@@ -9,7 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* How long to sleep between two tries where no system call can wait: short for a person, long for a CPU. */
+/* The pause between two attempts where no system call can wait.  It is short for a person and long for a
+ * CPU. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)

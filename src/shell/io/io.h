@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files and streams whose waits can be ended: the other end of a FIFO may never be opened, and a program at
- * the other end of a pipe may never read.  When the flag `interrupt` is raised (see dom_raised), a wait ends
- * with ECANCELED, even if the handler of the signal has SA_RESTART.  If `interrupt` is NULL, signals have
- * their usual effect.  On failure, all functions set errno.
+ * Files and streams whose waits can be interrupted: the other end of a FIFO may never be opened, and a
+ * program at the other end of a pipe may never read.  When the flag `interrupt` is raised (see dom_raised), a
+ * wait ends with ECANCELED, even if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
+ * signals have their usual effect.  On failure, all functions set errno.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -20,18 +20,14 @@
  */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/*
- * Locks an open file against other programs that lock it, until it is closed.  Does nothing where the file
- * system has no locks.  Returns false if another program keeps its lock for this many seconds, or on an
- * interrupt.
- */
+/* Locks an open file with flock(2) until it is closed.  Other programs are kept out only if they lock the
+ * file as well.  Does nothing if the file system has no locks.  Returns false if another program keeps its
+ * lock for this many seconds, or on an interrupt. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/*
- * Waits for events of poll(2) on a file, or with file -1 only for the time to pass.  If `longest` is NULL,
- * there is no timeout.  A signal that arrives between the check of the flag and the wait ends the wait, too.
- * Returns false if the flag is raised.
- */
+/* Waits for events of poll(2) on a file, or just for the time to pass if `file` is -1.  If `longest` is NULL,
+ * there is no timeout.  A signal that arrives between the check of the flag and the wait also ends the wait.
+ * Returns false if the flag is raised. */
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes.  May be called in a signal handler. */
@@ -49,38 +45,35 @@ void io_begin(void);
 
 /* ---- Streams ---- */
 
-/* Makes a stream of an open file, which the stream closes.  On failure closes the file and returns NULL. */
+/* Makes a stream from an open file.  Closing the stream closes the file.  On failure, closes the file and
+ * returns NULL. */
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt);
 
 /* Opens a file for reading.  A directory is an error.  Returns NULL on failure. */
 FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 
-/* Returns the one stream of standard input, which must not be closed.  The `interrupt` of the first call
- * counts. */
+/* Returns the only stream of standard input, which must not be closed.  The `interrupt` of the first call is
+ * used; later ones are ignored. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the one stream of standard output.  On a terminal each line appears at once.  Elsewhere a system
- * call for each short answer would take longer than the answer, so text is collected; but a program that
- * reads it need not wait: flushed text is written at most 10 ms later by a timer, whatever the session is
- * doing then.
+ * Returns the only stream of standard output.  On a terminal each line appears at once.  Elsewhere a system
+ * call for each short answer would take longer than the answer itself, so text is collected.  A program that
+ * reads the output still need not wait: a timer writes flushed text at most 10 ms later, whatever the session
+ * is doing at that time.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
 /* Writes all text that standard output has collected. */
 void io_stdout_flush(void);
 
-/*
- * Opens a temporary file without a name, of which nothing is left when it is closed or the program ends.  If
- * `folder` is NULL, the file is in $TMPDIR or /tmp.  Returns NULL on failure.
- */
+/* Opens a temporary file without a name, which vanishes when it is closed or the program ends.  If `folder`
+ * is NULL, the file is in $TMPDIR or /tmp.  Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
-/*
- * Makes a stream that writes into memory.  After fclose, *text has *size bytes, without a NUL, and the caller
- * frees it.  Unlike the stream of open_memstream, this one sets its error flag when memory runs out.  Returns
- * NULL on failure.
- */
+/* Makes a stream that writes into memory.  After fclose, *text has *size bytes, without a terminating NUL,
+ * and the caller frees it.  Unlike a stream of open_memstream, this one sets its error flag when memory runs
+ * out.  Returns NULL on failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Long texts on a terminal: through a pager program, or a page at a time. */
+/* Shows long texts on a terminal, with a pager program or a page at a time. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
@@ -14,29 +14,29 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* A text that takes longer than this to fill the screen is shown as it comes, without a pager. */
+/* A text that takes longer than this to fill the screen is shown as it arrives, without a pager. */
 #define HOLD_SECONDS 0.5
 
-/* The prompt of less, in whose language '?e' asks for the end, and ':' separates what is shown then. */
+/* The prompt of less.  In the prompt language of less, '?e' tests for the end of the text, and ':' separates
+ * the texts for both cases. */
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
-/*
- * Signals that are handled differently while a pager program runs.  As in system(3), SIGQUIT is ignored.  But
- * ^Z stops both programs, and ^C ends what is still being computed.  After that, ^C is ignored.
- */
+/* Signals that are handled differently while a pager program runs.  As in system(3), SIGQUIT is ignored.
+ * However, ^Z stops both programs, and ^C ends the running computation.  From the end of the computation
+ * until the pager program ends, ^C is ignored. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
 struct pager {
     struct output output; /* first: a pointer to one is a pointer to the other */
     enum { HELD, DIRECT, PROGRAM, PAGES, LEFT } state;
-    FILE *to; /* memory while the text is HELD, then the terminal, or the pipe to the PROGRAM */
+    FILE *to; /* memory while the text is HELD; later the terminal, or the pipe to the PROGRAM */
     char *text, *messages;
     size_t text_size, messages_size;
-    double begun;      /* when the first text came, or 0 */
+    double begun;      /* the time when the first text arrived, or 0 */
     int width, height; /* the size of the terminal */
-    int rows;          /* rows of the terminal that the current page has so far */
-    double screens;    /* the length from which on a text is paged */
+    int rows;          /* number of terminal rows of the current page so far */
+    double screens;    /* a text of at least this many screens is paged */
     bool may_run;
     const volatile sig_atomic_t *interrupt;
     pid_t child;
@@ -44,7 +44,7 @@ struct pager {
     struct termios modes; /* the modes of the terminal before the program */
 };
 
-/* Returns how many rows of the terminal a line takes.  Sequences that set colours take no columns. */
+/* Returns how many rows of the terminal a line occupies.  Escape sequences for colours take no columns. */
 static int line_rows(const char *line, const char *end, int width)
 {
     int columns = 0;
@@ -65,18 +65,18 @@ static const char *line_next(const char *line, const char *end)
 
 /* ---- A pager program ---- */
 
-/* Starts $PAGER, or less if `command` is NULL, which reads the text from a file.  Returns false on failure.
- */
+/* Starts a program that reads the text from the descriptor `text`: $PAGER, or less if `command` is NULL.
+ * Returns false on failure. */
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If the program does not exist, the text is shown all the same. */
+    /* If the program does not exist, less or cat shows the text. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
     char *const *argv = command ? users : less;
     setenv("LESS", "FRXP" LESS_PROMPT "$", 0);
-    if (!command) { /* keys that are pressed by mistake write no file and run no program */
+    if (!command) { /* keys that are pressed by mistake must not write files or run programs */
         setenv("LESSSECURE", "1", 1);
         setenv("LESSHISTFILE", "-", 1);
     }
@@ -99,8 +99,8 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the program at the end of a pipe, to which the text goes from now on.  Returns false on failure, and
- * if less would need a better terminal. */
+/* Starts the program and a pipe to it, into which the text goes from now on.  Returns false on failure, and
+ * if less would need a terminal with more capabilities. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *command = getenv("PAGER");
@@ -125,7 +125,8 @@ static bool program_open(struct pager *p)
     return true;
 }
 
-/* Ends the text, and waits for the program.  A signal that ends the session also ends the program. */
+/* Closes the pipe, and waits for the program to end.  A signal that ends the session also ends the
+ * program. */
 static void program_close(struct pager *p)
 {
     const struct timespec moment = {.tv_nsec = 20000000};
@@ -137,8 +138,8 @@ static void program_close(struct pager *p)
             kill(p->child, SIGTERM);
         nanosleep(&moment, NULL);
     }
-    /* A program that was killed does not restore the modes.  In the background the terminal belongs to
-     * another job. */
+    /* A program that was killed does not restore the terminal modes.  If this process is in the background,
+     * the terminal belongs to another job. */
     if (tcgetpgrp(STDIN_FILENO) == getpgrp())
         tcsetattr(STDIN_FILENO, TCSADRAIN, &p->modes);
     for (int i = 0; i < SIGNALS; i++)
@@ -147,8 +148,8 @@ static void program_close(struct pager *p)
 
 /* ---- Pages without a program ---- */
 
-/* Asks whether to show another page.  The user ends the answer with Enter, as the terminal keeps its modes.
- */
+/* Asks whether to show another page.  The user has to press Enter after the answer, as the terminal keeps its
+ * modes. */
 static bool page_wanted(const struct pager *p)
 {
     char answer[256] = "";
@@ -162,7 +163,7 @@ static bool page_wanted(const struct pager *p)
     return n > 0 && *answer != 'q' && *answer != 'Q';
 }
 
-/* Writes lines, page by page.  Returns false if no other page is wanted. */
+/* Writes lines, page by page.  Returns false if the user wants no other page. */
 static bool pages_write(struct pager *p, const char *text, size_t size)
 {
     const char *end = text + size;
@@ -182,7 +183,8 @@ static bool pages_write(struct pager *p, const char *text, size_t size)
 
 /* ---- The level ---- */
 
-/* Writes text to where it goes in this state.  Returns false if the reader has quit. */
+/* Writes text to the destination of the current state.  Returns false if the text cannot be written, usually
+ * because the reader has quit. */
 static bool pass_on(struct pager *p, const char *text, size_t size)
 {
     bool is_written = p->state == PAGES ? pages_write(p, text, size) : fwrite(text, 1, size, p->to) == size;
@@ -190,11 +192,12 @@ static bool pass_on(struct pager *p, const char *text, size_t size)
         return true;
     if (p->state == PROGRAM)
         program_close(p);
-    p->state = p->state == HELD ? HELD : LEFT; /* while the text is held, memory may run out */
+    /* while the text is held, a failure means that memory ran out */
+    p->state = p->state == HELD ? HELD : LEFT;
     return false;
 }
 
-/* Begins to show the text, with pages or without. */
+/* Begins to show the held text, with a pager or without. */
 static bool show(struct pager *p, bool with_pages)
 {
     if (p->to)

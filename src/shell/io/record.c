@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 'log' and 'tee': levels that copy text into a file and pass it on. */
+/* The output levels of 'log' and 'tee', which copy text into a file and pass it on to the level below. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
@@ -13,13 +13,14 @@ struct record {
     struct output output; /* first: a pointer to one is a pointer to the other */
     struct target target;
     FILE *file;
-    bool in_line;        /* the last line of the file is not complete yet */
+    bool in_line;        /* the last line of the file is still incomplete */
     const char *waiting; /* commands that are not written yet, or NULL */
     int waiting_length;
-    enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence; /* the terminal sequence that the text is in */
+    /* the kind of control sequence in which the text currently is */
+    enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence;
 };
 
-/* Follows the control sequences of a terminal.  Returns true for a character outside them. */
+/* Tracks the control sequences of a terminal.  Returns true for a character outside them. */
 static bool is_text(enum sequence *sequence, char c)
 {
     const enum sequence before = *sequence;
@@ -39,8 +40,8 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes text on, and writes it into the file without colours and cursor movements.  In a log, answers are
- * comments. */
+/* Passes text on to the level below, and writes it into the file without colours and cursor movements.  In a
+ * log, answers are comments. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;
@@ -121,7 +122,7 @@ const char *records_flush(struct output **top)
     return wrong;
 }
 
-/* ---- What only a log has ---- */
+/* ---- Functions of a log only ---- */
 
 static struct record *log_find(struct output **top)
 {

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a stream whose functions get a copy of the cookie, which its close function frees. */
+/* Opens a stream whose functions receive a copy of the cookie.  The close function must free that copy. */
 static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
 {
     void *copy = malloc(size);
@@ -25,10 +25,9 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, co
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/*
- * Text that was flushed but is not written yet, and errno of the first write that failed.  They belong to
- * whoever has set `held_lock`: a thread that writes, or the handler of the timer, which never waits for it.
- */
+/* Text that was flushed but is not written yet, and errno of the first write that failed.  Only the holder of
+ * `held_lock` may access them: either a thread that writes, or the handler of the timer, which never waits
+ * for the lock. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;
@@ -125,10 +124,9 @@ struct channel {
     const volatile sig_atomic_t *interrupt;
 };
 
-/*
- * Reads what is there.  If nothing is there yet, the program at the other end may be waiting for answers
- * before it writes its next command, so the answers are written now, rather than after each command.
- */
+/* Reads the bytes that are available.  If there are none yet, the program at the other end may be waiting for
+ * answers before it writes its next command.  So the collected answers are written at this point, rather than
+ * after each command. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -143,7 +141,7 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     return n;
 }
 
-/* Writes all bytes, because a stream of fopencookie takes a short count for an error. */
+/* Writes all bytes, because a stream of fopencookie treats a short count as an error. */
 static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -164,8 +162,8 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may have to wait.  Regular files never wait, and a terminal takes what
- * is written to it, or ^C discards that. */
+/* Returns true if reading or writing may have to wait.  Regular files never wait.  Writing to a terminal does
+ * not count, since ^C discards output that is stuck there. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

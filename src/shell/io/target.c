@@ -10,8 +10,8 @@
 
 static struct target *targets;
 
-/* Returns an absolute path without links, also for a file that does not exist yet, for which realpath fails.
- * Returns NULL with errno on failure. */
+/* Returns an absolute path without symbolic links.  Unlike realpath, this also works for a file that does not
+ * exist yet.  Returns NULL with errno on failure. */
 static char *real_path(const char *path)
 {
     char target[PATH_MAX], *next, *real = realpath(path, NULL);
@@ -51,7 +51,8 @@ bool target_is_standard(const struct target *t)
 const char *target_begin(struct target *t, const char *path, bool may_be_standard,
                          const struct target *except)
 {
-    if (escape_needed(path)) /* the reader of a script must see which file it writes */
+    /* a person who reads a script must be able to see which file the script writes */
+    if (escape_needed(path))
         return "the name has control characters, or is not UTF-8; no such file is written";
     *t = (struct target){.path = real_path(path), .next = targets};
     t->exists = t->path && stat(path, &t->status) == 0;
@@ -60,7 +61,7 @@ const char *target_begin(struct target *t, const char *path, bool may_be_standar
         return strerror(errno);
     }
     bool is_written = !may_be_standard && target_is_standard(t);
-    bool is_regular = !t->exists || S_ISREG(t->status.st_mode); /* devices have several writers */
+    bool is_regular = !t->exists || S_ISREG(t->status.st_mode); /* several writers may share a device */
     for (const struct target *other = targets; other && is_regular && !is_written; other = other->next) {
         struct stat now;
         bool hard_link = t->exists && stat(other->path, &now) == 0 && is_same_file(&now, &t->status);

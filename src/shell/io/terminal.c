@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The highest stream that passes its text on to standard output.  NULL until there is one. */
+/* The topmost stream that passes its text on to standard output.  NULL until there is such a stream. */
 static const FILE *front;
 
 void terminal_pass(const FILE *from, const FILE *to)
@@ -20,11 +20,11 @@ void terminal_pass(const FILE *from, const FILE *to)
         front = to;
 }
 
-/* Returns the descriptor of the terminal that shows what is written to the stream, or -1.  Whether the
- * standard streams are terminals is asked only once. */
+/* Returns the descriptor of the terminal that shows the text written to the stream, or -1. isatty is called
+ * only once for each standard stream. */
 static int shown_on(FILE *stream)
 {
-    static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: none, 0: not asked yet */
+    static atomic_schar known[STDERR_FILENO + 1]; /* 1: a terminal, -1: not a terminal, 0: not known yet */
     int file = fileno(stream == front ? stdout : stream);
     if (file < 0 || file > STDERR_FILENO)
         return file >= 0 && isatty(file) ? file : -1;
@@ -64,7 +64,7 @@ int terminal_width(FILE *stream)
 
 bool terminal_utf8(void)
 {
-    static bool is_set; /* start-up is faster if the locale is loaded only when letters matter */
+    static bool is_set; /* start-up is faster if the locale is loaded only when it is needed */
     if (!is_set)
         setlocale(LC_CTYPE, ""); /* never LC_NUMERIC, which changes the decimal point of printf */
     is_set = true;
@@ -97,14 +97,14 @@ double terminal_clock(void)
 
 /* ---- Progress ---- */
 
-static atomic_int seconds; /* how long the command has been running */
-static atomic_int done;    /* how many millionths of its work are done, or 0 if that is unknown */
+static atomic_int seconds; /* how long the command has been running, in s */
+static atomic_int done;    /* how many millionths of the command's work are done, or 0 if that is unknown */
 static _Thread_local bool is_muted;
 
 static bool is_ticking;
 static struct sigaction alarm_before;
 
-/* Writes a number, and returns the place after it. */
+/* Writes a number, and returns a pointer to the byte after it. */
 static char *number_write(char *to, long number)
 {
     if (number >= 10)
@@ -113,7 +113,7 @@ static char *number_write(char *to, long number)
     return to + 1;
 }
 
-/* Writes the line of the next second.  A signal handler must not call printf. */
+/* Handles SIGALRM, once a second: writes the progress line.  A signal handler must not call printf. */
 static void on_tick(int number)
 {
     const int all = 1000000;
@@ -138,7 +138,7 @@ void progress_begin(void)
 {
     if (!terminal_shows(stderr))
         return;
-    progress_end(); /* ends the line of a command that runs this one, such as source */
+    progress_end(); /* ends the progress line of a command that runs other commands, such as source */
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     seconds = done = 0;
     is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;
@@ -152,7 +152,7 @@ void progress_end(void)
     timer_set(0);
     sigaction(SIGALRM, &alarm_before, NULL);
     is_ticking = false;
-    if (seconds > 0) /* with blanks, because a dumb terminal has no control sequences */
+    if (seconds > 0) /* overwrite the line with blanks, because a dumb terminal has no control sequences */
         fprintf(stderr, "\r%*s\r", 30, "");
 }
 

@@ -8,31 +8,33 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How long a block should take: long beside the lock and a write, but too short for a person to notice. */
+/* The duration that a block should have: long compared with taking the lock and writing, but too short for a
+ * person to notice. */
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    GROWTH = 4,  /* how much larger a block may be than the one before, as later points may take longer */
-    WINDOW = 16, /* how many blocks a worker may be ahead of the output */
+    /* the largest ratio of a worker's block to its previous block, as later points may take longer */
+    GROWTH = 4,
+    WINDOW = 16, /* how many blocks each worker may be ahead of the output */
     BLOCK_MOST = 4096,
     THREADS_MOST = 256
 };
 
-/* The rows of some points. */
+/* A block: the rows of some successive points. */
 struct block {
     char *text;
     size_t size;
     bool is_done;
     bool is_last;        /* a point has ended the work */
-    const void *context; /* the copy of the worker that computed the block */
+    const void *context; /* the context of the worker that computed the block */
 };
 
 struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
     pthread_cond_t room;           /* signalled when blocks were written, or the work has ended */
-    size_t next;                   /* the first point that no worker has taken */
-    size_t taken, written, window; /* numbers of blocks; block k is waiting[k % window] */
+    size_t next;                   /* the first point that no worker has taken yet */
+    size_t taken, written, window; /* numbers of blocks; block k is stored in waiting[k % window] */
     struct block *waiting;
     bool is_over;
     struct workers_end end;
@@ -42,11 +44,12 @@ struct worker {
     struct pool *pool;
     void *context;
     pthread_t thread;
-    size_t points; /* the size of the last block, and how long it took */
+    size_t points; /* the number of points of the last block, and its duration */
     double seconds;
 };
 
-/* Returns the size of the next block.  Near the end blocks are smaller, so that all workers end together. */
+/* Returns the number of points of the next block.  Towards the end the blocks get smaller, so that all
+ * workers finish at about the same time. */
 static size_t block_points(const struct workers *job, const struct worker *me, size_t left)
 {
     double fit = me->points ? BLOCK_SECONDS * (double)me->points / (me->seconds + 1e-9) : 1;
@@ -57,13 +60,13 @@ static size_t block_points(const struct workers *job, const struct worker *me, s
     return points < share ? points : share;
 }
 
-/* Computes the points of a block.  Returns false if one of them ends the work. */
+/* Computes the points of a block.  Returns false if a point ends the work. */
 static bool block_compute(struct worker *me, size_t from, FILE *out)
 {
     const struct workers *job = me->pool->job;
     double begun = terminal_clock();
     bool goes_on = true;
-    bool was_muted = progress_mute(true); /* the progress of a single point */
+    bool was_muted = progress_mute(true); /* a point must not show its own progress */
     for (size_t k = 0; k < me->points && goes_on && !dom_raised(job->interrupt); k++)
         goes_on = job->point(me->context, job->first + from + k, out);
     progress_mute(was_muted);
@@ -73,7 +76,7 @@ static bool block_compute(struct worker *me, size_t from, FILE *out)
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
-/* Ends the work.  The first reason counts. */
+/* Ends the work.  If the work has already ended, the first reason is kept. */
 static void pool_end(struct pool *p, struct workers_end end)
 {
     p->end = p->is_over ? p->end : end;
@@ -81,7 +84,7 @@ static void pool_end(struct pool *p, struct workers_end end)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Writes the blocks that are next in order. */
+/* Writes the computed blocks that are next in order. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;
@@ -106,7 +109,7 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Takes points for the next block, and its number.  Returns false if there are no more. */
+/* Assigns points and a number to the next block of a worker.  Returns false if there are no more points. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)
@@ -121,7 +124,7 @@ static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *b
     return true;
 }
 
-/* Computes blocks until there are no more. */
+/* The main function of a worker: computes blocks until there are no more points. */
 static void *worker_run(void *worker)
 {
     struct worker *me = worker;
@@ -136,7 +139,7 @@ static void *worker_run(void *worker)
         is_last = b.is_last = !out || !block_compute(me, from, out);
         bool has_text = out && !ferror(out);
         has_text = out && fclose(out) == 0 && has_text;
-        if (p->job->progress) /* a thread other than the caller's is muted */
+        if (p->job->progress) /* shown only by the caller's thread, since the other threads are muted */
             progress_show((double)from / (double)p->job->points);
         pthread_mutex_lock(&p->lock);
         if (has_text) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The thread pool.  It computes the points of a curve or a sweep, and tasks of the library, in parallel. Each
- * worker takes one block of points after another.  The rows of the blocks are written in the order of the
- * points as soon as possible, so that the output has the same bytes for any number of workers.  Only one lock
- * is needed, which is taken once a block, and a block takes about a millisecond.
+ * The thread pool, which computes the points of a curve or a sweep, and tasks of the library, in parallel.
+ * Each worker takes one block of points after another.  The rows of the blocks are written in the order of
+ * the points as soon as possible, so that the output has the same bytes for any number of workers.  Only one
+ * lock is needed, which is taken once for each block, and a block takes about a millisecond.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
@@ -13,31 +13,31 @@
 
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
-    /*
-     * Computes a point, and writes its rows.  May change only `context`, of which each worker has a copy.
-     * Returning false ends the work after the rows of all earlier points are written.
-     */
+    /* Computes a point, and writes its rows to `out`.  The function may change nothing but `context`, of
+     * which each worker has a separate copy.  If it returns false, the work ends after the rows of all
+     * earlier points have been written. */
     bool (*point)(void *context, size_t point, FILE *out);
-    void *context; /* if a point ends the work, becomes the copy of its worker */
-    size_t size;   /* the size of the context */
-    /* Merges a worker's copy into the context after the last point.  May be NULL. */
+    /* copied for each worker; if a point ends the work, the copy of its worker is copied back */
+    void *context;
+    size_t size; /* the size of the context */
+    /* Merges the copy of a worker into `context` after the last point.  May be NULL. */
     void (*merge)(void *context, const void *copy);
-    unsigned count; /* how many workers there are, with the caller's thread */
-    FILE *out;      /* NULL without rows */
+    unsigned count; /* the number of workers, including the caller's thread */
+    FILE *out;      /* the stream for the rows, or NULL if the points have no rows */
     bool progress;  /* show the progress */
     const volatile sig_atomic_t *interrupt;
 };
 
 struct workers_end {
     enum { WORKERS_DONE, WORKERS_ENDED, WORKERS_INTERRUPTED, WORKERS_LOST, WORKERS_NO_MEMORY } how;
-    int error; /* for WORKERS_LOST: errno of the rows that could not be written */
+    int error; /* for WORKERS_LOST: errno of the write that failed */
 };
 
-/* Computes all points.  If there are too few threads, the others do their work. */
+/* Computes all points.  If some threads cannot be created, the other workers do their work. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* Returns how many workers to use for this many points: the setting 'threads', where 0 means one for each
- * processor that this process may use. */
+/* Returns how many workers to use for this many points.  `threads` is the setting of that name, where 0 means
+ * one worker for each processor that this process may use. */
 unsigned workers_count(domq_real threads, size_t points);
 
 /* Runs tasks of the library.  This is a dom_parallel whose pool is a struct task_pool. */
