@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* animate: the row as it falls, with a clock; or cycles of the train, each r times larger than the one
- * before.
- */
+/* The command animate, which makes a film of the row as it falls, with a clock, or of several cycles of the
+ * train, each r times larger than the one before. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
@@ -12,21 +11,22 @@
 #include "picture/movie.h"
 #include <stdlib.h>
 
-enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* heights of a frame, in dots */
+enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* least and largest height of a frame, in pixels */
 
 struct film {
     const struct query *query;
     struct problem *problem;
-    struct answer *answer; /* takes the frames as data; NULL if they are drawn */
+    struct answer *answer; /* receives the frames as data; NULL if they are drawn instead */
     const struct draw_what *what;
     struct movie movie;
     struct sheet sheet;
-    size_t frames, frame; /* the number of frames, and of those that are drawn */
+    size_t frames, frame; /* number of all frames, and of the frames drawn so far */
     int delay;            /* between two frames, in hundredths of a second */
 };
 
-/* Makes the film. All frames are as large as the picture of `stage`, whose caption has as many lines. `watch`
- * gives each frame to the answer, or to film_frame, and returns false after describing a problem. */
+/* Makes the film. All frames have the size of the picture of `stage`, whose caption must have as many lines
+ * as the captions of the frames. `watch` passes each frame to film_frame or adds it to film->answer. If it
+ * fails, it sets film->problem and returns false. */
 static bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
 {
     if (!f->answer) {
@@ -51,19 +51,20 @@ static void film_frame(struct film *f, const struct stage *stage)
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
-/* The view follows the front where the largest domino is this many times as tall as the smallest. */
+/* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
 #define FOLLOWED 30
 #define HELD     1 /* seconds for which the last frame is shown */
 
 struct row_film {
     struct film film;
     struct falling_row row;
-    domq_real *time; /* of each frame, in s */
+    domq_real *time; /* time of each frame, in s */
     bool follows;
 };
 
-/* Shows the front and the dominoes that have just fallen. On its way to the next domino the view grows as
- * steadily as the dominoes do. */
+/* Turns the view of a frame to the front and the dominoes that have just fallen. `head` is the number of the
+ * last domino that was hit, from 1. Until the next domino is hit, the view moves towards it and grows
+ * geometrically to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *own = &f->row.stage.domino[head - 1];
@@ -105,7 +106,8 @@ static bool row_frame(const struct domq_moment *m, void *context)
     return true;
 }
 
-/* Lists the times of the frames. The last one, infinity, is the end of the motion. */
+/* Fills f->time with the times of the frames. The last frames have an infinite time, which stands for the end
+ * of the motion. */
 static bool row_times(struct row_film *f)
 {
     struct film *film = &f->film;
@@ -149,7 +151,7 @@ static bool animate_row(const struct film *film)
         answer_columns(film->answer, film->answer->columns)[1] =
             (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
-    stage->row = NULL; /* the sizes of the dominoes are not written */
+    stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
     snprintf(stage->caption, CAPTION, "1\n2");
     f.follows = stage->top > FOLLOWED * falling_row_smallest(&f.row);
     bool done = row_times(&f) && film_make(&f.film, stage, row_watch);
@@ -161,25 +163,29 @@ static bool animate_row(const struct film *film)
 /* ---- The train ---- */
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-#define GROWN_MOST                                                                                           \
-    40 /* the largest ratio of the last head to the first, which would else be seen as a dot                 \
-        */
-#define FILM_TOL ((domq_real)1 / 1000000000) /* more than an eye can see */
+/* The largest domino of a film may be this many times as tall as the first head, which would otherwise look
+ * like a dot. */
+#define GROWN_MOST 40
+#define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than an eye can see */
 
-/* The cycles one after the other. Lengths are in heights of the first head, and times in its tau. */
+/* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
+ * units of its tau. */
 struct train_film {
     struct film film;
     struct domq_train train;
     struct domq_compute compute;
     int cycles;
-    double r, pitch, duration, step; /* of the first cycle; the time between two frames */
-    double tau;                      /* of the first head in s */
+    /* The growth, the pitch and duration of the first cycle, and the time between two frames. */
+    double r, pitch, duration, step;
+    double tau; /* tau of the first head, in s */
     bool stops;
-    struct stage whole; /* what all frames show, without dominoes */
+    struct stage whole; /* a stage as large as that of the frames, without dominoes */
     char ruler[96];
 };
 
-/* The cycle at a time: its number from 0, when it began, and where and how large its head is. */
+/* The cycle that runs at some time of the film: its number, from 0, and the time when it began. It lasts
+ * `slower` times as long as the first cycle, and its head is `scale` times as large as the first one and
+ * stands at `shift`. */
 struct place {
     int cycle;
     double begun, slower, scale, shift;
@@ -198,7 +204,8 @@ static struct place place_at(const struct train_film *f, double time)
     return p;
 }
 
-/* Returns how many cycles make the last head at most so many times as large as the first; at least 1. */
+/* Returns the largest number of cycles n with r^n <= grown_most, but at least 1 and at most `most`. The
+ * domino that the last head hits is r^n times as large as the first head. */
 static int cycles_within(double r, double grown_most, int most)
 {
     int n = 1;
@@ -264,7 +271,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Puts the train of a cycle where its head stands, and adds the dominoes beyond the next one. */
+/* Scales and shifts the dominoes of a cycle to the size and position of its head, and adds those that stand
+ * beyond the next domino. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];
@@ -362,7 +370,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train)
-        a->note = NULL;  /* it is no answer about the train, or the user knows that it is */
-    a->style.errors = 0; /* a picture needs no bounds */
+        a->note = NULL;  /* the note says that the answer is about the train, which is false or known */
+    a->style.errors = 0; /* a picture shows no error bounds */
     return row ? animate_row(&film) : animate_train(&film);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* draw: the row or the train to scale, at one moment. */
+/* The command draw, which draws the row or the train to scale, at one moment. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/rows/falling.h"
@@ -33,17 +33,17 @@ static struct cell cell_double(double value)
     return cell_real((domq_real)value);
 }
 
-/* Returns the cell of a coordinate, in which a rounding error near 0 becomes 0. */
+/* Returns a cell with a coordinate of domino k. A value that differs from 0 only by rounding becomes 0. */
 static struct cell cell_place(double value, const struct drawn *k)
 {
     double least = 4 * DBL_EPSILON * (fabs(k->foot) + k->height);
     return cell_double(fabs(value) < least ? 0 : value);
 }
 
-/* Writes the dominoes for programs. `forces` is the status with which the forces were found. */
+/* Writes a row of data for each domino. `forces` is the status of the computation of the forces. */
 static bool stage_rows(const struct stage *stage, enum dom_status forces, struct answer *a)
 {
-    a->style.errors = 0; /* a picture needs no bounds */
+    a->style.errors = 0; /* a picture shows no error bounds */
     for (size_t n = 0; n < stage->count && !answer_lost(a); n++) {
         const struct drawn *k = &stage->domino[n];
         const struct point *p = k->corner;
@@ -63,7 +63,8 @@ static bool stage_rows(const struct stage *stage, enum dom_status forces, struct
 
 /* ---- The row ---- */
 
-/* Finds the time when a domino is hit. */
+/* Finds the time when the domino with this number is hit. If there is no such domino, or it is never hit,
+ * sets *problem and returns false. */
 static bool domino_time(struct problem *problem, domq_real domino, const struct falling_row *row,
                         domq_real *time)
 {
@@ -80,7 +81,8 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
                              number, end);
 }
 
-/* Finds the moment that is asked for. */
+/* Finds the time of the moment that the arguments request. If the row has no such moment, sets *problem and
+ * returns false. */
 static bool moment_time(struct problem *problem, const struct draw_what *what, const struct falling_row *row,
                         domq_real *time)
 {
@@ -91,13 +93,14 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* The end may have been read from an answer, whose few digits may be rounded up. */
+    /* The user may have copied the end of the motion from an answer that was rounded up to a few digits. */
     return what->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
                              measured((domq_real)row->end, "s", 4).text);
 }
 
-/* Shows the row with its caption: at a moment, or as it is set up if moment is NULL. */
+/* Sets up the stage and its caption for a moment of the fall or, if `moment` is NULL, for the row before it
+ * falls. */
 static bool moment_show(const struct domq_moment *moment, void *context)
 {
     struct falling_row *row = context;
@@ -129,7 +132,7 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 {
     struct falling_row row;
     domq_real time = 0;
-    a->note = NULL; /* the note is about the train */
+    a->note = NULL; /* the note applies only to answers about the train */
     if (!falling_row_make(query, problem, picture_marks(a), &row))
         return false;
     bool good = draw_at(what) ? moment_time(problem, what, &row, &time) : moment_show(NULL, &row);
@@ -156,9 +159,10 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 
 /* ---- The train ---- */
 
-enum { FORCES_MOST = 6 }; /* the most forces in a caption; farther back they are hardly seen */
+enum { FORCES_MOST = 6 }; /* most forces in a caption; the dominoes farther back can hardly be seen */
 
-/* Writes the caption: the scene, what the marks mean, and the forces if there are no arrows. */
+/* Writes the caption of a train: its parameters, the meaning of the marks, and the forces if no arrows show
+ * them. */
 static void train_caption(const struct query *query, struct stage *stage, domq_real theta, struct marks mark)
 {
     const struct domq_train *t = &query->scene->train;
@@ -191,18 +195,20 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
                        const struct draw_what *what)
 {
     struct stage stage;
-    /* Without a tilt the train is drawn where the walk is, with the finer tolerance of the walk. */
+    /* If no tilt is given, the train is drawn at the current position of the walk, with the walk's finer
+     * tolerance. */
     const struct walk *walk = what->has[DRAW_TILT] ? NULL : walk_now(query);
     const struct domq_compute *compute = walk ? &walk->compute : &query->scene->compute;
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     if (what->train)
-        a->note = NULL; /* the user has asked for the train */
+        a->note = NULL; /* the note says that the answer is about the train, as the user requested */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
-    /* Data has the forces that can be computed: with too small a margin there are none. */
+    /* Data for programs includes the forces whenever they can be computed, which too small a margin prevents.
+     */
     if (status == DOM_OK && (what->forces || !people))
         forces = stage_forces(&stage, train, compute, theta);
     if (status == DOM_OK && what->forces)

@@ -25,7 +25,7 @@ static const char draw_usage[] =
 static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
 
-/* Returns true if the next word cannot be a value, so that it was meant as one of the words. */
+/* Returns true if the next word cannot begin a value, so that it was probably meant as a keyword. */
 static bool is_stray(const struct reader *r)
 {
     char word[64];
@@ -35,7 +35,7 @@ static bool is_stray(const struct reader *r)
            names_exact(value_names, r->query->state, word) < 0;
 }
 
-/* Describes the next word as unknown, or as more than the command takes. */
+/* Reports the next word as unknown or, if `many` is true, as one argument too many. Returns false. */
 static bool wrong_word(struct reader *r, bool many, const char *usage)
 {
     char shown[NAMES_SHOWN];
@@ -130,8 +130,8 @@ bool film_parse(struct reader *r, struct question *q)
 
 /* ---- Binding ---- */
 
-/* Checks a value: the moment is a time, speed and rate are plain numbers in a range, and a rate may also be
- * given as 20/s. */
+/* Checks the unit and the range of a value. The moment must be a time, and the speed and the rate must be
+ * numbers in a range. A rate may be given as 20 or as 20/s. */
 static bool value_check(enum draw_value value, struct quantity quantity, struct problem *problem)
 {
     char kind[64];

@@ -1,38 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words and values that follow 'draw' and 'animate FILE'. */
+/* The arguments of 'draw' and 'animate FILE': keywords such as 'at' and 'train', and values. */
 #ifndef SHELL_DRAW_WORDS_H
 #define SHELL_DRAW_WORDS_H
 
 #include "interpreter/question.h"
 
 enum draw_value {
-    DRAW_TIME,   /* the moment of the row, in s */
-    DRAW_DOMINO, /* the domino that is hit at the moment of the row; not checked */
-    DRAW_TILT,   /* the tilt of the train */
-    DRAW_CYCLES, /* the number of cycles of the train; not checked */
-    DRAW_SPEED,  /* 1 is real time */
-    DRAW_RATE,   /* frames in a second */
+    DRAW_TIME,   /* the time at which to show the row, in s */
+    DRAW_DOMINO, /* the domino that is hit when the row is shown; its number is not checked here */
+    DRAW_TILT,   /* the tilt of the head at which to show the train */
+    DRAW_CYCLES, /* the number of cycles of the train; not checked here */
+    DRAW_SPEED,  /* the speed of the film, where 1 is real time */
+    DRAW_RATE,   /* frames per second of the film's time */
     DRAW_VALUES
 };
 
 struct draw_what {
-    bool train;            /* the endless train, even if there is a row */
-    bool forces, end;      /* the words 'forces' and 'at end' are given */
-    bool has[DRAW_VALUES]; /* the value is given */
+    bool train;            /* draw the endless train, even if there is a row */
+    bool forces, end;      /* the user typed 'forces', or 'at end' */
+    bool has[DRAW_VALUES]; /* whether the user gave each of the values */
     domq_real value[DRAW_VALUES];
-    int column; /* where the moment or the number of cycles stands in the line */
+    int column; /* position in the line of the moment or the number of cycles, for messages */
 };
 
-/* Returns what the words of a bound question ask for. */
+/* Returns the arguments of 'draw' or 'animate', with defaults for those that were not given. */
 const struct draw_what *draw_what(const struct query *query);
 
-/* Returns true for a moment of the row: 'draw at'. */
+/* Returns true if the arguments request a moment of the row, as in 'draw at 2.5 s'. */
 static inline bool draw_at(const struct draw_what *what)
 {
     return what->end || what->has[DRAW_TIME] || what->has[DRAW_DOMINO];
 }
 
-/* Parse the words of 'draw' and of 'animate', and bind those of both. */
+/* draw_parse and film_parse parse the arguments of 'draw' and 'animate'. draw_bind computes the values of
+ * either. */
 bool draw_parse(struct reader *reader, struct question *question);
 bool film_parse(struct reader *reader, struct question *question);
 bool draw_bind(const struct question *question, const struct query *query, struct arguments *given,

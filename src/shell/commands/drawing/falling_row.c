@@ -13,7 +13,8 @@ static bool end_seen(const struct domq_moment *moment, void *context)
     return true;
 }
 
-/* Returns what domino k does at a moment. has_moved: it has left its place. */
+/* Returns how to draw domino k, counted from 0. `head` is the number, from 1, of the last domino that was
+ * hit, or 0 before the fall. `has_moved` is true if domino k has begun to fall. */
 static enum part part_of(const struct falling_row *row, size_t k, size_t head, bool has_moved)
 {
     const struct domq_verdict *v = &row->run.verdict;
@@ -100,7 +101,7 @@ double falling_row_hit(const struct falling_row *row, size_t k)
 {
     const struct domq_domino *d = &row->run.scene.domino[0];
     domq_real flat = d->thickness / d->height;
-    /* The time in which the angle beyond the edge grows e times. */
+    /* The time in which a small tilt beyond the balance point grows by a factor of e. */
     domq_real growth = quad(sqrt)(2 * d->height / (3 * row->run.scene.row.g) * quad(sqrt)(1 + flat * flat));
     return row_run_tipped(&row->run, k) ? -3 * (double)growth
            : k < row->run.hits          ? (double)row->run.fall[k].time
@@ -119,7 +120,7 @@ enum dom_status falling_row_watch(const struct falling_row *row, const domq_real
 
 /* ---- Sentences ---- */
 
-/* Returns the event at which the clock begins. */
+/* Returns the name of the event at which the clock starts. */
 static const char *start_of(const struct falling_row *row)
 {
     return row_run_tipped(&row->run, 0) ? "first hit" : "push";

@@ -1,41 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The row of the scene on a stage, as it is set up and while it falls, and sentences about it. */
+/* Draws the row of the scene on a stage, before or while it falls, and describes it in sentences. */
 #ifndef SHELL_FALLING_ROW_H
 #define SHELL_FALLING_ROW_H
 
 #include "commands/rows/falling.h"
 #include "picture/stage.h"
 
-/* Lengths are in m, and times in s on the clock of struct domq_fall. */
+/* A row that has been run, and its stage. Lengths are in m, and times in s on the clock of struct domq_fall.
+ */
 struct falling_row {
     struct row_run run;
     struct stage stage;
     double *slid;       /* how far each foot has slid at the moment that is shown */
-    double end;         /* when the motion ends; NaN where a time has no value */
-    struct marks marks; /* how sentences name the dominoes that are marked */
+    double end;         /* the time when the motion ends, or NaN if it cannot be computed */
+    struct marks marks; /* how sentences refer to the marked dominoes */
 };
 
-/* Runs the row, and sets it up on its stage. Returns false after describing a problem; then nothing is to be
- * freed. */
+/* Runs the row, and places its dominoes on the stage as they stand before the fall. If this fails, sets
+ * *problem and returns false; nothing needs to be freed then. */
 bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
                       struct falling_row *row);
 void falling_row_free(struct falling_row *row);
 
 /*
- * Returns when domino k is hit. The first domino of a row without a push is never hit: for it this is the
- * time, before 0, from which it is seen to move. Returns NaN for a domino that is never hit, or whose time
- * has no value.
+ * Returns the time when domino k, counted from 0, is hit. The first domino of a row without a push is not
+ * hit; for this domino, returns the negative time at which it visibly begins to move. Returns NaN if domino k
+ * is never hit, or if its time cannot be computed.
  */
 double falling_row_hit(const struct falling_row *row, size_t k);
 
-/* Calls visit for the row at each of these times, which do not decrease. */
+/* Runs the row again and calls `visit` at each of the times, which must not decrease. A time beyond the end
+ * of the motion, such as infinity, stands for the end. */
 enum dom_status falling_row_watch(const struct falling_row *row, const domq_real *times, size_t count,
                                   domq_moment_visit *visit, void *context);
 
-/* Shows the row at a moment, or as it is set up if moment is NULL. */
+/* Places the dominoes on the stage as they are at a moment or, if `moment` is NULL, before the fall. */
 void falling_row_pose(struct falling_row *row, const struct domq_moment *moment);
 
-/* Lets the stage end where the last dominoes stand or, if lying, where their tops will lie. */
+/* Sets the right end of the stage to where the last dominoes stand or, if `lying` is true, to where their
+ * tops will lie. */
 void falling_row_reach(struct falling_row *row, bool lying);
 
 /* Returns the height of the smallest domino. */
@@ -45,16 +48,17 @@ double falling_row_smallest(const struct falling_row *row);
 
 enum { SENTENCE = 256 };
 
-/* Writes how many dominoes there are: "7 dominoes, 4.8 cm to 54.7 cm tall". */
+/* Writes the number of dominoes and their heights, for example "7 dominoes, 4.8 cm to 54.7 cm tall". */
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE]);
 
 /* Writes how the row ends. */
 void falling_row_verdict(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes which domino is the weakest, and how much energy it has, or "". */
+/* Writes which domino is the weakest and how much energy it has. Writes "" if no domino is drawn as the
+ * weakest. */
 void falling_row_weakest(const struct falling_row *row, char text[SENTENCE]);
 
-/* Writes what happens at a moment: "2.500 s after the push: domino 3 falls, 7 still stand." */
+/* Writes what happens at a moment, for example "2.500 s after the push: domino 3 falls, 7 still stand." */
 void falling_row_moment(const struct falling_row *row, const struct domq_moment *moment, char text[SENTENCE]);
 
 #endif

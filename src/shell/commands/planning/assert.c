@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* assert: an error unless the verdict of another command, or a condition, is true. */
+/* The command assert, which reports an error unless a condition, or the verdict of another command, is true.
+ */
 #include "commands/planning/planning.h"
 #include "interpreter/command_read.h"
 #include <string.h>
@@ -42,7 +43,7 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     const struct question *asserted = query->given->bound;
     const struct command *c = asserted->command;
     struct quantity value;
-    if (!c->holds) { /* a condition */
+    if (!c->holds) { /* not a command with a verdict, but a condition */
         if (!question_value(asserted, query, &value, problem))
             return false;
         return value.value != 0 || problem_error(problem, "not true: %s", asserted->name);

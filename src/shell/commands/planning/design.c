@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* design: the row that a height, a safety and a hall ask for. */
+/* The command design, which finds a row with a given last height, a given safety and a limit on its length.
+ */
 #include "answer/format.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
@@ -31,7 +32,8 @@ struct plan {
     bool hollow;
 };
 
-/* Makes the dominoes, with the last one exactly as tall as wished. Returns false with a problem. */
+/* Makes the dominoes of a design, with the last one exactly `height` tall. If memory runs out, sets *problem
+ * and returns false. */
 static bool plan_make(const struct query *query, struct problem *problem, const struct domq_design *d,
                       domq_real height, struct plan *p)
 {
@@ -48,7 +50,8 @@ static bool plan_make(const struct query *query, struct problem *problem, const 
     return true;
 }
 
-/* Returns the surface of a hollow domino, which is half as wide as tall, or the volume of a solid one. */
+/* Returns the surface of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half as
+ * wide as they are tall. */
 static domq_real plan_material(const struct plan *p, const struct domq_domino *d)
 {
     domq_real width = d->height / 2;
@@ -56,8 +59,8 @@ static domq_real plan_material(const struct plan *p, const struct domq_domino *d
                      : d->height * width * d->thickness;
 }
 
-/* Writes the dominoes: for people what to saw and where to place it, for a file what 'effect row FILE' reads.
- */
+/* Lists the dominoes: for people with the sizes to saw and the places to stand them, and for a file with the
+ * columns that 'effect row FILE' reads. */
 static void plan_write(struct answer *a, const struct plan *p, bool file)
 {
     static const struct column columns[] = {
@@ -101,7 +104,8 @@ static void plan_write(struct answer *a, const struct plan *p, bool file)
     }
 }
 
-/* Writes the numbers of a design. If no row fits the wishes, `p` is NULL and `reason` says why. */
+/* Writes the row with the numbers of a design. If no design fits the wishes, `p` is NULL and `reason` says
+ * why. */
 static void design_row(struct answer *a, const struct plan *p, const struct domq_design *d,
                        const char *reason)
 {
@@ -124,7 +128,8 @@ static void design_row(struct answer *a, const struct plan *p, const struct domq
 
 /* ---- What would make a wish possible ---- */
 
-/* Returns the largest ratio of kinetic energy to barrier that equal dominoes have at any separation. */
+/* Returns the largest ratio of kinetic energy to barrier that equal dominoes with friction mu reach at any
+ * separation from 0.01 to 1. */
 static domq_real equal_ratio(const struct query *query, domq_real mu)
 {
     struct domq_train train = query->scene->train;
@@ -141,8 +146,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction with which equal dominoes have this safety, to three digits, or 0 if there is
- * none. */
+/* Returns the largest friction below that of the scene with which equal dominoes have this safety, to three
+ * digits. Returns 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -155,15 +160,15 @@ static domq_real friction_most(const struct query *query, domq_real safety)
     return low;
 }
 
-/* Returns a stronger push than that of the wish, but less than sqrt(2 g/h), which lifts the first domino off
- * the floor. Returns NaN if there is no room for one. */
+/* Returns a push that is stronger than the one in the wish, but weaker than sqrt(2 g/h), which would lift the
+ * first domino off the floor. Returns NaN if the push in the wish is already too close to this limit. */
 static domq_real push_stronger(const struct domq_wish *wish)
 {
     const domq_real most = quad(sqrt)(2 * wish->g / wish->first) * 9 / 10;
     return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
 }
 
-/* Describes a search that failed, and which effect to turn off because it makes the search hard. Returns
+/* Reports that the search failed, and which effect to turn off because it makes the search hard. Returns
  * false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
@@ -178,7 +183,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row fits the wish, and which wish would be possible. */
+/* Writes why no row fits the wish, and which change would make one possible. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -227,7 +232,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
 
 /* ---- The answer ---- */
 
-/* Describes a problem if the wish contradicts itself. */
+/* Checks that the wish does not contradict itself. If it does, sets *problem and returns false. */
 static bool wish_check(struct problem *problem, const struct domq_wish *w)
 {
     if (!(w->height > w->first))
@@ -246,7 +251,8 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w)
                              measured(w->hall, "m", 6).text, measured(w->height, "m", 6).text);
 }
 
-/* Finds the design. If the engine runs rows, it also has to let the row fall. */
+/* Finds the design. If the scene runs rows in the rigid-body engine, the row of the design must fall there,
+ * too. */
 static bool design_find(const struct query *query, struct domq_wish *wish, struct scene_engine *engine,
                         struct domq_design *d, struct problem *problem)
 {
@@ -262,11 +268,11 @@ static bool design_find(const struct query *query, struct domq_wish *wish, struc
         return problem_status(problem, query->scene, status);
     if (d->limit == DOM_DESIGN_FAILED)
         return search_failed(query->scene, d, problem);
-    /* Check now whether the engine can run a row of this length. */
+    /* Check now that the engine can run a row of this length. */
     return !wish->engine || scene_engine_make(&with_row, d->steps + 1, engine, problem);
 }
 
-/* Says how safe the design is, and lists the dominoes. */
+/* Prints how safe the design is, and a list of its dominoes. */
 static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
                        const struct domq_design *d, const struct plan *plan)
 {
@@ -284,7 +290,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
     plan_write(&list, plan, false);
 }
 
-/* Makes the design the row of the session, unless the answer is only a value. */
+/* Makes the design the row of the session. Does nothing if the command only gives the value of an expression:
+ * then query->next is NULL. */
 static bool design_keep(const struct query *query, struct problem *problem, struct answer *a,
                         const struct domq_design *d)
 {

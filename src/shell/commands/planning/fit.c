@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * fit: the friction that explains the measured speeds of rows of equal dominoes best. The speeds are in a csv
- * file (language/csv_table.h):
+ * The command fit, which finds the friction that best explains the measured speeds of rows of equal dominoes.
+ * The speeds are read from a csv file (language/csv_table.h):
  *
  *     # a hard floor
  *     gap (mm), speed (m/s), error (m/s)
  *     9.38, 1.295, 0.02
  *
- * The errors may be missing, and other columns are not read.
+ * The column of errors may be missing, and other columns are ignored.
  */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
@@ -35,11 +35,11 @@ const struct column fit_columns[] = {
 struct fit {
     const struct query *query;
     struct measured_row {
-        domq_real gap, speed, error; /* m, m/s; the error is 0 if none is known */
+        domq_real gap, speed, error; /* in m and m/s; the error is 0 if it is not known */
     } * row;
     size_t count;
     bool errors;            /* every speed has an error */
-    enum dom_status status; /* why speed_at has returned NaN */
+    enum dom_status status; /* the reason why speed_at last returned NaN */
 };
 
 /* ---- The file ---- */
@@ -82,7 +82,7 @@ static bool row_add(struct fit *f, struct csv_table *csv)
     return true;
 }
 
-/* Describes a problem if the friction cannot be found from these rows. */
+/* Checks that the friction can be found from the measured rows. If not, sets *problem and returns false. */
 static bool rows_check(const struct fit *f, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
@@ -105,7 +105,8 @@ static bool rows_check(const struct fit *f, struct problem *problem)
 
 /* ---- The sum of squares ---- */
 
-/* Returns the front speed of equal dominoes with this gap and friction, or NaN with f->status. */
+/* Returns the front speed of equal dominoes with this gap and friction. If it cannot be computed, sets
+ * f->status and returns NaN. */
 static domq_real speed_at(struct fit *f, domq_real gap, domq_real mu)
 {
     struct domq_train train = f->query->scene->train;
@@ -126,7 +127,7 @@ static domq_real error_of(const struct measured_row *row)
     return row->error > 0 ? row->error : row->speed;
 }
 
-/* Returns the sum of squares of the residuals divided by their errors. */
+/* Returns the sum of (residual / error)^2 over all measured rows, for friction mu. */
 static double squares_at(double mu, void *context)
 {
     struct fit *f = context;
@@ -141,8 +142,8 @@ static double squares_at(double mu, void *context)
 
 /* ---- Its minimum ---- */
 
-/* Finds the friction with the least sum of squares, with a scan and then Brent's method. Returns NaN if the
- * dominoes do not keep falling at any friction. */
+/* Finds the friction with the least sum of squares, by a scan from 0 to 3 and then Brent's method. Returns
+ * NaN if the dominoes do not keep falling at any friction. */
 static double friction_find(struct fit *f)
 {
     const double highest = 3, step = 0.02;
@@ -177,9 +178,9 @@ static double friction_find(struct fit *f)
 }
 
 /*
- * Returns the standard deviation of the friction, which follows from the errors of the speeds and from how
- * much the speeds change with friction. If the residuals are larger than the errors, or if no errors are
- * known, the residuals are used as errors.
+ * Returns the standard deviation of the fitted friction. It follows from the errors of the speeds and from
+ * the derivatives of the speeds with respect to friction. If the residuals are larger than the errors, or if
+ * no errors are known, the residuals are used in place of the errors.
  */
 static double uncertainty_of(struct fit *f, double mu)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of the commands that plan. */
+/* The table of the commands design, solve, watch, sensitivity, fit and assert. */
 #include "commands/planning/planning.h"
 #include "commands/tables.h"
 

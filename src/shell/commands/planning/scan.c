@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Searches for the values of a parameter at which an answer takes a value. */
+/* Finds the values of a parameter at which an answer is equal to a given value. */
 #include "commands/planning/planning.h"
 #include "interpreter/symbols.h"
 #include "language/quad.h"
@@ -9,7 +9,8 @@
 
 /* ---- Probes ---- */
 
-/* Asks whether the verdict of the command is true. */
+/* Runs the command, and sets *value to 1 if its verdict is true and to -1 if it is not. Returns false with a
+ * problem if there is no verdict. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)
 {
@@ -84,7 +85,8 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
         s->root[s->roots++] = (struct root){x, f + s->solve->value.value, branch};
 }
 
-/* Finds the root between two points of opposite sign with Brent's method. */
+/* Finds the root between two points at which f has opposite signs, with Brent's method. If f jumps over 0
+ * there, stores the jump instead. */
 static void root_between(struct scan *s, struct point a, struct point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -102,7 +104,8 @@ static void root_between(struct scan *s, struct point a, struct point b)
     }
     domq_real x = (domq_real)gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
-    /* At a jump over the value, the answer is far from the value on both sides. */
+    /* If the answer jumps over the value, it is far from the value even at the point that the solver found.
+     */
     domq_real f_at_x = quad(fabs)(scan_at(s, x)), rise = quad(fabs)(b.f - a.f),
               scale = quad_larger(quad(fabs)(s->solve->value.value), s->most.f - s->least.f);
     if (f_at_x > (domq_real)1e-6 * rise && f_at_x > (domq_real)1e-9 * scale)
@@ -126,8 +129,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Bisects to find where the predicate, which is true at `good` and false at `bad`, changes. Returns a point
- * at which it is true. */
+/* Finds by bisection where a predicate changes that is true at `good` and false at `bad`. Returns the point
+ * closest to the change at which the predicate is true. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
@@ -143,7 +146,7 @@ static void look_between(struct scan *s, struct point a, struct point b)
 {
     if (isnan(a.f) && isnan(b.f))
         return;
-    if (s->solve->verdict) { /* a verdict without an answer counts as false */
+    if (s->solve->verdict) { /* a point without a verdict counts as false */
         if (holds(a.f) != holds(b.f))
             root_add(s, edge_between(s, holds(a.f) ? a.x : b.x, holds(a.f) ? b.x : a.x, holds),
                      holds(a.f) ? "true up to here" : "true from here on");
@@ -154,7 +157,7 @@ static void look_between(struct scan *s, struct point a, struct point b)
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    if (a.f == 0 && b.f == 0) /* inside an interval of roots, only whose ends are listed */
+    if (a.f == 0 && b.f == 0) /* in an interval of roots, of which only the two ends are listed */
         return;
     if (a.f == 0)
         root_add(s, edge_between(s, a.x, b.x, is_zero), b.f > a.f ? "rising" : "falling");
@@ -164,8 +167,9 @@ static void look_between(struct scan *s, struct point a, struct point b)
         root_between(s, a, b);
 }
 
-/* If the middle one of three points is an extremum, searches for the exact extremum by golden sections, since
- * the answer may reach the value there without doing so at the points of the grid. */
+/* If the middle one of three neighbouring points is an extremum, refines it with a golden-section search,
+ * because the answer may cross the value between the points of the grid. If it does, finds the roots on both
+ * sides of the extremum. */
 static void look_around(struct scan *s, struct point a, struct point m, struct point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sensitivity: how much an answer changes with each parameter. */
+/* The command sensitivity, which shows how much an answer changes with each parameter. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "language/quad.h"
@@ -21,7 +21,7 @@ bool sensitivity_parse(struct reader *r, struct question *q)
     return q->parsed ? question_parse_any(r, q->parsed, true) : problem_error(r->problem, "out of memory");
 }
 
-/* How much a parameter changes the answer, if it is smaller or larger by a step. */
+/* How much the answer changes if a parameter is made smaller or larger by a step. */
 struct influence {
     const struct parameter *parameter;
     domq_real value, step, less, more;
@@ -45,7 +45,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the larger of the two changes, or -1 if neither exists. */
+/* Returns the size of the larger of the two changes, or -1 if neither exists. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -53,7 +53,7 @@ static domq_real size_of(const struct influence *i)
     return quad_larger(less, more);
 }
 
-/* Sorts the largest change first, then by name. */
+/* Compares two influences for qsort: the larger change comes first, and equal changes are sorted by name. */
 static int compare(const void *one, const void *other)
 {
     const struct influence *a = one, *b = other;
@@ -62,8 +62,8 @@ static int compare(const void *one, const void *other)
 }
 
 /*
- * Returns the relative change of the answer at another value of the parameter, or the absolute change if the
- * answer is 0 now. A change within the tolerance of the answers is taken as 0.
+ * Returns how much the answer differs from `now` at another value of the parameter: the relative change, or
+ * the absolute change if `now` is 0. A change of at most 10 times the tolerance is returned as 0.
  */
 static domq_real change(struct probe *p, domq_real value, domq_real now)
 {
@@ -72,7 +72,8 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Makes a sorted list of all parameters that can be varied. Returns false with a problem. */
+/* Makes a sorted list of all parameters that can be varied. Returns false with a problem after an interrupt.
+ */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* solve: the values of a parameter at which an answer takes a value, or at which a verdict changes. */
+/* The command solve, which finds the values of a parameter at which an answer is equal to a given value, or
+ * at which a verdict changes. The parser for the arguments of watch is also here. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include "session/parameters.h"
@@ -9,8 +10,8 @@
 
 /* ---- The question ---- */
 
-/* The range to search if none is given: values that occur in practice, since the whole range of a parameter
- * is too wide. */
+/* The range to search if the user gives none. It covers the values that occur in practice, because the whole
+ * range of a parameter is too wide. */
 static const struct usual_range {
     const char *name;
     double from, to;
@@ -30,7 +31,7 @@ const char *solve_names(const void *context, int k)
     return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
 }
 
-/* Returns how to write the command, for messages. */
+/* Returns examples of how to type the command, for messages. */
 static const char *form_of(const struct problem *problem)
 {
     return problem->command && strcmp(problem->command, "watch") == 0
@@ -91,7 +92,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
             problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem)));
 }
 
-/* Passes the ':'. Returns false with a problem if the command ends there. */
+/* Skips the ':'. Returns false with a problem if nothing follows. */
 static bool colon_pass(struct reader *r)
 {
     r->at = skip_blanks(r->at + 1);
@@ -100,7 +101,7 @@ static bool colon_pass(struct reader *r)
            problem_error(r->problem, "the answer is missing after ':'; the form is %s", form_of(r->problem));
 }
 
-/* Parses ": ANSWER = VALUE", or ": COMMAND" with a verdict. */
+/* Parses ": ANSWER = VALUE", or ": COMMAND" for a command that has a verdict. */
 bool solve_parse_answer(struct reader *r, struct question *q)
 {
     static const struct argument value_argument = {.name = "VALUE", .kind = ARGUMENT_ANY};
@@ -165,7 +166,7 @@ const struct column solve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes why the answer takes the value nowhere in the range. */
+/* Writes why the answer is nowhere in the range equal to the value. */
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
@@ -191,7 +192,8 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
                  value.text, range, name, quad_shown(s->jump).text);
 }
 
-/* Describes a problem if the answer and the value have different units, or if the answer is constant. */
+/* Returns false with a problem if the answer and the value have different units, or if the answer is
+ * constant. */
 static bool scan_check(const struct scan *s, struct problem *problem)
 {
     char is[64], wanted[64];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* watch: arrow keys change a parameter, and a point moves along the curve of the answer. The session changes
- * only if Enter is pressed. */
+/* The command watch. Arrow keys change a parameter, and a point moves along the curve of the answer. The
+ * session changes only if Enter is pressed. */
 #include "commands/planning/planning.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 enum {
-    STEPS = 200, /* small steps in the range */
-    COARSE = 5   /* small steps in a large step, and between two points of the curve */
+    STEPS = 200, /* number of small steps in the range */
+    COARSE = 5   /* number of small steps in a large step, and between two points of the curve */
 };
 
 struct watch {
@@ -24,7 +24,7 @@ struct watch {
     struct probe probe;
     double from, to;
     double curve[STEPS / COARSE + 1]; /* NaN where there is no answer */
-    double x;                         /* the parameter at the moving point */
+    double x;                         /* the value of the parameter at the moving point */
     int step;                         /* the nearest small step, 0 .. STEPS */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
 };
@@ -34,7 +34,8 @@ static double watch_x(const struct watch *w, int step)
     return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve, and places the point at the current value. Returns false with a problem. */
+/* Computes the curve, and puts the point at the current value of the parameter. Returns false with a problem
+ * if the curve has no points, or after an error or an interrupt. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
@@ -75,7 +76,7 @@ static void watch_draw(struct watch *w, FILE *out)
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);
-    if (height >= 8 && width >= 34) /* in a smaller window a chart has no room */
+    if (height >= 8 && width >= 34) /* a smaller window has no room for a chart */
         chart_text(&chart, look_of(out), width - 1, height - 3, out);
     fputs(width >= 72 ? "left, right: large steps  up, down: small ones  Enter keeps it  q leaves"
                       : "arrows move, Enter keeps, q leaves",
@@ -129,7 +130,8 @@ static void watch_run(struct watch *w, FILE *out)
     }
 }
 
-/* Describes a problem if nobody can press keys, or if the terminal cannot move its cursor. */
+/* Returns false with a problem if nobody is at a prompt to press keys, or if the terminal cannot move its
+ * cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;
@@ -141,7 +143,8 @@ static bool watch_possible(const struct session *session, struct problem *proble
                          "'sweep s 0.1 0.9 9 : rmax' lists the answers");
 }
 
-/* Switches the terminal to its alternate screen and to single keys, and back at the end. */
+/* Runs the command on the alternate screen of the terminal, with keys that are read at once and not echoed.
+ * Restores the terminal at the end. */
 static void watch_show(struct watch *w, FILE *out)
 {
     struct termios before, keys;
@@ -149,8 +152,8 @@ static void watch_show(struct watch *w, FILE *out)
         return;
     keys = before;
     keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
-    keys.c_cc[VSUSP] =
-        _POSIX_VDISABLE; /* ^Z is read as a key, so that the terminal is restored before the process stops */
+    /* ^Z is read as a key, so that the terminal is restored before the process stops. */
+    keys.c_cc[VSUSP] = _POSIX_VDISABLE;
     tcsetattr(STDIN_FILENO, TCSADRAIN, &keys);
     fputs("\033[?1049h\033[?25l", out); /* alternate screen, no cursor */
     watch_run(w, out);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The wishes of 'design', such as 'safety 2 hall 20 m minimise length', in any order. */
+/* Parses the wishes of 'design', such as 'safety 2 hall 20 m minimise length', which may be in any order. */
 #include "commands/planning/planning.h"
 
 enum wish { SAFETY, HALL, MINIMISE };

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot: curves, points and maps. */
+/* The command plot, and the table of all plots. */
 #include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
@@ -50,7 +50,7 @@ static const char *paper_names(const void *context, int k)
     return k == 0 ? "paper" : NULL;
 }
 
-/* What may follow the name of a plot. */
+/* The arguments that may follow the name of a plot. */
 static const struct argument answer_argument = {.name = "NAME",
                                                 .kind = ARGUMENT_CHOICE,
                                                 .of = "command with a tolerance",
@@ -62,8 +62,8 @@ static const struct argument answer_argument = {.name = "NAME",
                              rows_argument = {.name = "ROWS", .kind = ARGUMENT_COUNT},
                              grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
 
-/* The plots, in the order of completion. What an axis or a curve leaves out is 0, which clang would report.
- */
+/* The plots, in the order in which completion offers them. Members that an axis or a curve leaves out are 0
+ * on purpose, but clang would warn of them. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {
@@ -125,7 +125,7 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* Parses what follows the name of a plot. */
+/* Parses the arguments that follow the name of a plot. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -148,7 +148,8 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return !q->parsed || sweep_bind(q, query, given, problem);
 }
 
-/* Chooses the columns of a plot, in the order of its keys. The meaning of a column names its plots. */
+/* Chooses the columns of a plot, in the order of its keys. Of columns with the same key, takes the one whose
+ * meaning mentions the plot. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;
@@ -168,7 +169,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     const struct plot *plot = &plots[(int)query->given->number[0]];
     columns_choose(plot, a->copy);
     a->columns = a->copy;
-    a->style.errors = 0; /* a picture needs no bounds */
+    a->style.errors = 0; /* a picture shows no error bounds */
     return plot_draw(plot, query, a, problem);
 }
 

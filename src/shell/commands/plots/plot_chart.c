@@ -9,7 +9,8 @@
 
 /* ---- The rows as numbers ---- */
 
-/* A format of answers: the keys of the columns, and then each row as a struct plot_row. */
+/* The functions of a binary output format: first the keys of the columns, and then each row as a struct
+ * plot_row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     char key[ANSWER_COLUMNS][sizeof((struct plot_rows *)0)->key[0]] = {{""}};
@@ -43,7 +44,7 @@ int plot_column(const struct plot_rows *rows, const char *key)
     return -1;
 }
 
-/* Runs a plot, and reads its rows, which are in *text. The caller frees *text. */
+/* Runs a plot and collects its rows. rows->row points into *text, which the caller frees. */
 static bool rows_read(const struct plot *plot, const struct query *query, const struct answer *a,
                       struct chart *chart, struct problem *problem, char **text, struct plot_rows *rows)
 {
@@ -67,7 +68,8 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
 
 /* ---- Axes and curves ---- */
 
-/* Writes the label of an axis with its unit. Returns the size of this unit in that of the column. */
+/* Writes the label of an axis with a unit that suits the largest number on it. Returns the size of this unit,
+ * measured in the unit of the column. */
 static double axis_label(struct chart_axis *to, const struct plot_axis *axis, const struct answer *a,
                          double largest)
 {
@@ -80,7 +82,7 @@ static double axis_label(struct chart_axis *to, const struct plot_axis *axis, co
         struct axis_unit chosen = axis->percent ? (struct axis_unit){"%", 0.01} : measure_axis(largest);
         unit = chosen.name;
         size = chosen.size;
-    } else if (*unit && column_is_angle(c)) { /* the numbers are in this unit already */
+    } else if (*unit && column_is_angle(c)) { /* the numbers are already in this unit */
         over = unit + strlen("rad");
         unit = style_angle_unit(&a->style);
     }
@@ -89,7 +91,7 @@ static double axis_label(struct chart_axis *to, const struct plot_axis *axis, co
     return size;
 }
 
-/* Fills the curves of the table with the points of the rows. */
+/* Adds the points of the rows to the curves that the table of the plot defines. */
 static void curves_fill(const struct plot *plot, const struct plot_rows *rows, struct chart *chart)
 {
     for (int k = 0; k < PLOT_CURVES && plot->curve[k].title; k++) {

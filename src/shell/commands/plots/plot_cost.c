@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot cost: the error of an answer over its time, with a line for each method and precision. */
+/* plot cost: the error of an answer against the time that it takes, with a curve for each method and
+ * precision. */
 #include "commands/cost.h"
 #include "commands/plots/plots.h"
 #include "language/quad.h"
 
-/* Adds the curve of a method and precision, which looks the same in every picture. */
+/* Adds a curve for the method and precision of a row. Its colour and style are the same in every chart. */
 static struct chart_curve *curve_add(struct chart *chart, const struct cost_row *row)
 {
     static const enum ink inks[] = {INK_SKY, INK_BLUE, INK_PURPLE};
@@ -30,7 +31,8 @@ static void cost_chart(const struct query *query, const char *name, const struct
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++) {
         if (!curve || row->method != row[-1].method || row->precision != row[-1].precision)
             curve = curve_add(chart, row);
-        /* 0 has no logarithm, and an error below the unit roundoff of its precision is not known. */
+        /* An error of 0 has no logarithm, and an error below the unit roundoff of the precision has no
+         * meaning. */
         double least = domq_arithmetic(row->precision)->epsilon / 4;
         if (row->status == DOM_OK)
             chart_point(chart, curve, row->seconds, (double)quad_larger(row->error, (domq_real)least));
@@ -45,7 +47,7 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
                              "'plot cost' needs the NAME of an answer: fuel, launch, barrier, duration, "
                              "rmax or pair");
     int which = (int)query->given->number[1];
-    if (!chart) { /* the rows are those of the command 'cost' */
+    if (!chart) { /* programs get the rows of the command 'cost' */
         const struct command *command = command_find("cost");
         const struct arguments given = {.count = 1, .number = {query->given->number[1]}};
         struct query asked = *query;

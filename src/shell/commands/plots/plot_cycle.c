@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot energy, omega, inertia, chain: one cycle of the train, over the tilt of its head. */
+/* plot energy, omega, inertia and chain: one cycle of the train, plotted against the tilt of its head. */
 #include "commands/plots/plots.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
@@ -8,19 +8,20 @@
 
 enum { STEPS = 160 };
 
-/* For a train that stops the picture ends at this multiple of the tilt where it stops, to show the barrier.
+/* If the train stops, the chart extends to this multiple of the tilt at which it stops, to show the barrier.
  */
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
-#define LINES_APART ((domq_real)2 / 100) /* a line that begins this share of theta_f from it is left out */
+/* A line is left out if it begins closer to theta_f than this fraction of theta_f. */
+#define LINES_APART ((domq_real)2 / 100)
 
 struct cycle {
     const struct query *query;
     struct domq_event event[DOM_EVENTS_MAX];
     int events;
     struct domq_angles angles;
-    domq_real end; /* the largest tilt of the picture */
+    domq_real end; /* the largest tilt of the head in the chart */
 };
 
 /* The tilts of the first dominoes at one tilt of the head. */
@@ -58,7 +59,8 @@ static bool tilts_link(const struct domq_link *link, void *context)
     return t->count < LINES;
 }
 
-/* Finds the tilts. A domino that is too light to matter, or has detached, has theta_f. */
+/* Finds the tilts of the first dominoes. A domino that is too light to matter, or that has detached, gets the
+ * tilt theta_f. */
 static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct tilts *t)
 {
     const struct scene *scene = c->query->scene;
@@ -69,7 +71,8 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the dominoes of 'plot chain': those whose tilts can be told from theta_f at the launch. */
+/* Counts the dominoes that 'plot chain' shows: those whose tilt at the launch can be told apart from theta_f.
+ */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;
@@ -81,7 +84,8 @@ static enum dom_status lines_count(const struct cycle *c, int *lines)
     return status;
 }
 
-/* Writes a row with the cells for which the plot has columns. */
+/* A cell and the key of its column. keyed_write writes a row of those cells for which the plot has a column.
+ */
 struct keyed {
     const char *key;
     struct cell cell;
@@ -96,7 +100,8 @@ static void keyed_write(struct answer *a, const struct keyed *cells, int count)
     answer_row(a, row, NULL);
 }
 
-/* Writes the rows at one tilt, one for each line. `event` is what happens at this tilt, or NULL. */
+/* Writes the rows at one tilt of the head, one for each line of the chart. `event` is the event at this tilt,
+ * or NULL if there is none. */
 static enum dom_status sample_write(const struct cycle *c, const struct domq_event *event, domq_real theta,
                                     int lines, struct answer *a)
 {
@@ -128,7 +133,7 @@ static enum dom_status sample_write(const struct cycle *c, const struct domq_eve
     return status;
 }
 
-/* Writes the rows at tilts equally far apart, and at the events between them. */
+/* Writes the rows at evenly spaced tilts of the head, and at the events between them. */
 static enum dom_status samples_write(const struct cycle *c, int lines, struct answer *a)
 {
     enum dom_status status = DOM_OK;
@@ -144,7 +149,8 @@ static enum dom_status samples_write(const struct cycle *c, int lines, struct an
     return status;
 }
 
-/* Answers with the rows. The chart gets the train in its title, and a line with a name for each event. */
+/* Writes the rows of a plot. If there is a chart, adds the parameters of the train to its title, and a line
+ * with a label for each event. */
 static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct chart *chart,
                        struct problem *problem)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot growth, plot marginal: the largest growth over the separation. */
+/* plot growth and plot marginal: the largest growth, plotted against the separation. */
 #include "commands/plots/plots.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -8,20 +8,21 @@ enum { SAMPLES = 193, LIMITS = 4 };
 #define S_LOW  ((domq_real)2 / 100)
 #define S_STEP ((domq_real)5 / 1000)
 
-/* The train, or the pair, whose largest growth is in a column. */
+/* A train or a pair of dominoes, whose largest growth fills one column. */
 struct limit {
     double q;
     bool pair;
     enum dom_fuel fuel;
 };
 
-/* The limits with the paper's fuel come last, since they are left out without 'paper'. */
+/* The limits with the paper's fuel come last, because only 'plot growth paper' shows them. */
 static const struct limit growth_limits[LIMITS] = {
     {.q = 4}, {.q = 3}, {.q = 4, .fuel = DOM_FUEL_PAPER}, {.q = 3, .fuel = DOM_FUEL_PAPER}};
 static const struct limit marginal_limits[LIMITS] = {
     {.q = 4, .pair = true}, {.q = 4}, {.q = 3, .pair = true}, {.q = 3}};
 
-/* Finds the largest growth. It is NaN if the train stops even with r = 1. */
+/* Finds the largest growth at separation s. Sets *r to NaN if even equal dominoes stop, or if the paper's
+ * fuel does not cover an effect that is on. */
 static enum dom_status limit_find(const struct query *query, const struct limit *of, domq_real s,
                                   domq_real *r)
 {
@@ -33,7 +34,8 @@ static enum dom_status limit_find(const struct query *query, const struct limit 
     train.q = (domq_real)of->q;
     train.fuel = of->fuel;
     *r = DOMQ_NAN;
-    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER) /* the closed form has no friction or slope */
+    /* The paper's formula for the fuel covers neither friction nor slopes nor rounded edges. */
+    if (domq_dynamics(&train) && train.fuel == DOM_FUEL_PAPER)
         return DOM_OK;
     enum dom_status status =
         of->pair ? domq_limit_pair(&train, compute, &limit) : domq_limit_rmax(&train, compute, &limit);
@@ -48,7 +50,8 @@ static domq_real reach_at(struct domq_train train, domq_real s)
     return domq_train_reach(&train);
 }
 
-/* Completes the chart. Its top includes the growth of the session, unless that is far above all curves. */
+/* Completes the chart. The vertical axis includes the growth of the session, unless this growth is far above
+ * all curves. */
 static void limits_chart(const struct domq_train *t, double top, struct chart *chart)
 {
     double r = (double)t->r;

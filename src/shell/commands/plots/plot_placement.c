@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot placement: the probability that the whole row falls, over the errors of its gaps. */
+/* plot placement: the probability that the whole row falls, plotted against the random errors of its gaps. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -10,8 +10,8 @@
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
 /*
- * Finds the largest error of the picture: well beyond that at which half of the rows fall, and that of the
- * session. A few rows are enough to find it roughly.
+ * Finds the largest standard deviation in the chart: well above the one at which half of the rows fall, and
+ * above `now`, that of the session, unless it is NaN. A rough result, from a few random rows, is enough.
  */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot fall, speed, gaps: what happens along the row, and how far its gaps may be off. */
+/* plot fall, speed and gaps: the energies and speeds along the row, and how far its gaps may be off. */
 #include "commands/plots/plots.h"
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes how the row ends. */
+/* Writes how the row ends into the note of the chart. */
 static void end_note(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
@@ -25,15 +25,17 @@ static void end_note(const struct row_run *run, struct chart *chart)
 
 /* ---- Energy to spare ---- */
 
-/* Returns the energy that a domino has to spare, as a share of its barrier. Returns NaN for a domino that
- * needs no energy, and for a first one that is tipped over its edge, and so has just what it needs. */
+/* Returns the spare energy of the domino in run->fall[i], divided by its barrier. Returns NaN for a domino
+ * that needs no energy, and for a first domino that was tipped over its edge, which has exactly the energy
+ * that it needs. */
 static double spare_of(const struct row_run *run, size_t i)
 {
     const struct domq_fall *f = &run->fall[i];
     return row_run_tipped(run, i) || !(f->barrier > 0) ? (double)NAN : (double)(f->margin / f->barrier);
 }
 
-/* Sets the ends of the axes. The axis of energies begins at a power of ten below the least energy. */
+/* Sets the ends of the axes. The axis of energies is logarithmic, and begins at a power of ten below the
+ * least spare energy. */
 static void fall_axes(const struct row_run *run, struct chart *chart)
 {
     double least = HUGE_VAL, most = 0;
@@ -111,7 +113,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
 
 /* ---- Speed of the front ---- */
 
-/* Returns the speed from the hit of a domino to the hit of the next one, or NaN for the last. */
+/* Returns the speed of the front from hit i to the next hit, or NaN if hit i is the last one. */
 static double speed_of(const struct row_run *run, size_t i)
 {
     size_t next = run->fall[i].domino; /* the index of the next domino */
@@ -168,14 +170,16 @@ bool plot_speed(const struct query *query, struct answer *a, struct chart *chart
 
 /* ---- Windows of the gaps ---- */
 
-/* Returns how far a gap is from the nearest end of its window, or infinity where it has none. */
+/* Returns how far a gap is from the nearest end of its window, the range in which all dominoes fall. Returns
+ * infinity if the gap has no window. */
 static double window_room(const struct domq_window *w)
 {
     double room = fmin(fabs((double)(w->low - w->now)), fabs((double)(w->high - w->now)));
     return isnan(room) ? HUGE_VAL : room;
 }
 
-/* Says which gap must be kept most precisely, or which change saves the row. */
+/* Writes into the note of the chart which gap must be kept most precisely or, if the row does not fall, which
+ * change saves it. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

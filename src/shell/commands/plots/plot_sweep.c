@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * plot sweep: one number of any answer over one or two parameters. One parameter gives a curve. A second one
- * gives a curve for each of its values if there are few, else a map.
+ * plot sweep: one number of any answer, plotted against one or two parameters. One parameter gives a curve.
+ * Two parameters give a curve for each value of one of them if these values are few, and a map otherwise.
  */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { FAMILY = 6 /* the most curves */, AXES = 2 };
+enum { FAMILY = 6 /* the largest number of curves */, AXES = 2 };
 
 struct points {
     const struct plot_rows *rows;
     struct sweep_shape shape;
-    int column;  /* the column that is shown */
+    int column;  /* index of the column that is plotted */
     size_t none; /* the number of points without an answer */
 };
 
@@ -22,8 +22,8 @@ static double value_at(const struct points *p, size_t k)
     return p->rows->row[k].number[p->column];
 }
 
-/* Returns the column that is shown: the value that the command has in expressions, or else its first number.
- */
+/* Returns the index of the column to plot: the number that the command stands for in expressions or, if it
+ * has none, its first number. */
 static int column_find(const struct points *p)
 {
     const struct command *c = p->shape.command;
@@ -39,7 +39,7 @@ static int column_find(const struct points *p)
 static void axis_label(const struct axis *a, struct chart_axis *to)
 {
     const char *unit = a->parameter->value->unit;
-    /* The unit h is not named: the meaning of such a parameter says that it is a ratio. */
+    /* The unit h is left out, because the meaning of a parameter in this unit says that it is a ratio. */
     bool shown = *unit && strcmp(unit, "h") != 0;
     snprintf(to->label, sizeof to->label, "%s, %s%s%s", a->parameter->name, parameter_meaning(a->parameter),
              shown ? ", in " : "", shown ? unit : "");
@@ -58,7 +58,8 @@ static void value_label(const struct query *query, const struct points *p, char 
     snprintf(label, size, "%s%s%s", expression ? p->shape.typed : key, *unit ? " in " : "", unit);
 }
 
-/* Returns true if the values of an axis, or their logarithms, are evenly spaced, as a map needs them. */
+/* Returns true if the values of an axis are evenly spaced, as a map needs them. On a logarithmic axis,
+ * compares their logarithms. */
 static bool is_even(const struct points *p, int axis)
 {
     const struct axis *a = &p->shape.grid->axis[axis];
@@ -74,7 +75,8 @@ static bool is_even(const struct points *p, int axis)
     return a->count > 1;
 }
 
-/* Draws curves over one axis: a curve for each value of the other axis if there are two. */
+/* Draws curves along the axis with index `over`. If there is another axis, draws a curve for each of its
+ * values. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
     static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
@@ -106,7 +108,7 @@ static void map_draw(struct chart *chart, const struct points *p)
     chart->failed = chart->failed || !value;
     for (size_t k = 0; k < p->rows->count && value; k++) {
         size_t i = k / cells[1], j = k % cells[1];
-        i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* the grid may go down */
+        i = first->number[0] > last->number[0] ? cells[0] - 1 - i : i; /* values may descend */
         j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
         value[j * cells[0] + i] = value_at(p, k);
     }

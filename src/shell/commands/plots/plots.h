@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The pictures of 'plot'. A plot is a function that writes rows, and a table of labels and curves. Programs
- * get the rows as csv or json; for people plot_draw reads the same rows, and draws a chart of them.
+ * The plots of the command 'plot'. A plot has a function that writes rows of data, and a table of labels and
+ * curves. Programs get the rows as csv or json. For people, plot_draw draws a chart of the same rows.
  */
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H
@@ -10,9 +10,9 @@
 #include "picture/show.h"
 
 /*
- * Writes the rows of a plot. For people `chart` is the chart in which plot_draw will put the rows: the
- * function adds what only it knows, such as a note, and points of its own. For programs `chart` is NULL.
- * Returns false after describing a problem.
+ * Writes the rows of a plot. For people, `chart` is the chart to which plot_draw will add the rows; the
+ * function itself adds everything that is not in the rows, such as a note or additional points. For programs,
+ * `chart` is NULL. If the function fails, it sets *problem and returns false.
  */
 typedef bool plot_run(const struct query *query, struct answer *a, struct chart *chart,
                       struct problem *problem);
@@ -23,7 +23,7 @@ plot_run plot_fall, plot_speed, plot_gaps;
 plot_run plot_placement;
 plot_run plot_sweep_rows;
 
-/* The rows of an answer as numbers. */
+/* The rows of a plot as numbers. */
 struct plot_rows {
     char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
     struct plot_row {
@@ -37,18 +37,21 @@ struct plot_rows {
 int plot_column(const struct plot_rows *rows, const char *key);
 
 struct plot_axis {
-    const char *key;   /* the column with the unit of the axis, and with x; NULL for a pure number */
-    const char *label; /* to which "in" and the unit are added */
-    bool percent;
+    /* The column that gives the unit and, for the x axis, the values. A NULL key on the y axis means plain
+     * numbers. */
+    const char *key;
+    const char *label; /* the label without "in" and the unit, which are appended */
+    bool percent;      /* show the numbers in percent */
 };
 
-/* A curve through the column `key`. Ranges end at the columns "low" and "high". */
+/* A curve that shows the column `key`. If it shows ranges, they extend from the column "low" to the column
+ * "high". */
 struct plot_curve {
     const char *key, *title;
     enum chart_kind kind;
     enum ink ink;
     int dash;
-    int series; /* unless 0, the curve takes the rows whose first number is one less than this */
+    int series; /* if not 0, the curve shows only rows whose first number is series - 1 */
 };
 
 enum { PLOT_CURVES = 5 };
@@ -56,20 +59,21 @@ enum { PLOT_CURVES = 5 };
 struct plot {
     const char *name;
     plot_run *run;
-    const char *keys; /* the columns of its data */
+    const char *keys; /* the keys of its columns, with blanks between them */
     const char *title;
-    struct plot_axis x, y;                /* without a key of x, the function makes the curves itself */
+    struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
     struct plot_curve curve[PLOT_CURVES]; /* ends with a NULL title if there are fewer */
-    /* Unless NULL, makes the chart of the rows in place of the axes and curves above. */
+    /* If not NULL, this function draws the rows, and the axes and curves above are not used. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);
-    const struct argument *argument; /* what may follow its name, or NULL */
+    const struct argument *argument; /* the argument that may follow its name, or NULL */
 };
 
-/* Answers with the rows of a plot, or draws them for people. */
+/* Writes the rows of a plot for programs, or draws a chart of them for people. */
 bool plot_draw(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem);
 
-/* Draws a sweep. Its arguments are those of 'sweep' or of 'plot sweep'. */
+/* plot_sweep draws a sweep that was typed as 'sweep' or as 'plot sweep'. plot_sweep_draw makes the chart of
+ * its rows. */
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem);
 bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                      struct problem *problem);
