@@ -54,32 +54,34 @@ static const struct option options[] = {
     {NULL, 0, NULL, 0},
 };
 
-/* With '-', getopt returns a FILE as option 1, in its place among the options. */
+/* The leading '-' makes getopt return each FILE as option 1, in the order of the command line. */
 static const char short_options[] = "-e:f:nhV";
 
-/* What the options ask for. */
+/* What the options request. */
 struct plan {
     bool init, prompt, sources;
-    bool keep_going; /* go on after an error in -e, -f and FILE */
+    bool keep_going; /* continue after an error in -e, -f and FILE */
 };
 
 /* ---- Signals: a script that is ended first writes what it has found ---- */
 
-/* The number of the signal that ends the command that runs, and of the signal that ends the whole script. */
+/* `interrupted` is the number of the signal that ends the running command, and `ended` that of the signal
+ * that ends the whole script. Both are 0 before a signal. */
 static volatile sig_atomic_t interrupted, ended;
 
-/* SIGINT ends only the command. */
+/* True after --interruptible: SIGINT ends only the running command. */
 static bool is_interruptible;
 
 static void on_signal(int number)
 {
-    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads read it: see dom_raised */
+    __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* other threads read this in dom_raised */
     if (number != SIGINT || !is_interruptible)
         ended = number;
 }
 
-/* Installs the handler.  After a signal that ends the script, a second one ends the program at once.  Signals
- * that the caller ignores stay ignored. */
+/* Installs the signal handler. After a first signal that ends the script, a second signal ends the program at
+ * once. A signal that the caller of the program ignores stays ignored, except SIGINT after --interruptible.
+ */
 static void signals_begin(struct session *session)
 {
     static const int all[] = {SIGINT, SIGTERM, SIGHUP};
@@ -96,7 +98,8 @@ static void signals_begin(struct session *session)
 
 /* ---- Options ---- */
 
-/* Reads "2/7".  Writes a message and returns false for anything else. */
+/* Reads the argument of --shard, such as "2/7". Returns false with a message if the text has another form or
+ * the numbers are out of range. */
 static bool shard_read(const char *text, struct shard *shard)
 {
     enum { PARTS_MAX = 1000000000 };
@@ -112,12 +115,13 @@ static bool shard_read(const char *text, struct shard *shard)
     return false;
 }
 
-/* Reads all options before the first command runs.  Writes a message and returns false if one is wrong. */
+/* Reads all options before the first command runs. Prints a message and returns false if an option is
+ * wrong. */
 static bool options_check(int argc, char **argv, struct session *session, struct plan *plan)
 {
     int option;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
-        if (option == 'b' || option == 'k') { /* the last of them counts */
+        if (option == 'b' || option == 'k') { /* if both are given, the last one counts */
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }
@@ -184,14 +188,14 @@ static void run_sources(int argc, char **argv, struct session *session)
         run_file(session, argv[optind]); /* files after "--" */
 }
 
-/* Runs the start-up file, which is only for people, so that scripts do not depend on it. */
+/* Runs the start-up file. This happens only at the prompt, so that scripts do not depend on the file. */
 static void run_init(struct session *session)
 {
     char path[PATH_MAX];
     struct stat status;
     if (!line_path("XDG_CONFIG_HOME", ".config", "init.dom", path, sizeof path) || stat(path, &status) != 0)
         return;
-    if (S_ISFIFO(status.st_mode)) /* reading it might wait for ever */
+    if (S_ISFIFO(status.st_mode)) /* reading a FIFO might block for ever */
         session_error(session, "domino: the start-up file %s is not a regular file", path);
     else
         run_file(session, path);
@@ -199,7 +203,7 @@ static void run_init(struct session *session)
 
 /* ---- The end ---- */
 
-/* Returns true if standard output is a pipe without a reader. */
+/* Returns true if standard output is a pipe whose reader has gone. */
 static bool reader_gone(void)
 {
     struct pollfd out = {.fd = STDOUT_FILENO};
@@ -208,9 +212,9 @@ static bool reader_gone(void)
            (out.revents & POLLERR) != 0;
 }
 
-/* Closes standard output, where buffered text may fail to be written only now.  Returns false with a message
- * if text was lost.  If the reader has gone, as in 'domino | head', the program ends by SIGPIPE instead,
- * unless the caller ignores that. */
+/* Closes standard output, and so detects errors in writing the last buffered text. Returns false with a
+ * message if any output was lost. If the reader of a pipe has gone, as in 'domino | head', the program ends
+ * by SIGPIPE instead, unless its caller ignores this signal. */
 static bool output_close(const struct output *standard, bool ignores_pipe)
 {
     errno = 0;
@@ -233,7 +237,8 @@ int main(int argc, char **argv)
     struct session session;
     struct plan plan = {.init = true};
     io_begin();
-    /* A pipe without a reader and a limit of file size become errors of write(2), which are reported. */
+    /* With these signals ignored, a pipe without a reader and an exceeded file size limit become errors of
+     * write(2), which are reported. */
     bool ignores_pipe = signal(SIGPIPE, SIG_IGN) == SIG_IGN;
     signal(SIGXFSZ, SIG_IGN);
     command_registry(all_commands);
@@ -246,11 +251,12 @@ int main(int argc, char **argv)
     if (plan.prompt && plan.init)
         run_init(&session);
     if (plan.sources) {
-        session.bail = !plan.keep_going; /* after an error, commands might answer for another scene */
+        /* After an error, later commands might compute answers for the wrong scene. */
+        session.bail = !plan.keep_going;
         run_sources(argc, argv, &session);
     } else if (plan.prompt && !is_over(&session)) {
         line_prompt(&session);
-        session.errors = 0; /* the user has seen them */
+        session.errors = 0; /* the user has already seen the errors, which do not affect the exit status */
     } else if (!is_over(&session))
         run_file(&session, "-");
     session_close(&session);

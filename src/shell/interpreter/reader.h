@@ -21,8 +21,8 @@ struct offer {
     int lists; /* number of lists in which a name at the cursor would be looked up */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    /* The argument whose expression is at the cursor. Its kind is ARGUMENT_NONE if there is no such argument.
-     */
+    /* The argument whose expression is at the cursor. Its kind is ARGUMENT_NONE if there is no such
+     * argument. */
     struct argument value;
     bool is_inside;                    /* The expression begins before the cursor. */
     unsigned kinds;                    /* bits of enum offer_kind */

@@ -20,8 +20,8 @@ fail(struct resolver *r, const struct tree *t, const char *format, ...)
     return -1;
 }
 
-/* Turns a node into a symbol. Returns 0, which is the height of the children if the symbol has no arguments.
- */
+/* Turns a node into a symbol. Returns 0, which is the height of the children if the symbol has no
+ * arguments. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * An arena: pieces of memory that are freed together. What a command is parsed into lives in an arena until
- * the command has run. `struct arena arena = {.block = NULL}` is an empty arena.
- */
+/* An arena: pieces of memory that are freed together. The result of parsing a command lives in an arena until
+ * the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 
@@ -10,16 +8,17 @@
 
 struct arena {
     struct arena_block *block; /* a linked list; the block at its head is the one in use */
-    size_t used, size;         /* of that block, in bytes */
+    size_t used, size;         /* used bytes and size in bytes of the block that is in use */
 };
 
 /* Returns zeroed memory that is aligned for any type, or NULL if there is no memory. */
 void *arena_take(struct arena *arena, size_t size);
 
-/* Returns a copy of a text, which ends after `length` bytes, or NULL if there is no memory. */
+/* Returns a copy of the first `length` bytes of a text, terminated by a NUL byte. Returns NULL if there is no
+ * memory. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 
-/* Frees all that was taken. The arena is then empty, and can be used again. */
+/* Frees all memory of the arena. The arena is then empty, and can be used again. */
 void arena_free(struct arena *arena);
 
 #endif

@@ -15,7 +15,8 @@ bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, .
     va_start(arguments, format);
     vsnprintf(file->problem.text, sizeof file->problem.text, format, arguments);
     va_end(arguments);
-    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1}; /* an empty file has no line */
+    /* In an empty file, no record has a position. */
+    file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1};
     return false;
 }
 
@@ -24,7 +25,7 @@ const char *csv_separator_name(const struct csv_file *file)
     return file->separator == ';' ? "';'" : file->separator == ',' ? "','" : "tab";
 }
 
-/* Removes the byte order mark, and replaces all line ends by '\n'. */
+/* Removes a byte order mark, and replaces all line ends by '\n'. */
 static void text_unify(char *text)
 {
     char *to = text, before = '\0';
@@ -63,7 +64,7 @@ bool csv_load(struct csv_file *file, FILE *in)
 
 /* ---- Cells ---- */
 
-/* Moves to the next character. */
+/* Moves to the next character, and keeps track of the line and column. */
 static void advance(struct csv_file *file)
 {
     char c = *file->next++;
@@ -79,13 +80,14 @@ static void skip_cell_blanks(struct csv_file *file)
         advance(file);
 }
 
-/* Returns true at the end of a line, and where a comment begins. */
+/* Returns true at the end of a line, or if a comment begins here. */
 static bool at_end(const struct csv_file *file)
 {
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell, and its separator or the rest of the line. *more tells whether another cell follows. */
+/* Reads a cell and the separator after it, or the remainder of the line. Sets *more to true if another cell
+ * follows. Returns false with a problem. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);
@@ -122,8 +124,9 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 }
 
 /*
- * Finds the separator. A line "sep=;" above the first line names it, and is skipped. Otherwise it is ';' if
- * the first line has one, or else a comma, unless a tab is directly between two names.
+ * Finds the separator. A line such as "sep=;" above the first line names the separator, and is skipped.
+ * Otherwise the separator is ';' if the first line has one, or else a comma, unless the first tab stands
+ * directly between two names.
  */
 static void separator_find(struct csv_file *file)
 {

@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Splits csv files, as people and spreadsheets write them, into lines and cells; csv_table.h knows what the
- * cells mean.
+ * Splits csv files, as people and spreadsheets write them, into lines and cells. csv_table.h interprets the
+ * cells. Cells are separated by ',', ';' or tabs. The first line, or a line "sep=;" above it, shows which of
+ * these a file uses. A cell between quotes may contain separators and line ends, and '""' stands for a quote
+ * there. Lines end with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a cell are skipped.
+ * A comment begins with a '#' at the beginning of a line or after a blank.
  *
- * Cells are separated by ',', ';' or tabs. The first line shows by which of them, or a line "sep=;" above it.
- * A cell between quotes may contain separators and line ends, and '""' stands for a quote there. Lines end
- * with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a cell are skipped. A comment begins
- * with a
- * '#' at the beginning of a line or after a blank.
- *
- * Numbers have a decimal point or a decimal comma. "1,234" might also be 1234. It is a decimal number if ';'
- * separates the cells, if the locale has decimal commas, or if another number in the file can only have a
- * decimal comma. Otherwise it is an error, as is "1.234" in a file with decimal commas.
+ * Numbers have a decimal point or a decimal comma. "1,234" might also mean 1234. It is read as a decimal
+ * number if the cells are separated by ';', if the locale has decimal commas, or if another number in the
+ * file can only be read with a decimal comma. Otherwise it is an error. So is "1.234" in a file with decimal
+ * commas.
  */
 #ifndef SHELL_CSV_H
 #define SHELL_CSV_H
@@ -20,10 +18,11 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The most cells of a line, bytes of a line with its line end, and bytes of a file. */
+/* The maximum number of cells in a line, of bytes in a line including its line end, and of bytes in a
+ * file. */
 enum { CSV_CELLS_MOST = 76, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
-/* A place in a file: a line and a character of that line, from 1. */
+/* A position in a file: the number of the line, and of the character in that line, both from 1. */
 struct csv_place {
     long line;
     int column;
@@ -35,7 +34,7 @@ struct csv_cell {
     bool is_quoted;
 };
 
-/* A line of cells, which takes several lines of the file if quotes contain line ends. */
+/* A line of cells. It spans several lines of the file if a quoted cell contains line ends. */
 struct csv_record {
     struct csv_cell cell[CSV_CELLS_MOST];
     int cells;
@@ -49,41 +48,45 @@ struct csv_file {
     } problem;
     char *text;
     char *next;            /* the first character of the text that has not been read */
-    struct csv_place at;   /* the place of that character */
-    bool after_blank;      /* a blank or a line end is before that character */
-    const char *cut_short; /* why the text is not the whole file; NULL if it is */
+    struct csv_place at;   /* the position of the character at `next` */
+    bool after_blank;      /* the character before `next` is a blank or a line end */
+    const char *cut_short; /* the reason why `text` does not have the whole file; NULL if it does */
     char separator;        /* 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
-    /* What the numbers so far show about decimal points and decimal commas. */
+    /* What the numbers that have been read so far reveal about decimal points and decimal commas. */
     struct csv_mark {
         bool is_used;
-        bool is_clear;            /* in some number this mark can only be the decimal mark */
-        struct csv_place at;      /* the first number where it might separate thousands; its line may be 0 */
+        /* At least one number can be read in only one way, with this mark as its decimal mark. */
+        bool is_clear;
+        /* The position of the first number in which the mark might separate thousands. The line is 0 if there
+         * is no such number. */
+        struct csv_place at;
         char before[4], after[4]; /* the digits of that number */
     } point, comma;
 };
 
-/* Describes a problem. Returns false. */
+/* Sets the message and position of the file's problem. Returns false. */
 bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Reads the text of a file, which the caller frees. Returns false with a problem. */
+/* Reads a whole file into file->text, which the caller frees. Returns false with a problem. */
 bool csv_load(struct csv_file *file, FILE *in);
 
 /* Reads the next record that is not empty. Returns false at the end of the file, or with a problem. */
 bool csv_read(struct csv_file *file, struct csv_record *record);
 
-/* Returns the name of the separator in messages: "','", "';'" or "tab". */
+/* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Replaces decimal commas in the text of a cell by points. Returns false with a problem. */
+/* Replaces decimal commas in the text of a cell by points, and notes which decimal marks the cell uses. `at`
+ * is the position of the cell. Returns false with a problem. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* After the last number: returns false, and describes the problem, if a number has two meanings. */
+/* Call this after the last number. Returns false, with a problem, if a number can be read in two ways. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell, between quotes if it has one of the characters `quoted`. Escapes control characters except
- * line ends and tabs. */
+/* Writes a cell, between quotes if it contains any of the characters in `quoted`. Escapes control characters
+ * except line ends and tabs. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -23,14 +23,14 @@ static bool is_empty(const char *text)
 
 enum { UNIT = 32 };
 
-/* Copies the unit from "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
+/* Copies the unit from a text such as "mm", "(mm)" or "[mm]". Returns false if the text is not a unit. */
 static bool unit_copy(const char *text, char unit[UNIT])
 {
     const char *begin = text + strspn(text, " \t(["), *end = begin + strcspn(begin, " \t)]");
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* the sign for a cube has two bytes, as "^3" has */
+    if (cube) { /* the sign has two bytes in UTF-8, just as "^3" has */
         cube[0] = '^';
         cube[1] = '3';
     }
@@ -56,7 +56,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     return true;
 }
 
-/* Reads the line below the names, which may have the units, or be the first row. */
+/* Reads the line below the names. This line may contain the units; otherwise it is the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -82,7 +82,7 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Returns true if a list such as "spacing,distance" has this name. */
+/* Returns true if the name is in a list such as "spacing,distance". */
 static bool is_among(const char *list, const char *name)
 {
     size_t length = strlen(name);
@@ -94,8 +94,8 @@ static bool is_among(const char *list, const char *name)
     return false;
 }
 
-/* Copies the name of a column in lower case. Returns the unit, which follows a bracket or a comma, or is the
- * last word. */
+/* Splits the text above a column into a name and a unit. The unit follows a bracket or a comma, or is the
+ * last word. Copies the name in lower case, and returns the beginning of the unit. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
@@ -152,7 +152,7 @@ static bool head_read(struct csv_table *csv)
     int others = 0;
     bool good = true;
     if (!csv_read(&csv->file, &csv->head))
-        return !*csv->file.problem.text; /* csv_next describes that the file is empty */
+        return !*csv->file.problem.text; /* an empty file is not an error yet: csv_next reports it */
     if (csv->head.cells == 1)
         return csv_wrong(&csv->file, csv->head.at,
                          "there is only one column; the first line names %s, separated by ',', ';' or tabs",
@@ -172,7 +172,7 @@ static bool head_read(struct csv_table *csv)
         others += csv->other[i];
         text_free(&text);
     }
-    if (good && others > CSV_OTHERS_MOST) /* a file with these columns could not be read again */
+    if (good && others > CSV_OTHERS_MOST) /* a saved file with these columns could not be read again */
         return csv_wrong(
             &csv->file, csv->head.at,
             "the file has %d columns that are not used, and at most %d of them can be kept; delete some",
@@ -191,7 +191,7 @@ struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bo
         *csv = (struct csv_table){.file = {.at = {1, 1}, .after_blank = true, .locale_comma = locale_comma},
                                   .path = path,
                                   .kind = kind};
-        (void)(csv_load(&csv->file, in) && head_read(csv)); /* csv->file keeps the problem */
+        (void)(csv_load(&csv->file, in) && head_read(csv)); /* csv->file has the problem after an error */
     }
     return csv;
 }
@@ -207,7 +207,8 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Describes that a unit is missing. No unit is assumed: dominoes measured in mm would be towers in m. */
+/* Reports that a unit is missing. No unit is assumed, since dominoes measured in mm would otherwise be towers
+ * measured in m. Returns false. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -220,8 +221,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be one expression without names. Returns false after an error; the message is
- * empty if there is more text behind the expression. Writes the place of the error to *end. */
+/* Evaluates a text that must be a single expression without names. Returns false after an error, and stores
+ * its position in *end. The message is empty if the error is further text after the expression. */
 static bool constant_read(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
                           const char **end)
 {
@@ -236,7 +237,8 @@ static bool constant_read(const char *text, struct quantity *q, char message[EXP
     return good && **end == '\0';
 }
 
-/* Reads the number in a cell, in SI units. Does not check its range. */
+/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k]. Does not check
+ * its range. Returns false with a problem. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -268,7 +270,9 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 bool csv_check(struct csv_table *csv, int k, domq_real value)
 {
     const struct csv_column *c = &csv->kind->column[k];
-    double near = (double)value; /* a bound such as 1e-9 is in the range, although it is not a double */
+    /* A bound such as 1e-9 is not exactly a double, so the value is rounded to a double before the
+     * comparison. */
+    double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
                      : near > c->highest ? "too large"
@@ -282,7 +286,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads the value of column k in the current row. */
+/* Reads and checks the value of column k in the current row. Returns false with a problem. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -306,7 +310,8 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Describes that the row has more cells than the first line. The reason may be a decimal comma. */
+/* Reports that the row has more cells than the first line, and suggests a decimal comma as the reason if
+ * there may be one. Returns false. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;
@@ -324,7 +329,8 @@ static bool cells_many(struct csv_table *csv, int cells)
                      csv->head.cells, csv_separator_name(&csv->file), reading);
 }
 
-/* Reads the next row. Skips first lines that are repeated because files were concatenated. */
+/* Reads the next row. Skips repetitions of the first line, which occur in concatenated files. Returns false
+ * at the end of the file or with a problem. */
 static bool row_read(struct csv_table *csv)
 {
     const struct csv_record *row = &csv->row;
@@ -352,7 +358,7 @@ bool csv_next(struct csv_table *csv)
         return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, and no more can be read",
                          kind->rows_most, kind->items);
     int cells = csv->row.cells;
-    while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets add empty cells */
+    while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets append empty cells */
         cells--;
     bool good = cells <= csv->head.cells || cells_many(csv, cells);
     for (int k = 0; k < kind->columns && good; k++)

@@ -16,7 +16,8 @@ void evaluation_message(struct evaluation *e, bool of_value, const char *format,
     e->of_value = of_value;
 }
 
-/* Returns true if a result is finite, and the exponents of its unit are not too large. */
+/* Returns true if a result is finite and the exponents of its unit are not too large. Otherwise sets the
+ * message. */
 static bool is_valid(struct evaluation *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };
@@ -32,8 +33,8 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
 
 /* ---- Functions ---- */
 
-/* What a function takes and returns. The result of KEEPS has the unit of the arguments, and that of HALVES
- * has the square root of this unit. */
+/* The kinds of arguments and results of functions. A function of kind KEEPS returns a value with the unit of
+ * its arguments; for HALVES, the result has the square root of the argument's unit. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
@@ -67,7 +68,7 @@ const struct function *function_find(const char *name, int *arguments)
 
 const char *expression_names(const void *context, int k)
 {
-    static const char *const more[] = {"if", "pi", NULL}; /* these have code of their own */
+    static const char *const more[] = {"if", "pi", NULL}; /* the parser handles these names itself */
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
     return k < count ? functions[k].name : more[k - count];
@@ -116,8 +117,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
     return true;
 }
 
-/* Gives a number without a unit the unit of angles if the other value is an angle, as in "thetac - 1".
- * Returns true if both values then have the same unit. */
+/* If one value is an angle and the other has no unit, as in "thetac - 1", converts the other value to an
+ * angle. Returns true if both values then have the same unit. */
 static bool make_alike(const struct evaluation *e, struct quantity *a, struct quantity *b)
 {
     if (quantity_bare(*a) && quantity_plain(*b) && b->angle == 1)
@@ -172,7 +173,8 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
                                                expression_kind(q, kind, sizeof kind));
 }
 
-/* Evaluates the conditions of a chain with 'and' or 'or' until one of them decides. */
+/* Evaluates a chain of conditions with 'and' or 'or', from left to right until one of them decides the
+ * result. */
 static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     bool is_true, decides = t->child->next->op == OPERATOR_OR;
@@ -186,7 +188,8 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Applies the operator before an operand of a chain to the value of the chain so far. */
+/* Evaluates the operand `value` of the chain t, and combines the result with *q, the value of the chain so
+ * far. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;

@@ -15,8 +15,8 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
-/* The parser makes nodes TREE_NAME for names that the language does not know. Before evaluation, each of them
- * is resolved: its kind becomes TREE_NUMBER or TREE_SYMBOL. */
+/* The parser makes a TREE_NAME node for each name that is not built in. Before evaluation each such node must
+ * be resolved, which changes its kind to TREE_NUMBER or TREE_SYMBOL. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -49,30 +49,30 @@ struct function;
 
 struct tree {
     enum tree_kind kind;
-    enum tree_operator op;     /* in a chain: the operator before this operand */
-    const char *op_at;         /* the place for errors of that operator; for '^' the exponent */
-    const char *at;            /* the place for errors of this node */
+    enum tree_operator op;     /* for an operand of a chain: the operator before it */
+    const char *op_at;         /* the position that errors of `op` report; for '^' that of the exponent */
+    const char *at;            /* the position that errors of this node report */
     struct quantity value;     /* TREE_NUMBER: the number */
-    const char *name, *key;    /* TREE_NAME: for "ans.margin", "ans" and "margin"; the key may be NULL */
+    const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: arguments in parentheses follow the name */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
     struct tree *child, *next; /* the first child; the next child of the same parent */
     const struct function *function; /* TREE_FUNCTION: the function */
-    int symbol, index;               /* TREE_SYMBOL: for the use of the code that resolved the name */
+    int symbol, index; /* TREE_SYMBOL: these and `refers` belong to the code that resolves names */
     const void *refers;
 };
 
 /* The state of the parser. */
 struct parse {
     const char *text; /* the beginning of the expression */
-    const char *end;  /* the end of the expression; after an error, the place of the error */
+    const char *end;  /* the end of the expression, or the position of an error */
     struct arena *arena;
-    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
+    const char *no_unit; /* single letters that are names, not units, when they follow a blank; may be NULL */
     /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses, and returns a tree that
      * replaces the value. Returns NULL after an error. May be NULL, where "with" is not supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
-    int depth, nested; /* the depth of recursion; the number of open parentheses */
+    int depth, nested; /* the depth of recursion, and the number of open parentheses */
     int nodes;         /* the number of nodes so far */
     char message[EXPRESSION_MESSAGE];
 };
@@ -86,17 +86,18 @@ struct evaluation {
      * function has reported the problem itself. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context;   /* for `symbol` */
-    domq_real angle; /* the unit, in radians, of numbers without a unit that stand for angles */
-    const char *at;  /* after an error: its place in the text */
-    bool of_value;   /* the error depends on values: the expression may have a value when they change */
-    bool is_named;   /* the message already names the function of 'let' in which the error is */
+    domq_real angle; /* the session's unit of angles in radians, for angles that are given without a unit */
+    const char *at;  /* the position of the error, after an error */
+    bool of_value;   /* the error depends on the values of parameters, and may not occur with other values */
+    bool is_named;   /* the message already says in which function of 'let' the error occurred */
     char message[EXPRESSION_MESSAGE];
 };
 
 /* Evaluates a tree. Returns false after an error, with evaluation->message. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
-/* Set the message of an evaluation, for an error in the line or in its values. Both macros are false. */
+/* Sets the message of an evaluation. `of_value` is true for an error that depends on values, and false for
+ * one that does not. The macros set the message and have the value false. */
 void evaluation_message(struct evaluation *evaluation, bool of_value, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 #define evaluation_fail(e, ...)     (evaluation_message(e, false, __VA_ARGS__), false)
@@ -105,7 +106,7 @@ void evaluation_message(struct evaluation *evaluation, bool of_value, const char
 /* Returns the built-in function with this name, or NULL. Writes the number of its arguments to *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
-/* The list of the built-in names, for names.h. */
+/* Lists the built-in names, in the form that names.h takes. */
 const char *expression_names(const void *context, int k);
 
 #endif

@@ -14,8 +14,8 @@ int names_exact(names_list *list, const void *context, const char *text)
     return -1;
 }
 
-/* Returns the edit distance of two short words: the number of insertions, deletions, replacements and swaps
- * of neighbours. */
+/* Returns the edit distance of two words: the number of insertions, deletions, replacements and swaps of
+ * neighbouring letters. If a word has more than 32 letters, the result is 32. */
 static size_t distance(const char *a, const char *b)
 {
     enum { LONGEST = 32 };

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Looks names up in lists, as people type them: in full, by an unambiguous prefix, or with a typo. */
+/* Looks up names in lists. A name may be typed in full or as an unambiguous prefix; for a name with a typo,
+ * messages suggest the correct spelling. */
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A list of names: returns the name with index k, or NULL after the last name. */
+/* A list of names is a function that returns the name with index k, or NULL after the last name. */
 typedef const char *names_list(const void *context, int k);
 
 /* Returns the index of the name that equals the text, or -1. */
@@ -14,7 +15,7 @@ int names_exact(names_list *list, const void *context, const char *text);
 
 enum { NAMES_MESSAGE = 256 };
 
-/* The results of names_find without a match; all of them are negative. */
+/* The results of names_find if there is no match. All of them are negative. */
 enum {
     NAMES_UNKNOWN = -1, /* no name is similar */
     NAMES_CLOSE = -2,   /* the message suggests a name that is spelled similarly */
@@ -22,9 +23,9 @@ enum {
 };
 
 /*
- * Returns the index of the name that equals the text, or of the only name with this prefix. Otherwise returns
- * one of the results above, and writes a message: "unknown command 'barier'; did you mean 'barrier'?". The
- * message calls a name `what`.
+ * Returns the index of the name that equals the text, or of the only name that begins with the text.
+ * Otherwise returns one of the results above, and writes a message such as "unknown command 'barier'; did you
+ * mean 'barrier'?". `what` is the word for a name in the message, here "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);
@@ -34,7 +35,8 @@ const char *names_closest(names_list *list, const void *context, const char *tex
 
 enum { NAMES_SHOWN = 64 };
 
-/* Writes the text for a message: shortened, and with control characters escaped. */
+/* Copies a text so that it can be shown in a message: it is shortened if necessary, and control characters
+ * are escaped. Returns the copy. */
 const char *names_shown(const char *text, char shown[NAMES_SHOWN]);
 
 #endif

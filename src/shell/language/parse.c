@@ -63,18 +63,20 @@ static bool is_word(const char *at, const char *word)
 
 /* ---- Values ---- */
 
-/* The levels of precedence, from the operators that bind most loosely. */
+/* The levels of precedence. Operators of the first level bind least tightly. */
 enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
 
 static struct tree *parse_chain(struct parse *p, enum level least);
 
-/* Parses the unit, if there is one, after a number or a value in parentheses. */
+/* Parses the unit, if there is one, after a number or a value in parentheses. Returns the value with its
+ * unit, or NULL after an error. */
 static struct tree *parse_unit(struct parse *p, struct tree *value)
 {
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    if (c > p->end && p->no_unit && is_word(c, "feet")) /* the effect of this name */
+    /* In a list of names and values, "feet" is the name of the effect. */
+    if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
     if (!name_start(*c))
         return value;
@@ -223,7 +225,8 @@ static struct tree *parse_primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* Operators stand before their prefixes: "<=" before "<". '^' is missing, since parse_factor handles it. */
+/* An operator comes before its prefixes: "<=" comes before "<". '^' is missing, since parse_factor handles
+ * it. */
 static const struct op {
     const char *text;
     enum tree_operator op;
@@ -238,9 +241,9 @@ static const struct op {
 };
 
 /*
- * Returns the operator at a place after a value and blanks, or NULL. Outside of parentheses '>' is not an
- * operator, since it redirects the answer into a file. A sign with a blank before it and none after it begins
- * another value: "1 -2" are two values.
+ * Returns the operator at `at`, a position after a value and any blanks, or NULL if there is none. Outside of
+ * parentheses '>' is not an operator, since it redirects the answer to a file. A sign with a blank before it
+ * and none after it begins another value: "1 -2" is two values.
  */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
@@ -257,7 +260,7 @@ static const struct op *op_at(const struct parse *p, const char *at)
     return is_sign || redirects ? NULL : op;
 }
 
-/* Parses a value with the operators before it, and with its exponent: -2^2 is -(2^2). */
+/* Parses a value with the signs or the 'not' before it and the exponent after it. -2^2 is -(2^2). */
 static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
@@ -287,11 +290,12 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
-/* Parses values with operators between them that bind at least as tightly as the level `least`. */
+/* Parses values joined by operators of the level `least` or of levels that bind more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
 {
     struct tree *left = parse_factor(p), *last = NULL;
-    const struct op *before = NULL; /* the operator that the chain `left` ends with, if it is a chain */
+    /* The last operator of the chain `left`. NULL if `left` is not a chain yet. */
+    const struct op *before = NULL;
     while (left) {
         const char *at = skip_blanks(p->end);
         const struct op *op = op_at(p, at);

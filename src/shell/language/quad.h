@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mathematics and text in the widest arithmetic: quad(sqrt)(x) is the square root of a domq_real. */
+/* Mathematical functions and text conversion for domq_real, the widest arithmetic: quad(sqrt)(x) is the
+ * square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 
@@ -34,22 +35,23 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
     return a < b ? a : b;
 }
 
-/* Enough digits for a round trip, and room for the text of any number. */
+/* WIDE_DIGITS is enough for an exact round trip, and WIDE_TEXT is the size of a buffer for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number as printf does with "%.*g". */
+/* Writes a number with this many significant digits, as printf does with "%.*g". Returns `text`. */
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT]);
 
-/* Returns the text of a number with 10 digits, for messages: quad_shown(x).text. */
+/* Returns a number as text with 10 significant digits, for messages. A caller uses quad_shown(x).text. */
 struct quad_shown {
     char text[WIDE_TEXT];
 };
 struct quad_shown quad_shown(domq_real value);
 
-/* Writes a number in the fewest digits that are read back as the same number. */
+/* Writes a number with enough digits for an exact round trip: 15 significant digits, or more if necessary,
+ * without trailing zeros. Returns `text`. */
 const char *quad_exact(domq_real value, char text[WIDE_TEXT]);
 
-/* Reads a number as strtod does. errno is ERANGE if it is out of range. */
+/* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */
 domq_real quad_read(const char *text, char **end);
 
 #endif

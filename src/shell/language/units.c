@@ -13,7 +13,7 @@ struct unit {
     struct quantity is;
 };
 
-/* A quotient of whole numbers is correctly rounded in any arithmetic. */
+/* A quotient of two integers is correctly rounded in any arithmetic, unlike a decimal constant. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
@@ -36,7 +36,7 @@ static const struct unit units[] = {
     {NULL, {.value = 0}},
 };
 
-/* Words for units. Completion does not offer them. */
+/* Words that stand for units. Completion does not offer these words. */
 static const struct word {
     const char *word, *name;
 } words[] = {
@@ -70,7 +70,7 @@ bool quantity_alike(struct quantity a, struct quantity b)
     return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
 }
 
-/* Writes the base units with their exponents, and the text `between` between two of them. */
+/* Writes the base units of a quantity with their exponents, separated by the text `between`. */
 static const char *unit_write(struct quantity q, const char *between, char *text, size_t size)
 {
     static const char *const base[] = {"kg", "m", "s", "rad"};
@@ -95,7 +95,8 @@ const char *expression_unit_typed(struct quantity q, char *text, size_t size)
     return unit_write(q, "*", text, size);
 }
 
-/* Quantities with a name, and how people write them. The name is NULL if the unit is shorter. */
+/* Kinds of quantities, each with its name and an example. The name is NULL if messages should show the unit
+ * instead, which is shorter. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;
@@ -157,7 +158,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit that a word stands for in its singular or plural, or NULL. */
+/* Returns the unit that a word in its singular or plural form stands for, or NULL. */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;
@@ -170,7 +171,7 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* g is gravity */
+    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* after the first factor, g is gravity */
         return NULL;
     for (const struct unit *u = units; u->name; u++)
         if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)

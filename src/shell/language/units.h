@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Quantities: numbers with a unit, so that a length in the place of an angle is an error. */
+/* Quantities: numbers with units, so that it is an error to use a length where an angle is needed. */
 #ifndef SHELL_UNITS_H
 #define SHELL_UNITS_H
 
@@ -13,7 +13,7 @@ struct quantity {
     int length, time, angle, mass;
 };
 
-/* Returns true if the unit is at most a power of an angle: neither lengths, nor times, nor masses. */
+/* Returns true if the unit has no length, time or mass. The unit may still be a power of an angle. */
 bool quantity_plain(struct quantity quantity);
 
 /* Returns true for a number without any unit. */
@@ -22,44 +22,48 @@ bool quantity_bare(struct quantity quantity);
 /* Returns true if both quantities have the same unit. */
 bool quantity_alike(struct quantity a, struct quantity b);
 
-/* Multiplies a quantity by a power of another one. */
+/* Multiplies *quantity by a power of `by`. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
 
-/* Returns a unit such as "m/s^2" as a quantity. Units of columns that are no units of the language, such as
- * "h" or "mgh/2", become the number 1. */
+/* Returns a unit such as "m/s^2" as a quantity. Columns of tables may have units that cannot be typed, such
+ * as "h" or "mgh/2"; for these the function returns the plain number 1. */
 struct quantity expression_unit(const char *unit);
 
-/* Writes the unit of a quantity: "m^2 s^-1", or "" for a plain number. */
+/* Writes the unit of a quantity, such as "m^2 s^-1", or "" for a plain number. Returns `text`. */
 const char *expression_unit_text(struct quantity quantity, char *text, size_t size);
 
 /* The largest exponent of a unit that can be typed. */
 enum { UNIT_POWER_MOST = 9 };
 
-/* Writes the unit as it is typed after a number: "kg*m^-3". */
+/* Writes the unit of a quantity in the form in which it can be typed after a number, such as "kg*m^-3".
+ * Returns `text`. */
 const char *expression_unit_typed(struct quantity quantity, char *text, size_t size);
 
-/* Writes what a quantity is, for messages: "a length", "a time", "in m^2 s^-1". */
+/* Returns a phrase for the kind of a quantity, for messages, such as "a length", "a time" or "in m^2 s^-1".
+ * The phrase is in `text` or in static memory. */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 
-/* Returns an example of such a quantity, "10 g", or NULL if it has no usual unit. */
+/* Returns an example of a quantity with this unit, such as "10 g", or NULL if there is no usual example. */
 const char *expression_example(struct quantity quantity);
 
-/* The list of the units, for names.h. */
+/* Lists the units, in the form that names.h takes. */
 const char *expression_units(const void *context, int k);
 
 /* Returns true if a name can begin with the character. A name has letters, digits and '_'. */
 bool name_start(char c);
 
-/* Returns the length of the name at the beginning of a text; 0 if there is none. */
+/* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
 size_t name_length(const char *text);
 
-/* Copies a name of this length. Returns false, after copying what fits, if the name is too long. */
+/* Copies a name of `length` bytes into `name`, a buffer of `size` bytes. If the name is too long, copies as
+ * much as fits and returns false. */
 bool name_copy(const char *text, size_t length, char *name, size_t size);
 
 /*
- * Scans a unit such as "cm" or "m/s^2" at the beginning of a text, and multiplies the quantity by it. Returns
- * the end of the unit, or NULL if there is none. The scan stops before a factor that is not a unit: in 4.8
- * cm/h, the unit is cm. Gram and tonne are units only as the first factor: in 4.8 cm/g, the g is gravity.
+ * Scans a unit such as "cm" or "m/s^2" at the beginning of a text, and multiplies *quantity by this unit.
+ * Returns the end of the unit, or NULL if there is no unit. The scan stops before a factor that is not a
+ * unit: in "4.8 cm/h", the unit is cm. Gram and tonne are units only as the first factor: in "4.8 cm/g", the
+ * g is gravity.
  */
 const char *unit_scan(const char *text, struct quantity *quantity);
 

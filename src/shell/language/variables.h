@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The variables and functions that 'let' defines. A function is kept as the text of its expression. */
+/* The variables and functions that 'let' defines. A function is stored as the text of its expression. */
 #ifndef SHELL_VARIABLES_H
 #define SHELL_VARIABLES_H
 
@@ -12,7 +12,7 @@ struct variable {
     struct quantity value;                              /* the value of a variable */
     char *body;                                         /* the text of a function; NULL for a variable */
     int count;                                          /* the number of arguments of a function */
-    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* their names */
+    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* the names of these arguments */
 };
 
 struct variables {
@@ -23,22 +23,23 @@ struct variables {
 /* Returns the variable with this name, or NULL. */
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
-/* Adds a copy of a variable, or replaces the one with its name. Returns false if there is no memory. */
+/* Adds a copy of a variable, or replaces the variable that has the same name. Returns false if there is no
+ * memory. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
 /* Removes the variable with this name, if there is one. */
 void variable_drop(struct variables *variables, const char *name);
 
-/* Returns false if there is no memory. */
+/* variables_copy returns false if there is no memory. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
 
-/* Writes "x" or "f(s, d)". */
+/* Writes the left side of a definition, such as "x" or "f(s, d)". */
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
 const char *variable_head(const struct variable *variable, char text[VARIABLE_HEAD]);
 
-/* Writes the value of a variable as an expression: "0.048 m". */
+/* Writes the value of a variable as an expression, such as "0.048 m". */
 enum { VARIABLE_VALUE = 128 };
 const char *variable_value(const struct variable *variable, char text[VARIABLE_VALUE]);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Completion. The parser says what may stand at the cursor, and whether it accepts a candidate. */
+/* Completion. The parser reports what may follow at the cursor, and also decides whether a candidate is
+ * valid. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "prompt/input.h"
@@ -14,8 +15,8 @@ struct completion {
     struct session *session;
     const char *line;
     const char *word;   /* the last word of the line, which may be empty */
-    const char *name;   /* the name at the end of the word, which in an expression follows an operator */
-    struct offer offer; /* at the name */
+    const char *name;   /* the name at the end of `word`; in an expression an operator may come before it */
+    struct offer offer; /* what the parser would accept at `name` */
     void (*emit)(const char *candidate, void *context);
     void *context;
 };
@@ -25,8 +26,9 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* Emits the last word, completed with this name and `more`, if the name has the typed prefix. If
- * `is_checked`, the parser has to accept the word, by itself or as the first of a list. */
+/* Emits the last word with its name completed to `name` and with `more` appended, if `name` begins with the
+ * typed letters. If `is_checked`, the candidate is emitted only if the parser accepts it, either by itself or
+ * as the first value of a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];
@@ -39,8 +41,9 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/* Returns true if a name with this unit may be all of the argument's value. If the argument has no unit, only
- * names of its own parameter may: for r those that begin with r or r_. */
+/* Returns true if a name whose value has this unit may be the whole value of the argument. If the argument
+ * has no unit, only names that belong to the same parameter may: for r, these are r and names that begin with
+ * r_. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
@@ -52,7 +55,8 @@ static bool fits(const struct argument *a, const char *name, const char *unit)
     return length > 0 && strncmp(name, a->of, length) == 0 && (name[length] == '\0' || name[length] == '_');
 }
 
-/* Emits the names that have a value: parameters, commands that answer with a number, variables, functions. */
+/* Emits the names that have a value: parameters, commands whose answer is a number, variables and
+ * functions. */
 static void emit_values(const struct completion *c)
 {
     const struct argument *a = &c->offer.value;
@@ -69,7 +73,7 @@ static void emit_values(const struct completion *c)
         if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* The check computes the answer, which is fast for the endless train. */
+        /* Checking a candidate computes its value, which is fast for the endless train. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }
@@ -83,7 +87,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* Keeps the candidate if it is the first one and a command, else "". */
+/* The `emit` of is_unasked: sets *context to the candidate if it is the first one and a command, and
+ * otherwise to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;
@@ -91,8 +96,8 @@ static void keep_only(const char *candidate, void *context)
     *only = !*only && command ? command->name : "";
 }
 
-/* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. A key
- * would insert the command, which nobody has asked for. */
+/* Returns true if the only candidate for an empty word is a command, such as 'best' after 'set s'. Completion
+ * would then insert the command, although the user has not typed any part of it. */
 static bool is_unasked(const struct completion *c)
 {
     const char *only = NULL;
@@ -104,7 +109,7 @@ static bool is_unasked(const struct completion *c)
     return only && *only;
 }
 
-/* Emits the units that a number may have, but no s or g where these are parameters. */
+/* Emits the units that may follow a number, except s and g where these letters are names of parameters. */
 static void emit_units(const struct completion *c)
 {
     const struct offer *o = &c->offer;
@@ -118,7 +123,7 @@ static void emit_units(const struct completion *c)
     }
 }
 
-/* Returns the place after the number that a name begins with. Returns NULL if there is no number. */
+/* Returns the end of the number at the beginning of a name, or NULL if there is no number. */
 static const char *number_end(const char *name)
 {
     char *end = NULL;
@@ -129,7 +134,7 @@ static const char *number_end(const char *name)
 
 /* ---- Keys and files ---- */
 
-/* Emits the keys of the command before the dot, as in 'rmax.' or 'rmax(0.3).'. */
+/* Emits the keys of the command whose name comes before the dot, as in 'rmax.' or 'rmax(0.3).'. */
 static void emit_keys(const struct completion *c, const char *dot)
 {
     const char *end = dot, *key;
@@ -152,7 +157,8 @@ static void emit_files(const struct completion *c)
 {
     char *file;
     for (int state = 0; (file = rl_filename_completion_function(c->word, state)) != NULL; state = 1) {
-        rl_filename_completion_desired = 1; /* Readline adds a '/' to folders, and '"' around blanks. */
+        /* Readline then adds a '/' to directories, and '"' around names with blanks. */
+        rl_filename_completion_desired = 1;
         if (!escape_needed(file))
             c->emit(file, c->context);
         free(file);
@@ -161,7 +167,7 @@ static void emit_files(const struct completion *c)
 
 /* ---- All candidates ---- */
 
-/* Returns where the last word begins: after a blank, or after a '"' that is not closed. */
+/* Returns the beginning of the last word, which is after a blank, or after a '"' that is not closed. */
 static const char *last_word(const char *line)
 {
     const char *word = line + strlen(line), *quote = strchr(line, '"');
@@ -172,7 +178,7 @@ static const char *last_word(const char *line)
     return quote ? quote + 1 : word;
 }
 
-/* Returns where the name or number at the end of the word begins. */
+/* Returns the beginning of the name or number at the end of the word. */
 static const char *last_name(const char *word)
 {
     const char *end = word + strlen(word), *name = end, *number;
@@ -235,7 +241,8 @@ static void candidate_add(const char *candidate, void *context)
     candidates.count += candidates.word[candidates.count] != NULL;
 }
 
-/* Returns the next candidate, which Readline frees. `state` is 0 in the first call. */
+/* Returns the next candidate, or NULL after the last one. Readline passes 0 as `state` in the first call, and
+ * frees the candidates. */
 static char *candidate_next(const char *text, int state)
 {
     (void)text;
@@ -253,7 +260,7 @@ char **complete_word(const char *text, int start, int end)
         complete_line(prompt_session, line, true, candidate_add, NULL);
     free(line);
     const char *first = candidates.count ? candidates.word[0] : "";
-    rl_completion_suppress_append =
-        *first && first[strlen(first) - 1] == '('; /* No blank follows the '(' of a function. */
+    /* After the '(' of a function, Readline must not append a blank. */
+    rl_completion_suppress_append = *first && first[strlen(first) - 1] == '(';
     return rl_completion_matches(text, candidate_next);
 }

@@ -14,14 +14,15 @@
 
 #include <readline/history.h>
 
-/* The number of lines that are kept, and the number at which the file is shortened. They differ so that it is
- * not rewritten at every start. */
+/* The number of lines that are kept, and the number of lines above which the file is shortened. They differ
+ * so that the file is not rewritten at every start. */
 enum { HISTORY_LINES = 2000, HISTORY_FILE = 2 * HISTORY_LINES };
 
-/* How long to wait for the lock of another session. Without the lock, a line is still appended whole. */
+/* How long to wait for a lock that another session holds. Without the lock, a line is still appended as a
+ * whole. */
 #define LOCK_SECONDS 1.0
 
-/* The path of the history, or "" if none is kept. */
+/* The path of the history file, or "" if no history is kept. */
 static char history_file[PATH_MAX];
 
 static void history_fails(struct session *session, const char *reason)
@@ -30,7 +31,8 @@ static void history_fails(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Returns true for a regular file. Otherwise no history is kept, which is reported unless it is a device. */
+/* Returns true if the history file is a regular file. Otherwise no history is kept, and this is reported
+ * unless the file is a device. */
 static bool is_regular(struct session *session, const struct stat *status)
 {
     if (S_ISREG(status->st_mode))
@@ -44,7 +46,7 @@ static bool is_regular(struct session *session, const struct stat *status)
 
 /* ---- Reading ---- */
 
-/* Replaces the file with the lines of the history. Returns an error message, or NULL. */
+/* Rewrites the file with the lines of the history. Returns an error message, or NULL if there is no error. */
 static const char *file_shorten(const volatile sig_atomic_t *interrupt)
 {
     struct output *file = NULL;
@@ -56,7 +58,7 @@ static const char *file_shorten(const volatile sig_atomic_t *interrupt)
     return output_pop(&file, true);
 }
 
-/* Adds all lines of a file to the history, and returns their number. */
+/* Adds all lines of a file to the history, and returns the number of lines. */
 static long lines_read(FILE *in)
 {
     char *text = NULL;
@@ -79,11 +81,11 @@ void history_load(struct session *session)
                         : line_path("XDG_STATE_HOME", ".local/state", "history", history_file, PATH_MAX);
     if (!known)
         *history_file = '\0';
-    /* Opening a device or a FIFO can have effects, so that the kind of the file is checked first. */
+    /* Opening a device or a FIFO can have side effects, so the type of the file is checked first. */
     if (!*history_file || stat(history_file, &status) != 0 || !is_regular(session, &status))
         return;
     FILE *in = fopen(history_file, "re");
-    /* The lock is held until the file has been replaced, so that no line of another session gets lost. */
+    /* The lock is held until the file has been replaced, so that no line of another session is lost. */
     bool is_locked = in && io_lock(fileno(in), LOCK_SECONDS, interrupt);
     const char *wrong = in && lines_read(in) > HISTORY_FILE && is_locked ? file_shorten(interrupt) : NULL;
     if (in)
@@ -94,7 +96,7 @@ void history_load(struct session *session)
 
 /* ---- Writing ---- */
 
-/* Makes the folders of a path. */
+/* Creates the directories of a path. */
 static void make_folders(char *path)
 {
     for (char *c = strchr(path + 1, '/'); c; c = strchr(c + 1, '/')) {
@@ -104,15 +106,16 @@ static void make_folders(char *path)
     }
 }
 
-/* Opens and locks the history. Another session may replace the file in between; then this is tried again.
- * Returns -1 with errno after an error. */
+/* Opens and locks the history file. If another session replaces the file between these two steps, tries
+ * again. Returns -1 with errno after an error. */
 static int file_open(const volatile sig_atomic_t *interrupt)
 {
     enum { TRIES = 10 };
     int file = -1;
     for (int i = 0; i < TRIES; i++) {
         struct stat opened, named;
-        /* Typed lines are private. An existing file keeps its mode, which the owner has chosen. */
+        /* Typed lines are private, so a new file gets mode 0600. An existing file keeps the mode that its
+         * owner chose. */
         file = io_open(history_file, O_RDWR | O_APPEND | O_CREAT, 0600, interrupt);
         if (file < 0)
             return -1;
@@ -126,13 +129,14 @@ static int file_open(const volatile sig_atomic_t *interrupt)
     return file;
 }
 
-/* Appends a line, whole or not at all. Returns false with errno after an error. */
+/* Appends a line to the file, as a whole or not at all. `size` is the size of the file. Returns false with
+ * errno after an error. */
 static bool line_append(int file, off_t size, const char *text)
 {
     char last = '\n', *line = NULL;
     if (size > 0)
         (void)!pread(file, &last, 1, size - 1);
-    /* If the last line has no end, since a program was killed, this line begins a new one. */
+    /* If the last line has no line end, because a session was killed, a line end is written first. */
     int length = asprintf(&line, "%s%s\n", last == '\n' ? "" : "\n", text);
     if (length < 0) {
         errno = ENOMEM;

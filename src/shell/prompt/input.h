@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Commands from a person at a terminal: the prompt, its history, completion, colours and hints. */
+/* The prompt for commands from a person at a terminal, with history, completion, colours and hints. */
 #ifndef SHELL_INPUT_H
 #define SHELL_INPUT_H
 
@@ -9,13 +9,14 @@
 void line_prompt(struct session *session);
 
 /*
- * Calls `emit` with each candidate for the last word of a line: names, values, units, and with `files` also
- * paths. A candidate is a whole word that the parser accepts in this session.
+ * Calls `emit` with each candidate for the last word of a line. Candidates are names, values, units and, if
+ * `files` is true, also paths. Each candidate is a whole word that the parser accepts in this session.
  */
 void complete_line(struct session *session, const char *line, bool files,
                    void (*emit)(const char *candidate, void *context), void *context);
 
-/* Completes a word for Readline. Its callbacks have no context, so that the session is set before. */
+/* Readline's completion function. Since Readline's callbacks have no context argument, prompt_session must be
+ * set before. */
 extern struct session *prompt_session;
 char **complete_word(const char *text, int start, int end);
 
@@ -27,16 +28,17 @@ char **complete_word(const char *text, int start, int end);
 void history_load(struct session *session);
 
 /*
- * Adds a line to the history and appends it to the file at once, so that no way to end the session loses it.
- * A blank line, or a repetition of the line before, is not added. After the first failure, which is
- * reported, nothing more is written.
+ * Adds a line to the history, and appends the line to the file at once, so that it is not lost however the
+ * session ends. A blank line, or a repetition of the line before, is not added. After the first failure,
+ * which is reported, nothing more is written to the file.
  */
 void history_keep(struct session *session, const char *text);
 
-/* Binds the keys that accept a hint, after rl_initialize. */
+/* Binds the keys that accept a hint. Must be called after rl_initialize. */
 void overlay_begin(void);
 
-/* Draws colours and a hint over the line, and clears the hint again before a key is handled. */
+/* overlay_show draws colours and a hint over the typed line. overlay_remove clears the hint, and must be
+ * called before a key is handled. */
 void overlay_show(struct session *session);
 void overlay_remove(void);
 

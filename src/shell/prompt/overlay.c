@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws over the typed line while Readline waits for a key: the names of commands get a colour, and a faint
- * hint after the cursor shows the rest of an earlier line, or of the command's usage. The cursor always
- * returns to its place, so that the screen stays as Readline knows it. */
+/* Draws over the typed line while Readline waits for a key. The names of commands get a colour, and a faint
+ * hint after the cursor shows the remainder of an earlier line or of the command's usage. The cursor always
+ * returns to its position, so that the screen stays as Readline expects it. */
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
@@ -20,10 +20,12 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The rest of an earlier line, which keys accept as if it were typed; "" if there is none. */
+/* The hint from the history: the remainder of an earlier line, which some keys insert as if it were typed. It
+ * is "" if there is no such hint. */
 static char rest[HINT];
 
-/* Returns true if Readline shows just the typed line, on a terminal with colours. */
+/* Returns true if Readline is in its ordinary editing mode, so that the screen shows just the typed line, on
+ * a terminal with colours. */
 static bool is_plain(const struct session *session)
 {
     const unsigned long busy = RL_STATE_ISEARCH | RL_STATE_NSEARCH | RL_STATE_SEARCH | RL_STATE_NUMERICARG |
@@ -41,20 +43,22 @@ static bool is_on(const char *variable)
     return value && strcmp(value, "on") == 0;
 }
 
-/* Returns true if the place of every character on the screen is known. */
+/* Returns true if the position of every character on the screen is known. */
 static bool is_mapped(const struct session *session, int width, int height)
 {
     for (const char *c = rl_line_buffer; *c; c++)
         if (*c < ' ' || *c > '~')
             return false;
     int begin = session->source.prompt_width;
+    /* The last condition excludes a cursor at the right edge, which may be in either of two rows of the
+     * screen. */
     return begin > 0 && width > begin && (begin + rl_end) / width < height && rl_end <= COLOURED_MOST &&
            rl_get_termcap("up") && !rl_mark_active_p() && !is_on("show-mode-in-prompt") &&
            !is_on("horizontal-scroll-mode") && !is_on("mark-modified-lines") &&
-           (begin + rl_point) % width != 0; /* At the right edge the cursor may be in either of two rows. */
+           (begin + rl_point) % width != 0;
 }
 
-/* Rewrites a part of the line that lies in one row and has one colour. */
+/* Rewrites a part of the typed line that is within one row of the screen and has one colour. */
 static void part_write(int begin, int width, int from, int length, bool is_command)
 {
     int at = begin + from, up = (begin + rl_point) / width - at / width;
@@ -90,7 +94,8 @@ static void colours_show(struct session *session)
 
 /* ---- Hints ---- */
 
-/* Finds the rest of the last line of the history that begins like this one. */
+/* Finds the most recent line of the history that begins with the typed line, and stores its remainder in
+ * `rest`. */
 static void rest_find(const char *line)
 {
     size_t length = strlen(line);
@@ -105,7 +110,8 @@ static void rest_find(const char *line)
     }
 }
 
-/* Writes the arguments that may still follow, as the usage of the command shows them. */
+/* Writes the arguments that may still follow, in the form in which the command's usage shows them. Writes ""
+ * if there are none. */
 static void usage_rest(struct session *session, const char *line, char usage[HINT])
 {
     struct offer o = {.lists = 0};
@@ -126,7 +132,8 @@ static void usage_rest(struct session *session, const char *line, char usage[HIN
         char range[64];
         if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
-        if (value && !p->effect) { /* The line already has the parameter's name. */
+        /* The range of the value is more useful than its name, which is already in the line. */
+        if (value && !p->effect) {
             parameter_range(&session->state, p, 0, range, sizeof range);
             name = range;
         }
@@ -145,7 +152,7 @@ static void hint_show(struct session *session)
         usage_rest(session, rl_line_buffer, usage);
         hint = usage;
     }
-    /* The last column stays free, where the cursor may be in either of two rows. */
+    /* The hint leaves the last column free, since a cursor there may be in either of two rows. */
     int room = terminal_width(session->output->out) - session->source.prompt_width -
                terminal_columns(rl_line_buffer) - 1;
     size_t bytes = 0;
@@ -161,7 +168,9 @@ static void hint_show(struct session *session)
 void overlay_show(struct session *session)
 {
     bool is_recalled = rl_last_func == rl_get_previous_history || rl_last_func == rl_get_next_history;
-    if (!RL_ISSTATE(RL_STATE_MULTIKEY)) /* A key that has been half read may accept the hint. */
+    /* If only the first bytes of a key's sequence have been read, the key may be one that accepts the
+     * hint. */
+    if (!RL_ISSTATE(RL_STATE_MULTIKEY))
         *rest = '\0';
     if (!is_plain(session))
         return;
@@ -180,7 +189,8 @@ void overlay_remove(void)
 
 /* ---- Keys that accept a hint ---- */
 
-/* Inserts the first bytes of the rest of an earlier line. Returns false if no such hint is shown. */
+/* Inserts a prefix of the hint from the history, `bytes` bytes long. Returns false if no such hint is
+ * shown. */
 static bool rest_accept(size_t bytes)
 {
     if (!*rest || rl_point != rl_end)
@@ -207,7 +217,7 @@ static int accept_word_or_forward(int count, int key)
     return rest_accept(blanks + strcspn(rest + blanks, " ")) ? 0 : rl_forward_word(count, key);
 }
 
-/* Binds the keys of one function to another, in each keymap in which a line is typed. */
+/* Rebinds all keys of one function to another function, in each keymap that is used for typing a line. */
 static void rebind(rl_command_func_t *from, rl_command_func_t *to)
 {
     const Keymap maps[] = {emacs_standard_keymap, vi_insertion_keymap};

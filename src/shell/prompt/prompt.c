@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The prompt. Readline is used through its callback interface, and pselect waits for a key: signals are
- * blocked except while it waits and while a command runs, so that none is missed.
- */
+/* The prompt. Readline is used through its callback interface, and pselect waits for a key. Signals are
+ * blocked except during this wait and while a command runs, so that none is missed. */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "io/terminal.h"
@@ -25,7 +23,7 @@ static volatile sig_atomic_t interrupted, resized, suspended, ended;
 static void on_signal(int number)
 {
     if (number != SIGWINCH && number != SIGTSTP)
-        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* Other threads read it in dom_raised. */
+        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* Other threads read this in dom_raised. */
     if (number == SIGWINCH)
         resized = 1;
     else if (number == SIGTSTP)
@@ -34,21 +32,21 @@ static void on_signal(int number)
         ended = number;
 }
 
-/* The signals that are caught. Those whose default is to end the program end the session instead, which
- * restores the terminal first. */
+/* The signals that are caught. A signal whose default action is to end the program ends the session instead,
+ * so that the terminal is restored first. */
 static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SIGQUIT, SIGALRM,
                               SIGUSR1, SIGUSR2,  SIGXCPU, SIGVTALRM, SIGPROF, SIGIO,   SIGPWR};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-/* The lines so far of a command that continues after a backslash, or NULL. */
+/* The earlier lines of a command that a backslash continues on the next line, or NULL. */
 static char *begun;
 
-static bool is_joined;  /* The command that runs was typed in several lines. */
-static bool has_warned; /* The person has been warned that unsaved changes will be lost. */
+static bool is_joined;  /* The running command was typed in several lines. */
+static bool has_warned; /* The user has been warned that unsaved changes will be lost. */
 
 static void prompt_set(struct session *session);
 
-/* Drops the typed line after ^C, or says how to leave if there is none. */
+/* Handles ^C at the prompt: discards the typed line, or prints how to leave if the line is empty. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;
@@ -73,8 +71,8 @@ static void prompt_suspend(const sigset_t *awake)
     struct sigaction action = {.sa_handler = SIG_DFL}, ours;
     sigset_t blocked;
     suspended = 0;
-    /* If the shell has already taken the terminal, SIGTTOU comes here. It is ignored, or the program would
-     * stop a second time. */
+    /* If the shell has already taken back the terminal, this call raises SIGTTOU. The signal is ignored,
+     * since it would stop the program a second time. */
     rl_deprep_terminal();
     sigaction(SIGTSTP, &action, &ours);
     raise(SIGTSTP);
@@ -87,8 +85,8 @@ static void prompt_suspend(const sigset_t *awake)
 
 /* ---- Lines ---- */
 
-/* Returns the typed line joined to the lines that it continues. Returns NULL if another line has to follow,
- * or if there is no memory. */
+/* Returns the typed line appended to the lines that it continues. Returns NULL if the command continues on
+ * another line, or if there is no memory. Takes ownership of `text`. */
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;
@@ -106,7 +104,8 @@ static char *line_whole(struct session *session, char *text)
     return begun ? NULL : whole;
 }
 
-/* Warns if the session would end with unsaved changes of the row, and lets it go on, but only once. */
+/* If the session is about to end with unsaved changes of the row, warns the user and keeps the session open.
+ * Does so only once. */
 static void leave_warn(struct session *session)
 {
     if (has_warned || !row_unsaved(&session->state.scene))
@@ -125,7 +124,7 @@ static void on_line(char *text)
         session->quit = true;
         leave_warn(session);
     } else if ((text = line_whole(session, text)) != NULL) {
-        /* A ^C before this line is forgotten; a signal that ends the session is not. */
+        /* An earlier ^C must not interrupt this line, but a signal that ends the session must. */
         interrupted = 0;
         if (ended)
             interrupted = ended;
@@ -144,12 +143,13 @@ static void on_line(char *text)
         rl_callback_handler_remove();
 }
 
-/* Writes the prompt. Readline expects \001 and \002 around bytes that take no column. */
+/* Writes the prompt. Readline expects \001 and \002 around bytes that take no space on the screen. */
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
     if (begun) {
-        session->source.prompt_width = 0; /* The caret of a problem cannot point into several lines. */
+        /* The caret of an error message cannot point into a command of several lines. */
+        session->source.prompt_width = 0;
         snprintf(text, size, "  ...%s ", mark);
         return text;
     }
@@ -180,13 +180,14 @@ static void readline_begin(void)
 }
 
 struct signals {
-    struct sigaction before[WATCHED], ttou; /* the actions that signals had before the prompt */
-    sigset_t blocked, awake;                /* the masks while keys are handled, and while a command runs */
+    struct sigaction before[WATCHED], ttou; /* the actions of the signals before the prompt began */
+    sigset_t blocked, awake; /* the signal masks while keys are handled and while a command runs */
 };
 
 static void signals_begin(struct signals *s)
 {
-    /* SA_RESTART: a write that ^C interrupts goes on, since a stream that has failed once stays failed. */
+    /* SA_RESTART continues a write that ^C interrupts. Otherwise the stream would have an error, which it
+     * keeps. */
     const struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
                            ignore = {.sa_handler = SIG_IGN};
     sigemptyset(&s->blocked);
@@ -205,7 +206,8 @@ static void signals_end(const struct signals *s)
     sigprocmask(SIG_SETMASK, &s->awake, NULL);
 }
 
-/* Waits for a key and lets Readline handle it, which may run a line. Returns false if the terminal fails. */
+/* Waits for a key and lets Readline handle it. If the key completes a line, the line is run. Returns false if
+ * the terminal cannot be read. */
 static bool key_read(struct session *session, const struct signals *s)
 {
     fd_set input;
@@ -242,7 +244,7 @@ void line_prompt(struct session *session)
     rl_callback_handler_install(prompt_text(session, prompt, sizeof prompt), on_line);
     sigprocmask(SIG_BLOCK, &signals.blocked, &signals.awake);
     for (bool is_open = true; is_open && !session->quit && !ended; is_open = key_read(session, &signals)) {
-        /* Signals that came while a line ran count now, and not at the next key. */
+        /* Signals that arrived while a line ran are handled now, and not only after the next key. */
         if (interrupted)
             prompt_interrupt();
         if (resized) {
@@ -260,6 +262,8 @@ void line_prompt(struct session *session)
     signals_end(&signals);
     if (ended) {
         fflush(session->output->out);
-        raise(ended); /* Now that the terminal is restored, the signal may end the program. */
+        /* The terminal is restored, so that the signal may now take its default action and end the
+         * program. */
+        raise(ended);
     }
 }

@@ -59,8 +59,8 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
  * can be run. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Fills in the first `count` dominoes of the row, with the gaps that 'place' changed and with their masses.
- */
+/* Fills in the first `count` dominoes of the row, with the gaps that 'place' changed and with their
+ * masses. */
 void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_t count);
 
 /* Returns true if the masses of the row are known. If they are, energies are in J; otherwise energies are in

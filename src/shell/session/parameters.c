@@ -183,8 +183,8 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
 /* Returns the rank by which parameter_in_order sorts a parameter. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are on come last. Of the effects that are off, those that need another effect come first.
-     */
+    /* Effects that are on come last. Of the effects that are off, those that need another effect come
+     * first. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
     return !p->words_only ? 4 : p->setting ? 2 : 3;

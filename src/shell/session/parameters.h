@@ -61,8 +61,8 @@ domq_real parameter_get(const struct state *state, const struct parameter *param
 /* Returns the default of a parameter at the precision of the state, or EFFECT_OFF for an effect. */
 domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
 
-/* Returns true if a value is in the range of the parameter's value number i. Otherwise reports the problem.
- */
+/* Returns true if a value is in the range of the parameter's value number i. Otherwise reports the
+ * problem. */
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 

@@ -29,8 +29,8 @@ struct means {
 /* Shows a note to the user. */
 void means_note(const struct means *means, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Returns the range of points that --shard requests: the index of the first point, and the number of points.
- */
+/* Returns the range of points that --shard requests: the index of the first point, and the number of
+ * points. */
 struct range {
     size_t first, count;
 };

@@ -42,8 +42,8 @@ struct parameter {
     void (*before)(struct state *state, domq_real value);
 };
 
-/* All parameters in the order in which 'show' lists them, and then the effects. A NULL name ends the table.
- */
+/* All parameters in the order in which 'show' lists them, and then the effects. A NULL name ends the
+ * table. */
 extern const struct parameter session_parameters[];
 
 #endif
