@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The same question for many trains: the loop that a caller in another language would run slowly. */
+/* Asks the same question about many trains. A caller in a slower language needs only one call for the loop.
+ */
 #include "numerics/real.h"
 
 typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,
@@ -7,7 +8,8 @@ typedef enum dom_status find_train(const struct dom_train *train, const struct d
 typedef enum dom_status find_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, void *answer);
 
-/* Defines for a question a function whose answer is a void pointer, so that all questions have one type. */
+/* Define a wrapper of the function for a question. The wrapper takes the result as a void pointer, so that
+ * one table can list the wrappers of all questions. */
 #define FINDS(find, kind)                                                                                    \
     static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       void *answer)                                                          \
@@ -33,9 +35,9 @@ FINDS(limit_pair, dom_limit)
 FINDS(limit_best, dom_best)
 
 static const struct {
-    find_train *train; /* the function of a question about a train, or else ... */
-    find_tilt *tilt;   /* ... of one about a train at a tilt */
-    size_t size;       /* of an answer */
+    find_train *train; /* answers a question about a train; NULL for a question at a tilt */
+    find_tilt *tilt;   /* answers a question about a train at a tilt; NULL for other questions */
+    size_t size;       /* size of the structure that holds the result */
 } questions[] = {
     [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},
     [DOM_ASK_CONTACT] = {NULL, ask_contact_find, sizeof(struct dom_contact)},

@@ -3,8 +3,8 @@
 #include "dispatch/dispatch.h"
 #include "effects/effects.h"
 
-/* Returns a question about a limit of growth. The search finds r itself: r of the train may have any
- * value. */
+/* Returns a question about a limit of growth. The value of train->r does not matter, since the search chooses
+ * r itself. */
 static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_train t = *train;
@@ -12,7 +12,7 @@ static struct question question_of_limit(const struct dom_train *train, const st
     return question_make(&t, compute);
 }
 
-/* Returns the status of an answer. Sets the bounds to NaN if the question asks for none. */
+/* Returns the status, after setting the error bounds to NaN if they were not requested. */
 static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
 {
     if (!q->request.errors)
@@ -20,7 +20,8 @@ static enum dom_status found(const struct question *q, enum dom_status status, v
     return status;
 }
 
-/* Calls a function of the kernel that fills an answer and its bounds, which stay NaN where it finds none. */
+/* Calls a function of the kernel that fills a result with its error bounds. Bounds that the function does not
+ * find are NaN. */
 #define FIND(question, member, bounds, ...)                                                                  \
     (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
@@ -153,8 +154,8 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* Returns r_max in double, near which a finer kernel finds the rest of its digits; 0 where it does not end at
- * the barrier. */
+/* Returns r_max in double precision, near which the quad kernel finds the remaining digits. Returns 0 for the
+ * other kernels, with effects, and if r_max is not limited by the barrier. */
 static dom_real limit_near(const struct question *q)
 {
     struct request coarse = q->request;

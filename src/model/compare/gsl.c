@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method to compare with: the same energies, given to solvers of GSL in the usual way. The barrier is a
- * maximum by Brent's method around the best of a few samples, r_max a root by Brent's method, the duration an
- * adaptive quadrature. Second maxima, kinks and near-stops get no special care.
+ * A method for comparison: the same energies as in our own method, but with the standard solvers of GSL.
+ * Brent's method finds the barrier, as a maximum around the highest of a few samples, and r_max, as a root.
+ * An adaptive quadrature finds the duration. Second maxima, kinks and trains that nearly stop get no special
+ * treatment.
  */
 #include "numerics/quiet.h"
 #include "precision/kernel.inc"
@@ -20,7 +21,7 @@ struct gsl_context {
     enum dom_status status;
 };
 
-/* Returns H(0) - H(theta), since GSL minimizes. */
+/* Returns H(0) - H(theta), with this sign because GSL searches for minima. */
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
@@ -29,7 +30,7 @@ static double gsl_depth(double theta, void *context)
     return -at.dH;
 }
 
-/* Finds the maximum near the highest sample. */
+/* Finds the maximum of H between `left` and `right`, starting at `middle`, the highest sample. */
 static enum dom_status gsl_polish(struct gsl_context *c, double left, double middle, double right,
                                   struct barrier *b)
 {
@@ -73,7 +74,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     return gsl_polish(c, fmax(0, (top - 1) * step), middle, (top + 1) * step, b);
 }
 
-/* Finds launch and barrier at the growth r. */
+/* Finds the launch and the barrier at the growth r. */
 static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
 {
     struct launch launch = {0};

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method to compare with: the recipe of the paper (end of the section 'A general domino train'), in its
- * angles and plain sums. theta is raised in steps until H decreases; r is raised in steps until the train
- * stops, and then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One slip of the paper is
- * corrected: a follower is detached when its leader has reached theta_leave.
+ * A method for comparison: the recipe at the end of the paper's section 'A general domino train', with the
+ * angles and plain sums of the paper. theta is raised in steps until H decreases. r is raised in steps until
+ * the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One slip
+ * of the paper is corrected: a follower detaches when its leader reaches theta_leave.
  */
 #include "precision/kernel.h"
 #include <math.h>
@@ -35,7 +35,8 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
         weight *= pow(p->r, -p->q);
         inertia *= pow(p->r, -p->q - 1);
         if (theta >= p->theta_leave && theta > 0) {
-            /* A domino that has detached keeps theta_f; its own followers have detached before. */
+            /* A domino that has detached keeps the tilt theta_f, and so do its followers, which detached
+             * earlier. */
             sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
             break;
         }
@@ -52,7 +53,8 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
     return sums;
 }
 
-/* At r = 1 the sums have no end. */
+/* Finds the quantities that are constant during a cycle. Returns DOM_TOO_LONG for r = 1, where the sums
+ * diverge. */
 static enum dom_status paper_begin(const struct request *t, double r, struct paper *p)
 {
     double s = (double)t->s, d = (double)t->d, q = (double)t->q, L = s + d;
@@ -144,7 +146,7 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
         if (status != DOM_OK)
             return status;
         double margin = p.kinetic - height;
-        if (margin < 0) { /* interpolates between this r and the one before */
+        if (margin < 0) { /* interpolate between this r and the previous one */
             if (!(before > 0))
                 return DOM_NOT_CONVERGED;
             *limit =
@@ -157,7 +159,8 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
     return DOM_OK;
 }
 
-/* Adds up steps of theta. The paper has no recipe for t_f; this one has the same spirit. */
+/* Integrates 1/(tau omega) by the trapezoidal rule. The paper gives no recipe for t_f; this rule is in the
+ * spirit of its other recipes. */
 static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct paper p;

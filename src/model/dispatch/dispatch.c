@@ -5,7 +5,7 @@
 const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
 
-/* Statuses of the parameters in the lists. */
+/* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s   DOM_BAD_S
 #define BAD_r   DOM_BAD_R
 #define BAD_d   DOM_BAD_D
@@ -19,7 +19,7 @@ enum dom_status precision_check(enum dom_precision precision)
                                              : DOM_NO_PRECISION;
 }
 
-/* Stores the status of the first parameter that is outside its range. */
+/* Sets `status` to that of the first parameter that is outside its range. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;
@@ -45,7 +45,8 @@ static enum dom_status request_check(const struct request *q)
 }
 #undef CHECK
 
-/* Lists the values of the effects, in the order of their numbers. */
+/* Arguments for DOM_DYNAMICS that list the values of the effects of a train or a row in the order of enum
+ * dom_effect_name. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
 
@@ -58,7 +59,7 @@ struct question question_make(const struct dom_train *train, const struct dom_co
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
                     .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
                     .method = compute.method,
-                    .errors = compute.errors && train->rho == 0, /* none are known with edges */
+                    .errors = compute.errors && train->rho == 0, /* no bounds are known for rounded edges */
                     .work = compute.work, .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * From the structures of the public API to the kernel that answers: a question is checked and rounded to a
- * precision here. The public entry points (model.c) and the searches that ask many questions (planning/) both
- * call these functions.
+ * Translates the structures of the public API into requests, and chooses the kernel that computes the answer.
+ * Both the public entry points (model.c) and the searches that ask many questions (planning/) call these
+ * functions.
  */
 #ifndef DOM_DISPATCH_H
 #define DOM_DISPATCH_H
 
 #include "precision/kernel.h"
 
-/* A question about a train, and the kernel that answers it. Unless the status is DOM_OK, no kernel does. */
+/* A question about a train, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
 struct question {
     struct request request;
     const struct kernel *kernel;
     enum dom_status status;
 };
 
-/* The same for a row. */
+/* A question about a row, and the kernel that answers it. `kernel` is set only if the status is DOM_OK. */
 struct row_question {
     struct row_request request;
     const struct kernel *kernel;
@@ -29,25 +29,29 @@ extern const struct kernel *const kernels[];
 /* Returns DOM_OK if the machine has the precision. */
 enum dom_status precision_check(enum dom_precision precision);
 
-/* Returns the defaults if compute is NULL. */
+/* Returns *compute, or the defaults if compute is NULL. */
 static inline struct dom_compute compute_or_default(const struct dom_compute *compute)
 {
     return compute ? *compute : dom_compute_default();
 }
 
-/* Checks a train and how to compute. */
+/* Makes a question about a train. Its status is DOM_OK if the train and `compute` are valid. */
 struct question question_make(const struct dom_train *train, const struct dom_compute *compute);
 
-/* Prepares a question about a row. Its kernel checks the dominoes. */
+/* Makes a question about a row. Checks only the precision; the kernel checks the dominoes. */
 struct row_question row_question_make(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Calls a function of the kernel with the request and further arguments. Evaluates to its status. */
+/*
+ * Calls a function of the question's kernel with the request and the other arguments, and evaluates to the
+ * status that the function returns. Calls nothing if the question has failed already, or if the kernel lacks
+ * the function (DOM_NO_METHOD).
+ */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
                                          : (question).kernel->member(&(question).request, __VA_ARGS__))
 
-/* Runs a row, by its engine if it has one: see dom_row_run. */
+/* Runs a row, in its engine if it has one: see dom_row_run. */
 enum dom_status row_verdict(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects: their descriptions, and their values by number. */
+/* The descriptions of all effects, and functions for the values of the effects that are on. */
 #include "effects/effects.h"
 
 const struct dom_effect dom_energy_balance = {

@@ -1,25 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The barrier is a global maximum: H may decrease first and increase later, when a pushing follower has
- * detached. H and H' are continuous, H'' jumps where a domino detaches. Each smooth piece of the cycle is
- * searched for sign changes of H', and all maxima are compared.
+ * The search for the barrier, the global maximum of H over a cycle. H may decrease first and increase again
+ * after a pushing follower has detached, so the first maximum need not be the highest. H and H' are
+ * continuous; H'' jumps where a domino detaches. In each smooth piece of the cycle the search brackets the
+ * sign changes of H', and then compares all maxima.
  */
 #include "energy/barrier.h"
 
 /*
- * 8 samples a piece, dense up to theta_u: for 1,000,000 random trains they missed no maximum that 150 tilts a
- * piece found. tests/unit/test_barrier.c repeats the comparison with fewer trains.
+ * The number of samples in each smooth piece, dense up to theta_u. For 1,000,000 random trains, 8 samples
+ * missed no maximum that 150 tilts in each piece found. tests/unit/test_barrier.c repeats the comparison with
+ * fewer trains.
  */
 #define BARRIER_SAMPLES 8
 
-/* sin^2(pi k / 16): the places of the samples, over the width of a piece. */
+/* The positions of the samples in a piece, as fractions of its width: sin^2(pi k / 16). */
 static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30866f, 0.50000f,
                                                         0.69134f, 0.85355f, 0.96194f};
 
 struct slope_context {
     const struct geometry *geometry;
     struct tilt from; /* heights are relative to H at this tilt */
-    real known;       /* tan(theta / 2) of a top that need not be searched again; negative: none */
+    real known;       /* tan(theta / 2) of a maximum that is already known, or a negative number */
     enum dom_status status;
 };
 
@@ -32,7 +34,7 @@ static real slope_of_H(real p, void *context)
     return c->status == DOM_OK ? slope : REAL_NAN;
 }
 
-/* Returns a number with the sign of the slope, from a train as short as the sign allows. */
+/* Returns a number with the sign of the slope, computed from only as many dominoes as the sign needs. */
 static real rises(real p, struct slope_context *c)
 {
     real slope = 0;
@@ -40,7 +42,7 @@ static real rises(real p, struct slope_context *c)
     return slope;
 }
 
-/* Stores p as the top if H is higher there. */
+/* Stores p as the barrier in *b if H at p is higher than the barrier found so far. */
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
@@ -52,18 +54,25 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return status;
 }
 
-/* The bracket in which a top is searched. */
+/* The state of the search for one top, that is a maximum of H, in the bracket [lo, hi] of p = tan(theta /
+ * 2). */
 struct top {
     real lo, hi;
-    bool rises, falls; /* H increases at lo, decreases at hi; if not, the top may be at that end */
-    real p;            /* the next place to try */
-    real backwards;    /* tan of half of how far the head leans backwards: p may be 0 inside the bracket */
-    real height;       /* of the top; its error is of the third order in the step to the top */
-    real moved;        /* relative change of p in the last step */
+    /* Whether H is known to increase at lo, and to decrease at hi. If not, the top may be at that end. */
+    bool rises, falls;
+    real p; /* the next p to try */
+    /* tan of half the angle by which the head leans backwards at the start, where p is negative. Added to |p|
+     * in relative changes of p, since p may be 0 inside the bracket. */
+    real backwards;
+    real height; /* estimated height of the top; its error is of third order in the last step */
+    real moved;  /* relative change of p in the last step */
 };
 
-/* Makes one step of Newton's method to H1 = 0, from the sums at p. If that leads out of the bracket, or not
- * to a top, goes to an end, or half of the way. */
+/*
+ * Makes one Newton step towards H1 = 0 from the sums at p. If the step would leave the bracket, or if H is
+ * not concave at p, goes instead to an end where the sign of the slope is not yet known, or else bisects the
+ * bracket.
+ */
 static void top_step(struct top *top, struct sums at)
 {
     real p = top->p;
@@ -86,7 +95,8 @@ static void top_step(struct top *top, struct sums at)
 
 #define TOP_STEPS 200
 
-/* Climbs from top->p, where the sums are `at` unless that is NULL. */
+/* Searches for a top by Newton's method, starting at top->p. `at` holds the sums at top->p, or is NULL if
+ * they have yet to be computed. */
 static enum dom_status barrier_climb(const struct slope_context *c, const struct sums *at, struct top *top,
                                      real tol)
 {
@@ -107,14 +117,14 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (top->moved <= tol ||
             (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
             return DOM_OK;
-        if (closed && i > 2 && top->moved > before / 2) /* at a kink Newton's method jumps to and fro */
+        if (closed && i > 2 && top->moved > before / 2) /* at a kink of H' Newton's method oscillates */
             top->p = (top->lo + top->hi) / 2;
         before = top->moved;
     }
     return DOM_NOT_CONVERGED;
 }
 
-/* Searches from sample to sample: a maximum of H is between two samples if H increases at the first and
+/* A sample of the slope of H. A maximum of H lies between two samples if H increases at the first and
  * decreases at the second. */
 struct sample {
     real p, slope;
@@ -143,8 +153,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H decreases at all tilts above theta_u (6; b2): there the head falls, and all its followers
- * lean more, so they fall too. */
+/* Returns true if H decreases at all tilts above theta_u (6; b2). At these tilts the head loses height, and
+ * so do all its followers, since they lean more. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -152,11 +162,12 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is concave up to theta_u, and so has one top. There h'' of the head is at most -h.y, and
- * -h' of a follower at most h.y. By (12; b8) and (14; b10) theta_{i+1}'' is theta_1' theta_i'' less at most r
- * L y_i / Y_i theta_i'^2, and Y_i >= Y_0 >= sqrt(1 - r^2 s^2): no theta_i'' is below -i r L / sqrt(1 - r^2
- * s^2). Followers, all of them falling, reduce the concavity by at most the sum of r^(-q i) times that bound;
- * the sum of i w^i is w / (1 - w)^2. A follower that detaches reduces it less.
+ * Returns true if this bound proves that H is concave up to theta_u, so that H has a single top. Up to
+ * theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14; b10),
+ * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >= sqrt(1 -
+ * r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of which lose
+ * height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i is w / (1 -
+ * w)^2. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -166,9 +177,9 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 }
 
 /*
- * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, dense near the ends,
- * where dominoes detach. Where the head begins to move, there are samples also at the tilts d and sqrt(1 - r
- * s), however small they are.
+ * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, which is dense near the
+ * ends, where dominoes detach. In the piece in which the head begins to move there are further samples down
+ * to a small part of the tilts d and sqrt(1 - r s), however small these are.
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -190,7 +201,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the only top before the tilt hi. */
+/* Finds the top of an H that has only one. hi is tan(theta / 2) of an upper limit of its tilt. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -198,8 +209,8 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
-/* Searches all smooth pieces between the edges of b, relative to H at the tilt `from` of the first. known:
- * tan(theta / 2) of a top that b has already, or -1. */
+/* Searches all smooth pieces between the edges of b. Heights are relative to H at `from`, the tilt of the
+ * first edge. `known` is tan(theta / 2) of a top that b already holds, or -1. */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {
@@ -252,7 +263,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
-    if (tops.height <= 0) /* the upright train is higher */
+    if (tops.height <= 0) /* the upright train is higher than this top */
         tops.height = tops.half = tops.theta_m = 0;
     if (barrier_single(geometry)) {
         *b = tops;
@@ -296,9 +307,9 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 
 KERNEL real barrier_most(const struct geometry *geometry)
 {
-    /* No domino moves farther than to where its follower was at first, and it weighs no less than that
-     * follower. So all dominoes together rise by less than one domino from upright to theta_u, h(theta_u) -
-     * h(0). */
+    /* No domino moves beyond the tilt at which its follower begins the cycle, and no domino weighs less than
+     * its follower. So all dominoes together rise by less than one domino between upright and theta_u, which
+     * is h(theta_u) - h(0). */
     return geometry_rise_u(geometry);
 }
 
@@ -339,7 +350,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* Finds the sign of H' at a tilt, 0 where rounding hides it, and the size of H'. */
+/* Finds the sign of H' at a tilt, or 0 if rounding errors hide the sign, and an upper bound of |H'|. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -352,10 +363,11 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Finds how far theta may be from the top, over [first, last]. At this distance before theta H surely
- * increases and at this distance after theta H surely decreases, unless the cycle begins or ends before. H''
- * gives the distance at which H' has changed by twice its possible error. Where H'' jumps or is 0, the
- * distance is doubled until the signs are sure.
+ * Finds a bound of the distance between theta and the top in [first, last]. At this distance below theta, H
+ * certainly increases, and at this distance above theta, H certainly decreases, except beyond the ends of the
+ * cycle. The first estimate is the distance over which H'' changes H' by twice its possible error. Where H''
+ * jumps or is 0, the distance is doubled until both signs are certain. *steepest is set to an upper bound of
+ * |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define REAL_FLOAT
 #define KERNEL_NAME(name) name##_float
-#ifndef DOMQ /* answers and their bounds leave this kernel in double */
+#ifndef DOMQ /* results and error bounds leave this kernel as doubles */
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
 #endif
 #include "precision/kernel.inc"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The kernel of a precision, or of a method for comparison, as a table of functions with the names of those
- * in domino.h without "dom_". A function is NULL if the method does not give that answer. Error bounds are
- * found if the request has `errors` set.
+ * A kernel is a table of functions that compute in one precision, or by one of the methods for comparison.
+ * The functions have the names of those in domino.h, without "dom_". A function is NULL if the method cannot
+ * answer the question. Error bounds are computed if the request has `errors` set.
  */
 #ifndef DOM_KERNEL_H
 #define DOM_KERNEL_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define REAL_QUAD
 #define KERNEL_NAME(name) name##_quad
-#ifndef DOMQ /* answers and their bounds are rounded to double when they leave this kernel */
+#ifndef DOMQ /* results and error bounds are rounded to double when they leave this kernel */
 #pragma GCC diagnostic ignored "-Wfloat-conversion"
 #ifdef __clang__
 #pragma GCC diagnostic ignored "-Wimplicit-float-conversion"
