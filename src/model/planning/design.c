@@ -25,18 +25,18 @@ enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 
-/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and every test
- * of a train or row fails. */
+/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and none passes
+ * a test. */
 struct planner {
     struct dom_train train;
-    /* settings of the search, which runs in double whatever the precision of the result */
+    /* settings of the search, which computes in double for every precision of the result */
     struct dom_compute compute;
     const struct dom_wish *wish;
     struct dom_domino *domino; /* array with room for `room` dominoes */
     size_t room;
     enum dom_status status;
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole;      /* if false, a run may end at the first domino without the safety */
+    bool whole;      /* if false, a run of a row may end at the first domino without the safety */
     size_t weakest;  /* number of the domino with the smallest ratio in the last row */
     dom_real least;  /* kinetic / barrier of that domino */
     dom_real seconds, engine_seconds; /* duration of the last row, by the model and by the engine */
@@ -54,7 +54,7 @@ static dom_real separation(int k)
     return (dom_real)k / GRID;
 }
 
-/* Returns the growth that leads from the first height to the last one in this number of steps. */
+/* Returns the growth that leads from the first height to the last one in `steps` steps. */
 static dom_real growth(const struct planner *p, size_t steps)
 {
     return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
@@ -151,7 +151,7 @@ static struct dom_row row_of(const struct planner *p, struct choice c, dom_real 
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE
-    row.walls *= p->wish->first; /* from h to m */
+    row.walls *= p->wish->first; /* from multiples of the first height to m */
     return row;
 }
 
@@ -345,7 +345,8 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that fits into the hall. Returns false if no row does. */
+/* Finds the row with the fewest dominoes that has the safety and fits into the hall. Returns false if there
+ * is no such row. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
@@ -379,8 +380,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth has. Equal
- * dominoes (r = 1) have it. */
+/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth has. That
+ * is the ratio of a train of equal dominoes (r = 1). */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;

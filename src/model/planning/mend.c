@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Changes that make a row fall that does not fall yet: another gap or a stronger push. Also finds the largest
- * growth at which a row falls. */
+/* Finds changes that make all dominoes of a row fall if they do not: another gap or a stronger push. Also
+ * finds the growths at which a row falls. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* Only the gap at which the row ends and this many gaps before it are tried. A change farther back has no
+/* The gap at which the row ends and this many gaps before it are tried. A change of an earlier gap has no
  * effect so many dominoes later. */
 enum { BACK = DOM_MENDS - 1 };
 
@@ -17,8 +17,8 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* For a gap out of reach, finds the gaps with which all dominoes fall, from the widest gap in reach
- * downwards. */
+/* If the gap is out of reach, finds the gaps with which all dominoes fall, from the widest gap in reach
+ * downwards. Returns false if the gap is in reach, or not all fall with the widest gap. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;

@@ -18,7 +18,7 @@
 /* The probability that a 95 % confidence interval leaves out at each end. */
 #define TAIL 0.025
 
-/* Number of rows in a task. It is so large that the memory that each task allocates hardly costs time. */
+/* Number of rows in a task. With so many rows, the time to allocate the memory of a task hardly counts. */
 enum { BATCH = 16 };
 
 /* Returns the seed of row i. Its bits are mixed with splitmix64 (Steele et al., 2014), since the consecutive

@@ -27,7 +27,7 @@ struct trial {
     dom_row_make *make; /* writes the dominoes of the row for a given growth */
     void *context;
     enum dom_status status;
-    struct dom_verdict verdict; /* verdict on the last row */
+    struct dom_verdict verdict; /* verdict on the row that was run last */
     enum dom_row_end ends;      /* how the last row that did not fall ended */
 };
 

@@ -74,7 +74,8 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            *beyond = t->ends; /* of the last row that did not fall, which is the one closest to the edge */
+            /* t->ends belongs to the last row that did not fall, which is the closest one to the edge */
+            *beyond = t->ends;
             open = false;
         }
         *others = falls && !open;

@@ -114,7 +114,7 @@ static struct corner corner_make(const struct shape *shape, double r)
     c.rL = span_times(of_r, shape->L);
     /* An fma rounds only once. */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};
-    /* (41; A17): 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2). */
+    /* By (41; A17), 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2). */
     struct span over = span_times(span_times(span_add(shape->d, shape->d), shape->L), span_square(of_r));
     c.leave = span_over(span_times(c.short_of, span_add(span_of(1), c.rs)), over);
     c.leave.lo = smaller(least_0(c.leave.lo), shape->v_inf.lo);
@@ -131,7 +131,7 @@ struct growth growth_make(const struct shape *shape, double r_low, double r_high
     g.low = corner_make(shape, r_low);
     g.high = corner_make(shape, r_high);
     g.leave = (struct span){g.high.leave.lo, g.low.leave.hi}; /* theta_leave decreases with r */
-    /* theta_inf < theta_leave: 1/r^2 > L^2 - d^2 = s (s + 2 d). */
+    /* theta_inf < theta_leave if 1/r^2 > L^2 - d^2 = s (s + 2 d). */
     struct span room = span_times(shape->s, span_add(shape->s, span_add(shape->d, shape->d)));
     g.detaches_never = up(up(r_high * r_high) * room.hi) < 1;
     g.rq = span_power(g.r, shape->q);
@@ -160,7 +160,7 @@ struct contact chain_contact(const struct growth *growth, struct span v)
     c.x = tilt_sine(u);
     c.held = v.lo >= growth->leave.hi;
     c.may_hold = v.hi >= growth->leave.lo;
-    /* (14; b10): dF/dtheta = 1 - r L sin theta / Y, from 0 to 1. */
+    /* By (14; b10), dF/dtheta = 1 - r L sin theta / Y, which is between 0 and 1. */
     c.step = (struct span){least_0(down(1 - up(up(growth->high.rL.hi * c.x.hi) / c.Y.lo))),
                            most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)

@@ -33,8 +33,8 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for a single double x >= 1: with x = 2^n m and 1 <= m < 2, ln x = n ln 2 + 2 atanh((m - 1)/(m
- * + 1)). */
+/* Returns ln x for a single double x >= 1: with x = 2^(n-1) m and 1 <= m < 2, ln x = (n - 1) ln 2 + 2
+ * atanh((m - 1)/(m + 1)). */
 static struct span log_of(double x)
 {
     int n;

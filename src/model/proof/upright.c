@@ -25,8 +25,8 @@ static struct span step_bend(const struct growth *g, const struct contact *c, st
     struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
                 rL = {g->low.rL.lo, g->high.rL.hi};
     struct span off = least_zero(span_over(span_times(rL, c->x), c->Y));
-    /* The derivative by theta is (r L / Y) ((r L x / Y) (X x / Y) ... - y), and the derivative by r is -L x /
-     * Y^3. */
+    /* The derivative with respect to theta is (r L / Y) ((r L x / Y) (X x / Y) ... - y), and that with
+     * respect to r is -L x / Y^3. */
     struct span pull = span_sub(span_times(off, span_over(span_times(c->X, c->x), c->Y)), y);
     struct span by_theta = span_over(span_mul(rL, pull), c->Y);
     struct span by_r = span_over(span_over(span_times(g->shape->L, c->x), span_square(c->Y)), c->Y);

@@ -44,7 +44,7 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Factor on omegasq in the fast one of the two runs that look for negative contact forces. */
+/* Factor by which omegasq is raised in the fast one of the two runs that look for negative contact forces. */
 #define FAST 1000
 
 /* The largest deviation that the changed dominoes themselves may still cause, as a number and as a fraction

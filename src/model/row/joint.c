@@ -105,7 +105,7 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects of domino k. The wall thickness is the same in m for all dominoes, and so is a
+/* Turns on the effects of domino k. The walls of all dominoes have the same thickness in m, which is a
  * different fraction of each height. The radius of the edges may differ from domino to domino. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {

@@ -202,7 +202,8 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges that falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    real end, left; /* p when the domino hits the next one, and the requested time from p to that hit */
+    /* p = ln tan(phi / 4) when the domino hits the next one, and the requested time from p to that hit */
+    real end, left;
 };
 
 /* Returns the angle beyond theta_u from p = ln tan(phi / 4). */
@@ -243,14 +244,15 @@ static real tipping_over(real p, void *context)
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* Its inertia is between that of a rod about its end and a quarter of that of a block. */
+    /* The moment of inertia is at least a quarter of that of a block with sharp edges, so p grows by at most
+     * sqrt(2 reach) per tau, and the search can begin at p = `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
 }
 
-/* At the angle phi beyond theta_u, a single domino with sharp edges and reach u has w = 2 u sin^2(phi / 2).
- * So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
+/* At the angle phi beyond theta_u, a single domino with sharp edges and reach u has tau^2 omega^2 = 2 u
+ * sin^2(phi / 2). So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

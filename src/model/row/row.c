@@ -175,7 +175,7 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     *d = (struct descent){.st = {.geometry = *geometry,
                                  .start = {.from = top, .J = geometry_inertia(geometry, top)},
                                  .gain = 1}};
-    d->st.geometry.dynamics = &energy_balance; /* nothing leans on it */
+    d->st.geometry.dynamics = &energy_balance; /* no domino leans on the first one */
     d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
     enum dom_status status =

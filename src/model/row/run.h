@@ -9,9 +9,9 @@
 
 struct run {
     const struct row_request *request;
-    struct geometry
-        *geometry; /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
-    size_t made;   /* number of geometries that have been made, if not all have (steady.h) */
+    /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
+    struct geometry *geometry;
+    size_t made; /* number of geometries that have been made, if not all have (steady.h) */
     bool times;
     bool forces;   /* find the smallest contact force itself, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */

@@ -112,7 +112,7 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
 {
     const struct geometry *head = &s->geometry[k];
     const real tol = TAIL_SHARE * (real)s->request.tol, kinetic = (1 + run->inertia_ratio) * run->omegasq;
-    const bool alone = run->moving == 1; /* then there is no friction */
+    const bool alone = run->moving == 1; /* a domino that moves alone has no friction */
     struct link a = link_head(head, head->c), b = link_head(head, standing);
     struct glide g = {.t = half_of_tilt(head->c)};
     const size_t known = k > 0 && s->head == k - 1 ? s->deep : k;

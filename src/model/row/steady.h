@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a sequence of equal dominoes, each head moves in the same way as the previous one after a while. By then
- * all dominoes that matter to a head are equal, and omegasq no longer changes. */
+/* In a sequence of equal dominoes, after a while each head moves in the same way as the previous head. By
+ * then all dominoes that matter to a head are equal, and omegasq no longer changes. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -16,8 +16,8 @@ struct steady {
 /* Makes the geometry of the row up to domino k, as far as it is not made yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
-/* Returns the number of dominoes whose geometry is made before the run. All later dominoes are equal to
- * these, so that their geometry cannot fail. */
+/* Returns the number of dominoes whose geometry is made before the run. All later dominoes are equal to the
+ * last of these, so that making their geometry cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
 /* Called when head k begins. Returns true if head k repeats the motion of the previous head: then `fall` is

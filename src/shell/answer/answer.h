@@ -17,7 +17,7 @@ struct column {
     const char *key;  /* the name of the column */
     const char *unit; /* "" for a pure number, "rad" or "rad/s" for angles, otherwise a unit of measure.h */
     const char *meaning; /* an explanation for people, one line long */
-    /* the width in a table of rows of a column of words, or of numbers with few digits; 0 for other
+    /* the width of a column in a table of rows, for words or for numbers with few digits; 0 for other
      * numbers */
     int width;
 };
@@ -65,7 +65,7 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                 /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
-    bool told;                                         /* a person was told something without a row */
+    bool told;                                         /* text for people was written without a row */
     int error;                                         /* errno of the first write that failed, or 0 */
     char late_reason[ANSWER_REASON]; /* the reason of a row that could not be written with that row, or "" */
 

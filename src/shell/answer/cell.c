@@ -64,7 +64,7 @@ static int exact_digits(domq_real number, int all)
     return digits;
 }
 
-/* Returns how many digits of a number to print, at most `all`.  They are enough that the rounding adds little
+/* Returns how many digits of a number to print, at most `all`.  With so many digits, the rounding adds little
  * to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
@@ -171,6 +171,7 @@ const char *cell_plain_bound(const struct answer_style *style, struct cell cell,
 {
     char number[CELL_TEXT];
     bool has_bound =
-        cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2)); /* bound_text rounds it up */
+        /* a factor of 2, because bound_text rounds the bound up */
+        cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2));
     return has_bound ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }

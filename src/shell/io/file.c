@@ -17,7 +17,8 @@
 #include <unistd.h>
 
 struct file {
-    struct output output; /* first: a pointer to one is a pointer to the other */
+    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    struct output output;
     struct target target;
     /* the stream is the temporary file; otherwise it is a device or FIFO, whose text is written at once */
     bool is_held;

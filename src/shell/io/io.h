@@ -37,10 +37,8 @@ bool io_write(int file, const char *bytes, size_t count, const volatile sig_atom
 sigset_t io_block(void);
 void io_unblock(const sigset_t *before);
 
-/*
- * If descriptor 0, 1 or 2 is closed, opens a placeholder in its place, which can be neither read nor written.
- * Otherwise the next file that is opened would become standard input or output.
- */
+/* If descriptor 0, 1 or 2 is closed, opens a placeholder for it, which can be neither read nor written.
+ * Otherwise the next file that is opened would become standard input or output. */
 void io_begin(void);
 
 /* ---- Streams ---- */

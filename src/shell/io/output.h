@@ -60,7 +60,7 @@ const char *file_push(struct output **top, const char *path, bool append,
 
 /*
  * Pushes a pager for a text that may be longer than the terminal.  Returns false, and does nothing, unless
- * both standard input and the level below are the terminal itself.  A text of more than `screens` screens is
+ * both standard input and the level below are the terminal itself.  A text of at least `screens` screens is
  * piped through $PAGER or less while it is written, or is shown a page at a time if `may_run` does not allow
  * a program.  A shorter text, or one that arrives slowly, is shown without a pager.  Writing fails after the
  * reader has quit, and after an interrupt.  Popping the pager waits for the reader, and then shows the

@@ -28,7 +28,8 @@ enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
 struct pager {
-    struct output output; /* first: a pointer to one is a pointer to the other */
+    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    struct output output;
     enum { HELD, DIRECT, PROGRAM, PAGES, LEFT } state;
     FILE *to; /* memory while the text is HELD; later the terminal, or the pipe to the PROGRAM */
     char *text, *messages;

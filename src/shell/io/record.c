@@ -10,7 +10,8 @@
 #include <string.h>
 
 struct record {
-    struct output output; /* first: a pointer to one is a pointer to the other */
+    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    struct output output;
     struct target target;
     FILE *file;
     bool in_line;        /* the last line of the file is still incomplete */
