@@ -43,8 +43,8 @@ struct level {
     bool refute;
 };
 
-/* Returns an upper bound of how much smaller K - D may be inside the strip than at its upper end: see 3. in
- * cover_tilts. */
+/* Returns an upper bound of how much smaller K - D may be inside the strip than at its upper end: see bound 3
+ * of cover_tilts. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);

@@ -47,9 +47,9 @@ struct course {
 /* Factor by which omegasq is raised in the fast one of the two runs that look for negative contact forces. */
 #define FAST 1000
 
-/* The largest deviation that the changed dominoes themselves may still cause, as a number and as a fraction
- * of the smallest contact force. With friction the limit is tiny, since no measure tells how close a row is
- * to locking. */
+/* A trial may end early if the changed dominoes can cause no further deviation above LEFT_MOST, nor above
+ * LEFT_FORCE times the smallest contact force. With friction the limit is LEFT_MOST_LOCKING, which is tiny,
+ * since no measure tells how close a row is to locking. */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)

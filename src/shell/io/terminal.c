@@ -138,7 +138,7 @@ void progress_begin(void)
 {
     if (!terminal_shows(stderr))
         return;
-    progress_end(); /* ends the progress line of a command that runs other commands, such as source */
+    progress_end(); /* ends the progress line of the command that runs this one, such as source */
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     seconds = done = 0;
     is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;
