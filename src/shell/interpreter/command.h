@@ -130,14 +130,14 @@ struct command_group {
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Three lists in the form that names.h takes: all commands; all commands and parameters; and the column keys
- * of one command, which is the context. */
+/* Each of these functions is a names_list (see names.h). They list all commands; all commands and parameters;
+ * and the column keys of the command that is the context. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
-/* Lists, in the form that names.h takes, all names that have a value in a state. The context is that state;
- * if it is NULL, only names that have a value in every state are listed. */
+/* A names_list of all names that have a value in a state. The context is that state; if it is NULL, only
+ * names that have a value in every state are listed. */
 const char *value_names(const void *context, int k);
 
 /* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of
@@ -160,7 +160,8 @@ int command_values(const struct command *command, int *fewest);
 enum { USAGE_SIZE = 96 };
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Returns false, with a problem, if the command reads or writes files and the session is safe. */
+/* Checks that a safe session may run the command. Returns false with a problem if the session is safe and the
+ * command reads or writes files. */
 bool command_allowed(const struct means *means, const struct command *command, struct problem *problem);
 
 /* Runs a command whose arguments are bound. Stores the cells of its answer in `kept` instead of writing them.

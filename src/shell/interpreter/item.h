@@ -7,7 +7,8 @@
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* After an error, the parsers below set the reader's problem and return false or NULL. */
+/* The parsers below advance the reader. After an error they set the reader's problem and return false or
+ * NULL. */
 
 /* Parses an expression for an argument. The item keeps the pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
@@ -43,7 +44,7 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 /* Returns true if the name has a value in this state, or, if the state is NULL, in every state. */
 bool is_value_name(const struct state *state, const char *name);
 
-/* Lists, in the form that names.h takes, the parameters of the model and then the effects. */
+/* A names_list of the parameters of the model and, after them, the effects. */
 const char *model_names(const void *context, int k);
 
 #endif

@@ -35,7 +35,7 @@ bool question_parse(struct reader *reader, struct question *question);
  * problem. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
-/* Lists, in the form that names.h takes, the commands that question_parse_any accepts. */
+/* A names_list of the commands that question_parse_any accepts. */
 const char *question_names(const void *context, int k);
 
 /* Returns a copy of the text from `begin` to `end` for messages, without trailing blanks. */

@@ -164,8 +164,8 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
                       : problem_error(r->problem, "%s", unclosed);
 }
 
-/* If '--check' follows a command that decides something, reports that 'assert' does this, and returns
- * true. */
+/* Commands have no options. If '--check' follows a command that decides something, this function reports that
+ * 'assert' can be used instead, and returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];

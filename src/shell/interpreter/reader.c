@@ -75,7 +75,7 @@ bool word_is_next(const struct reader *r, const char *word)
            !isalnum((unsigned char)r->at[n]);
 }
 
-/* A list, in the form that names.h takes, of a single word, which is the context. */
+/* A names_list (see names.h) of a single word, which is the context. */
 static const char *single_word(const void *word, int k)
 {
     return k == 0 ? word : NULL;

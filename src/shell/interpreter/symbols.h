@@ -30,9 +30,10 @@ enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* a struct command, of whose answer column `index` is the value */
-    SYMBOL_ANS,  /* the struct command of the last answer, of which column `index` is the value; NULL for the
-                    value that was printed last */
+    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
+    /* The struct command of the last answer; the value is column `index` of that answer. NULL stands for the
+     * value that was printed last. */
+    SYMBOL_ANS,
     SYMBOL_WITH, /* a list of struct assignment that applies while the child is evaluated */
 };
 

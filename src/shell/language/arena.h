@@ -8,7 +8,7 @@
 
 struct arena {
     struct arena_block *block; /* a linked list; the block at its head is the one in use */
-    size_t used, size;         /* used bytes and size in bytes of the block that is in use */
+    size_t used, size;         /* the number of bytes used in the block in use, and the size of that block */
 };
 
 /* Returns zeroed memory that is aligned for any type, or NULL if there is no memory. */

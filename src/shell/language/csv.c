@@ -125,8 +125,8 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 
 /*
  * Finds the separator. A line such as "sep=;" above the first line names the separator, and is skipped.
- * Otherwise the separator is ';' if the first line has one, or else a comma, unless the first tab stands
- * directly between two names.
+ * Otherwise the separator is ';' if the first line has one. Otherwise it is a comma if the first line has one
+ * and its first tab, if any, does not stand directly between two names. In all other cases it is a tab.
  */
 static void separator_find(struct csv_file *file)
 {

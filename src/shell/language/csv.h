@@ -61,7 +61,7 @@ struct csv_file {
         /* The position of the first number in which the mark might separate thousands. The line is 0 if there
          * is no such number. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits of that number */
+        char before[4], after[4]; /* the digits of that number before and after the mark */
     } point, comma;
 };
 

@@ -71,7 +71,7 @@ struct csv_table {
     /* The size of the column's unit in SI units; 0 if the file does not give a unit. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the value in the current row, in SI units, or NaN */
-    bool other[CSV_CELLS_MOST];        /* the kind does not have this column */
+    bool other[CSV_CELLS_MOST];        /* true for a column of the file that the kind does not have */
     char unused[200];                  /* the names of the file's columns that are not used, except notes */
 };
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0).
- *
- * The parser makes a tree, which can be evaluated many times, and by several threads, since evaluation does
- * not change the tree. Operators of one precedence make one node, a chain: its children are the operands, and
- * each child but the first has the operator before it. An expression ends where a blank separates it from
- * text that cannot continue it: "1 - 2" is one expression, and "1 -2" are two.
+ * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0). The parser makes
+ * a tree, which can be evaluated many times, and by several threads, since evaluation does not change the
+ * tree. Adjacent operators of the same precedence share one node, a chain. The children of a chain are its
+ * operands, and each child except the first stores the operator before it. An expression ends at a blank if
+ * the text after the blank cannot continue it: "1 - 2" is one expression, and "1 -2" is two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
@@ -106,7 +105,7 @@ void evaluation_message(struct evaluation *evaluation, bool of_value, const char
 /* Returns the built-in function with this name, or NULL. Writes the number of its arguments to *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
-/* Lists the built-in names, in the form that names.h takes. */
+/* A names_list (see names.h) of the built-in names. */
 const char *expression_names(const void *context, int k);
 
 #endif

@@ -46,7 +46,7 @@ const char *expression_kind(struct quantity quantity, char *text, size_t size);
 /* Returns an example of a quantity with this unit, such as "10 g", or NULL if there is no usual example. */
 const char *expression_example(struct quantity quantity);
 
-/* Lists the units, in the form that names.h takes. */
+/* A names_list (see names.h) of the units. */
 const char *expression_units(const void *context, int k);
 
 /* Returns true if a name can begin with the character. A name has letters, digits and '_'. */

@@ -33,7 +33,7 @@ ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
 /* Returns the description of effect k, from 0. */
 const struct domq_effect *effect_at(int k);
 
-/* Lists the names of all effects, in the form that names.h takes. */
+/* A names_list (see names.h) of all effects. */
 const char *effect_names(const void *context, int k);
 
 /* If the word is the name of an effect, writes a message that says how to turn the effect on, and returns

@@ -284,7 +284,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
     };
-    row->row.walls *= scene->scale.h; /* from fractions of h to m */
+    row->row.walls *= scene->scale.h; /* converts from fractions of h to m */
     row->compute = scene->compute;
     return true;
 }

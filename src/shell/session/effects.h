@@ -43,7 +43,7 @@ struct scene_row {
     struct domq_row row;
     struct domq_compute compute;
     struct domq_domino *domino;
-    struct engine_report report; /* for commands that let the engine fill it in */
+    struct engine_report report; /* what the engine found, for commands that request it */
     /* `row.engine` may point to this member, so the struct must not be copied. */
     struct scene_engine engine;
 };

@@ -44,8 +44,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
     struct domq_box box;
     if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    /* box.inertia is the ratio about the lower edge; the parallel axis theorem gives the ratio about the
-     * centre. */
+    /* box.inertia is the same ratio for an axis along the lower edge. The parallel axis theorem converts it
+     * to an axis through the centre. */
     return 4 * (double)box.inertia - 3;
 }
 
@@ -211,7 +211,7 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    double zero;             /* the time of the engine at which the clock starts, in the engine's units */
+    double zero;             /* the engine's time, in its units, at which the caller's clock starts */
     const domq_real *times;  /* the times in s that have not been visited yet */
     size_t left;             /* the number of elements of `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */

@@ -8,8 +8,8 @@
 
 /* ---- Descriptions ---- */
 
-/* Three lists in the form that names.h takes: all parameters; the words of one parameter; and the same words
- * without their synonyms. */
+/* Each of these functions is a names_list (see names.h). They list all parameters; all words for values of
+ * the parameter that is the context; and the same words without their synonyms. */
 const char *parameter_names(const void *context, int k);
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
@@ -28,7 +28,7 @@ const struct parameter *parameter_by_synonym(const char *word, bool *is_usual);
 bool is_synonym(const char *synonyms, const char *word);
 
 /* If the word is a synonym of a parameter, appends a suggestion to a message, such as "; did you mean 's'? 's
- * = VALUE' ...", and returns true. */
+ * = VALUE' gives it a value", and returns true. Otherwise returns false. */
 bool parameter_hint(const char *word, char *message, size_t size);
 
 /* Returns the description of a parameter's value number i, from 0, or NULL after the last value. Only effects

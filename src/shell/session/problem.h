@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors as values: a function that fails writes a message into a struct problem and returns false. Its
- * caller can print the message, write it into a row of the answer, or ignore it. */
+ * caller can print the message, write it into a row of the answer, or ignore it. Comments call this "returns
+ * false with a problem". */
 #ifndef SHELL_PROBLEM_H
 #define SHELL_PROBLEM_H
 
@@ -17,7 +18,7 @@ enum { PROBLEM_TEXT = 1024 };
 struct problem {
     enum problem_kind kind;
     int column;          /* the column of the error in the line, from 1; 0 stands for the whole line */
-    int place;           /* the column for the next problem */
+    int place;           /* the column that problem_report stores in the next problem */
     const char *command; /* the name of the command; may be NULL */
     char text[PROBLEM_TEXT];
 };

@@ -40,7 +40,7 @@ enum { ANSWER_CELLS = 16 };
 
 /* The last answer, for 'ans' in expressions. */
 struct ans {
-    const struct command *command; /* NULL if there was no answer */
+    const struct command *command; /* the command of the last answer; NULL if there has been none */
     struct cell cells[ANSWER_CELLS];
     bool printed; /* the last answer was the value of an expression */
     struct quantity value;

@@ -113,8 +113,8 @@ domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_rea
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
 domq_real scene_mass(const struct scene *scene);
 
-/* Returns true if a domino with sharp edges does not fall over by its own lean on a slope of `alpha` radians.
- * Otherwise writes a message that says how far the domino can lean. */
+/* Returns true if a domino with sharp edges stands despite its lean on a slope of `alpha` radians. Otherwise
+ * writes a message that says how far the domino can lean, and returns false. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
