@@ -10,8 +10,8 @@
 static struct chipmunk functions;
 static bool loaded;
 
-/* Stores the address of a function. ISO C has no conversion from the address of an object, so it is copied.
- */
+/* Looks up a function and stores its address in *member. ISO C has no conversion from void * to a function
+ * pointer, so the bytes of the address are copied. */
 static bool find(void *library, const char *name, void *member)
 {
     void *address = dlsym(library, name);
@@ -20,8 +20,9 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Makes a first space, with which the library prints its name.  Meanwhile the variable `stdout` is another
- * stream.  The descriptor stays what it is, because a signal handler or another thread may write answers.
+ * Creates and frees a first space, because the library prints its name when the first space is created.
+ * Meanwhile the variable `stdout` refers to /dev/null. The file descriptor is left alone, because a signal
+ * handler or another thread may write output to it.
  */
 static void make_first(void)
 {
@@ -54,7 +55,7 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    const bool room = tried || room_take(0); /* memory for the first space and for the library */
+    const bool room = tried || room_take(0); /* memory for the first space and for loading the library */
     if (room && !tried) {
         load();
         room_give(0);

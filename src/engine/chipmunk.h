@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The functions of Chipmunk 7, a rigid-body engine, which is loaded when a row first needs it. A program that
- * never needs the engine does not load it, and also runs where it is not installed.
+ * The functions of Chipmunk 7, a rigid-body engine, which is loaded the first time a row needs it. A program
+ * that never needs the engine does not load it, and therefore also runs where it is not installed.
  */
 #ifndef ENGINE_CHIPMUNK_H
 #define ENGINE_CHIPMUNK_H
@@ -9,7 +9,7 @@
 #include "engine.h"
 #include <chipmunk/chipmunk.h>
 
-/* The functions that are looked up: X(name). */
+/* The functions that are looked up in the library: X(name). */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \
@@ -62,8 +62,8 @@ struct chipmunk {
     char version[24]; /* "7.0.3" */
 };
 
-/* Sets *functions. The first call loads the library; any thread may make it. Returns ENGINE_NO_LIBRARY or
- * ENGINE_NO_MEMORY if that fails. */
+/* Sets *functions. The first call loads the library; calls from several threads are safe. Returns
+ * ENGINE_NO_LIBRARY or ENGINE_NO_MEMORY if loading fails. */
 enum engine_status chipmunk_load(const struct chipmunk **functions);
 
 #endif

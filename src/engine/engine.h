@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row of boxes in a rigid-body engine. This folder has no equations about dominoes: boxes with a size, a
- * mass and a moment of inertia stand on hinges or on a floor with friction, collide, and are pulled by
- * gravity.
+ * A row of boxes in a rigid-body engine. The code in this folder has no equations specific to dominoes. Boxes
+ * with a size, a mass and a moment of inertia stand on hinges, or on a floor with friction; they collide, and
+ * gravity pulls them.
  */
 #ifndef ENGINE_H
 #define ENGINE_H
@@ -12,58 +12,73 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The gap is the free distance to the box before this one. The gap of the first box is not read. */
+/* A box of a row. `gap` is the clear distance to the previous box; that of the first box is ignored. */
 struct engine_box {
     double height, thickness, gap, mass;
-    double inertia; /* moment of inertia about its centre over that of a solid box; 0 means a solid box */
-    double radius;  /* of its edges, if the row has rounded edges; 0 means the radius of the row */
+    /* Moment of inertia about the centre, relative to that of a solid box; 0 means a solid box. */
+    double inertia;
+    double radius; /* radius of the edges, if the row has rounded edges; 0 means the radius of the row */
 };
 
 struct engine_row {
     const struct engine_box *box;
     size_t count;
     double g;
-    double push; /* angular velocity of the first box; NaN if it is tipped over its edge and let go instead */
-    double slope;  /* the angle by which the floor falls in the direction of the row */
-    double mu;     /* friction between boxes */
-    double bounce; /* restitution between boxes */
-    double feet;   /* friction of the floor; if infinite, a foot is a hinge, or rolls if it is rounded */
-    double radius; /* of rounded edges, over the height */
-    double bevel;  /* the share of the height by which the upper back edge is cut off; masses stay the same */
+    /* Angular velocity given to the first box; NaN if it is tipped over its edge and let go instead. */
+    double push;
+    double slope;  /* angle at which the floor descends in the direction of the row */
+    double mu;     /* friction coefficient between boxes */
+    double bounce; /* coefficient of restitution between boxes */
+    /* Friction coefficient of the floor; if it is infinite, each foot is a hinge, or rolls if it is
+     * rounded. */
+    double feet;
+    double radius; /* radius of rounded edges, relative to the height */
+    double bevel;  /* fraction of the height by which the upper back edge is cut off; masses are unaffected */
 };
 
-/* Initializer of a row of solid boxes on hinges without any effect. Change what differs. */
+/* Initialiser for a row of solid boxes on hinges, without any other effect. Set the members that differ
+ * afterwards. */
 #define ENGINE_ROW(box_, count_)                                                                             \
     {                                                                                                        \
         .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY              \
     }
 
-/* How fine a computation is. A caller refines both numbers until the answer stops changing. */
+/* The resolution of a computation. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    double steps;   /* in sqrt(height / g) of the foremost moving box, and in each radian that it turns */
-    int iterations; /* of the engine's solver in a step; a collision takes fifty times as many */
+    /* Steps in the time sqrt(height / g) of the foremost moving box, and at least as many in each
+     * radian it turns. */
+    double steps;
+    /* Iterations of the engine's solver in a step; in a collision there are fifty times as many. */
+    int iterations;
 };
 
 /* A box that was hit. */
 struct engine_hit {
-    double time;    /* of the hit, since the push or else since the first hit; NaN before that */
-    double until;   /* the time when it hits the next box, or lies; NaN if it does neither */
-    double omega;   /* its angular velocity just after it was hit; 0 if it has hardly moved */
-    double kinetic; /* the kinetic energy of all boxes at that time */
-    double slid;    /* how far its foot has slid when the row ends; negative if it has slid backwards */
+    /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box
+     * let go. */
+    double time;
+    /* Time at which the box hits the next one, or lies; NaN if it does neither, or was let go. */
+    double until;
+    double omega;   /* angular velocity just after the hit; 0 if the box has hardly moved */
+    double kinetic; /* kinetic energy of all boxes just after the hit */
+    /* Distance that the foot has slid by the end of the run; negative if it has slid backwards. */
+    double slid;
 };
 
 struct engine_fall {
-    bool all;       /* all boxes fall */
-    bool lies;      /* the last box that was hit lies */
-    bool leans;     /* the first box, tipped over its edge, would already touch the second; nothing was run */
-    size_t hits;    /* number of boxes that were hit, the first included */
-    double seconds; /* until the last box lies, or the row has come to rest */
-    double zero;    /* the time since the start at which the clock starts */
-    double depth;   /* the deepest penetration of a box, over its height */
-    double drift;   /* the largest distance of a corner from its hinge, over the height */
-    double gain;    /* the largest growth of energy between two hits, over the kinetic energy at the second */
-    bool caught;    /* boxes have touched in another way than with a tip on the back face of the next box */
+    bool all;    /* all boxes fall */
+    bool lies;   /* the last box that was hit has fallen to the floor */
+    bool leans;  /* the first box, tipped over its edge, would already touch the second, so nothing was run */
+    size_t hits; /* number of boxes that were hit, including the first */
+    double seconds; /* time until the last box lies, or until the row has come to rest */
+    double zero;    /* time from the start of the run to the zero of all other times */
+    /* The deepest penetration of one box into another, relative to the height of the rear box. */
+    double depth;
+    double drift; /* the largest distance of a corner from its hinge, relative to the height */
+    /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the
+     * latter. */
+    double gain;
+    bool caught; /* boxes have touched in some other way than with a tip on the back face of the next box */
 };
 
 enum engine_status {
@@ -71,32 +86,32 @@ enum engine_status {
     ENGINE_NO_LIBRARY, /* Chipmunk is not installed */
     ENGINE_NO_MEMORY,
     ENGINE_INTERRUPTED,
-    ENGINE_NO_END /* the row has neither fallen nor come to rest after very many steps */
+    ENGINE_NO_END /* the row has neither fallen nor come to rest within a very large number of steps */
 };
 
 /* The largest number of boxes in a row. The time that a run takes grows with its square. */
 enum { ENGINE_MOST = 200 };
 
-/* Loads the engine unless an earlier call has loaded it. Returns ENGINE_OK, ENGINE_NO_LIBRARY or
+/* Loads the engine, unless an earlier call has already loaded it. Returns ENGINE_OK, ENGINE_NO_LIBRARY or
  * ENGINE_NO_MEMORY. */
 enum engine_status engine_load(void);
 
 /* Returns the version of the engine, or NULL if it cannot be loaded. */
 const char *engine_version(void);
 
-/* The row at one time since the start. tilt[k] is the tilt of box k, and foot[k] is the distance that its
- * foot has slid, for k < count. */
+/* The state of a row during a run. For k < count, tilt[k] is the tilt of box k, and foot[k] the distance that
+ * its foot has slid. */
 struct engine_moment {
     double time;
     size_t head;  /* index of the foremost box that was hit */
-    size_t count; /* number of boxes in the engine so far; all others stand */
+    size_t count; /* number of boxes in the engine so far; all others still stand upright */
     const double *tilt, *foot;
 };
 typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
- * Runs a row once. `hit` has room for row->count boxes, or is NULL. visit, which may be NULL, is called after
- * each step and returns false to end the run.
+ * Runs a row once. `hit` is an array of row->count elements, or NULL. `visit`, which may be NULL, is called
+ * after each step and returns false to end the run.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
@@ -105,22 +120,24 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
 /* The result of runs with ever shorter steps. */
 struct engine_settled {
     struct engine_fall fall;
-    double steps;  /* of the last run */
-    double change; /* the largest change of a time when the steps were last halved, over the last time */
-    bool same;     /* the verdict did not change when the steps were last halved */
+    double steps; /* steps of the last run, as in struct engine_grain */
+    /* The largest change of a time when the steps were last halved, relative to the duration; NaN if
+     * the verdict changed or times were not requested. */
+    double change;
+    bool same; /* the verdict did not change when the steps were last halved */
 };
 
-/* The largest relative change of a time that counts as settled, and the finest steps. */
+/* The largest relative change of a time that counts as settled, and the finest resolution to try. */
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
-/* The grain with which engine_settle begins, and with which a rough answer is found. */
+/* The resolution with which engine_settle starts. It is also good enough for a rough answer. */
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row and halves the steps until the verdict no longer changes, and with `times` until the times of
- * all hits change by less than ENGINE_AGREES, or until the steps are as short as ENGINE_FINEST. `hit` is as
- * in engine_run; it may not be NULL with `times`.
+ * Runs a row repeatedly, and halves the length of the steps until the verdict no longer changes. If `times`
+ * is true, continues until the times of all hits change by less than ENGINE_AGREES. Ends in any case when the
+ * resolution is ENGINE_FINEST. `hit` is the same as for engine_run, but must not be NULL if `times` is true.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -3,7 +3,8 @@
 #include <pthread.h>
 #include <stdlib.h>
 
-/* Chipmunk 7.0.3 takes at most 0.4 MB for a space and 4 kB for each box. */
+/* Bytes to reserve for a space and for each box. Chipmunk 7.0.3 needs at most 0.4 MB for a space and 4 kB for
+ * each box. */
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
@@ -14,7 +15,8 @@ bool room_take(size_t boxes)
     const size_t more = SPACE + BOX * boxes;
     pthread_mutex_lock(&lock);
     void *volatile room =
-        malloc(taken + more); /* volatile, since gcc may remove a malloc that is only freed */
+        /* The pointer is volatile, because gcc may remove a malloc whose result is only freed. */
+        malloc(taken + more);
     bool found = room;
     free(room);
     if (found)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Chipmunk crashes if an allocation fails, so that a space is made only if there is enough memory for all
- * that this space and the other spaces may allocate.
+ * Chipmunk crashes if an allocation fails. Therefore a space is created only if there is enough memory for
+ * everything that it and all other spaces may allocate.
  */
 #ifndef ENGINE_ROOM_H
 #define ENGINE_ROOM_H
@@ -9,8 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Reserves memory for a space with this many boxes. Returns false if there is not enough. Any thread may
- * call. */
+/* Reserves memory for a space with this many boxes. Returns false if there is not enough. Thread-safe. */
 bool room_take(size_t boxes);
 
 /* Ends the reservation after the space has been freed. */

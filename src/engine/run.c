@@ -1,43 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One run of a row, step by step. */
+/* Runs a row once, step by step. */
 #include "world.h"
 #include <math.h>
 #include <stdlib.h>
 
 /*
- * The engine integrates by the symplectic Euler rule, which is of first order, and finds the impulses of
+ * The engine integrates by the symplectic Euler method, which is of first order, and finds the impulses of
  * contacts and joints by iteration. Boxes that penetrate each other are not pushed apart, since that would
- * move them off their hinges. A hinge that has drifted is pulled back slowly compared with a step, since the
- * box keeps the velocity of the pull.
+ * move them off their hinges. A hinge that has drifted is pulled back over many steps, because a box keeps
+ * the velocity that the pull gives it.
  *
- * Before a hit the steps become short, so that the hit is neither late nor deep. After the hit they stay
- * short for a while: the engine scales the impulses of the last step with the length of the step, and a long
- * step would strike again.
+ * Before a hit the steps become short, so that the hit is detected on time and with little penetration. After
+ * the hit they stay short for a while: the engine starts each step from the impulses of the step before,
+ * scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
  */
-static const double hinge_rate = 50;       /* in 1 / sqrt(height / g) of the foremost box */
-static const double shortest = 1.0 / 1024; /* the shortest step over the normal one */
-static const double brakes = 0.9;          /* the share of the time to the next hit that a step may take */
-static const double lies = 1e-3;  /* the height of the tip of a box that lies, over the box's height */
-static const double rests = 1e-5; /* angular velocities below this count as 0, in units of hinge_rate */
+/* Rate at which drift decays, in 1 / sqrt(height / g) of the foremost box. */
+static const double hinge_rate = 50;
+static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
+static const double brakes = 0.9; /* the fraction of the time to the next hit that one step may take */
+static const double lies = 1e-3;  /* a box lies if its tip is lower than this, relative to its height */
+static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 static const double hinged_rest = 0.1,
-                    any_rest = 3;   /* a box that rests for so long has stopped, in its unit */
-static const double most_work = 30; /* work in steps, over the steps in a unit, for each box and some more:
-                                     * twenty times as much as most rows take */
-enum { CALM = 2, HARDER = 50 }; /* number of short steps after a hit, and the factor of their iterations */
-enum { FOREMOST = 4 };          /* number of boxes whose drift is recorded */
+                    any_rest = 3; /* a box that rests for this long has stopped, in sqrt(height / g) */
+/* Largest work in steps, divided by the steps in a unit of time, for each box and twenty more:
+ * twenty times as much as most rows take. */
+static const double most_work = 30;
+/* Number of short steps after a hit, and the factor for the number of iterations in them. */
+enum { CALM = 2, HARDER = 50 };
+enum { FOREMOST = 4 }; /* number of boxes whose drift is recorded */
 
 struct run {
     struct world world;
     const struct engine_grain *grain;
     double unit;         /* sqrt(height / g) of the head */
-    double dt, whole;    /* the length of this step, and of the longest step */
-    int calm;            /* short steps that remain after a hit */
-    double work;         /* steps so far, each weighted by its iterations */
+    double dt, whole;    /* the length of the present step, and of the longest step */
+    int calm;            /* number of short steps still to make after a hit */
+    double work;         /* number of steps so far, each weighted by its iterations */
     double rest, most;   /* how long the head has rested, and its largest tilt */
     double *tilt, *foot; /* arrays for visits */
 };
 
-/* Returns the time until the front face of the head reaches the upper back edge of a lower box. */
+/* Returns the time until the front face of the head reaches the upper back edge of the next box, if that box
+ * is lower than the head. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -60,7 +64,7 @@ static double time_to_hit(const struct world *w)
     for (int i = 0; i < 2; i++) {
         cpVect at = world_front(w, k, i == 0);
         double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
-        if (speed > 0 && at.y < height) /* a tip above the next box passes over it */
+        if (speed > 0 && at.y < height) /* a tip that is higher than the next box passes over it */
             soonest = fmin(soonest, (face - at.x) / speed);
     }
     return soonest;
@@ -71,7 +75,8 @@ static void look_at_hinges(struct world *w, double unit)
 {
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
-        const double left = exp(-hinge_rate / unit); /* the part that is left after one unit of time */
+        /* The fraction of the drift that remains after a time of 1. */
+        const double left = exp(-hinge_rate / unit);
         if (k + FOREMOST > w->head)
             w->fall->drift =
                 fmax(w->fall->drift, cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height);
@@ -80,7 +85,8 @@ static void look_at_hinges(struct world *w, double unit)
     }
 }
 
-/* Records the speed of a box that was just hit, and how much energy has grown since the hit before. */
+/* Records the angular velocity of a box that was just hit, and the increase in energy since the
+ * previous hit. */
 static void note_state(struct run *r)
 {
     struct world *w = &r->world;
@@ -119,7 +125,7 @@ static void step(struct run *r)
         r->calm--;
 }
 
-/* Returns true once the head lies, or has rested for so long that it will never move on. */
+/* Returns true once the head lies, or has rested for so long that it has stopped for good. */
 static bool ends(struct run *r)
 {
     struct world *w = &r->world;
@@ -152,8 +158,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Sets the time at which each box falls, and how far its foot has slid. If the first box was let go, the
- * clock starts with the first hit. */
+/* Completes the times of each box and the distance that its foot has slid. If the first box was let go rather
+ * than pushed, times are measured from the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs with ever shorter steps, until they no longer matter. */
+/* Repeats a run with ever shorter steps, until the length of the steps no longer matters. */
 #include "chipmunk.h"
 #include "engine.h"
 #include <math.h>
@@ -20,7 +20,7 @@ const char *engine_version(void)
     return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
 }
 
-/* Returns the largest change of a time between two runs, over the last time. */
+/* Returns the largest change of a time between two runs, relative to the duration of the second run. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {

@@ -4,12 +4,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double parallel = 0.999; /* the cosine above which two directions count as parallel */
-static const double rough = 1000;     /* friction of a floor on which rounded feet roll */
-static const double tipped = 1e-3;    /* rad beyond the edge at which the run of a tipped box starts */
-enum { FOREMOST = 4 };                /* number of boxes whose depth is recorded */
+/* Two directions count as parallel if the cosine of the angle between them exceeds this. */
+static const double parallel = 0.999;
+/* Friction coefficient of a floor on which rounded feet roll without slipping. */
+static const double rough = 1000;
+/* Tilt in rad, beyond that of balance on the edge, with which a box that is let go starts. */
+static const double tipped = 1e-3;
+enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose penetration is recorded */
 
-/* The engine measures angles from x to y, and boxes fall towards x. */
+/* The engine measures angles from x to y, that is anticlockwise, whereas boxes fall clockwise, towards
+ * positive x. */
 double world_tilt(const struct world *w, size_t k)
 {
     return -w->cp->cpBodyGetAngle(w->body[k].body);
@@ -75,8 +79,8 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* A box collides with its neighbours and with the floor. Boxes whose feet may slide all collide with each
- * other. */
+/* Returns which shapes a box can collide with: on hinges only with its neighbours, on a floor with the floor
+ * and all other boxes, since feet may slide. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;
@@ -85,7 +89,7 @@ static cpShapeFilter touches(const struct world *w, size_t k)
     return cpShapeFilterNew(CP_NO_GROUP, 1u << k % 4, floor | 1u << (k + 1) % 4 | 1u << (k + 3) % 4);
 }
 
-/* Returns the shape of a box: a polygon whose edges are rounded, or whose upper back edge is cut off. */
+/* Returns the shape of a box: a polygon with rounded edges, or with its upper back edge cut off. */
 static cpShape *shape_of(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
@@ -116,7 +120,7 @@ void world_stand(struct world *w)
     b->limit = cp->cpSpaceAddConstraint(w->space, cp->cpRotaryLimitJointNew(ground, b->body, -CP_PI / 2, 0));
 }
 
-/* Turns the first box about its foot, and gives it an angular velocity. */
+/* Turns the first box about its foot by `tilt`, and gives it the angular velocity `spin`. */
 static void turn(struct world *w, double tilt, double spin)
 {
     const struct chipmunk *cp = w->cp;
@@ -129,8 +133,8 @@ static void turn(struct world *w, double tilt, double spin)
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }
 
-/* Starts the first box, either with a push or tipped over its edge, from which it moves away as exp(rate t).
- */
+/* Starts the first box. Without a push, the box starts slightly beyond its balance on the edge, from which it
+ * moves away as exp(rate t). */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;
@@ -157,8 +161,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deep two boxes penetrate each other, and whether they touch in a way that the model does not
- * have. */
+/* Records how deeply two boxes penetrate each other, and whether they touch in a way that the model does not
+ * include. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;
@@ -172,7 +176,8 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     }
 }
 
-/* Sets friction and restitution of a contact. The first touch of the box next to the head is a hit. */
+/* Sets friction and restitution of a contact. A box is hit when it is first touched while standing next to
+ * the head. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;
@@ -195,7 +200,7 @@ static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 
 /* ---- The world ---- */
 
-/* Adds the floor, a thick bar below the whole row. */
+/* Adds the floor, a thick bar beneath the whole row. */
 static void pave(struct world *w)
 {
     const struct engine_row *row = w->row;

@@ -16,9 +16,8 @@
  *
  *     (1 + T) omega(0) = T omega_1(theta_c).
  */
-/*
- * Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a collision.
- */
+/* Returns omega(0) / omega_1(theta_c), the fraction of the angular velocity that remains after a
+ * collision. */
 KERNEL real collision_velocity_ratio(real inertia_ratio)
 {
     return inertia_ratio / (1 + inertia_ratio);

@@ -1,32 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The best separation. Samples give a growth R that some separation allows. Then all intervals of s are
- * excluded in which no separation allows more: either s R > 1 in the whole interval, or a bound (strip.h)
- * shows that no train of the interval goes on at R, or at a smaller growth at which a train of the interval
- * stops. The other intervals are halved. Tops of r_max(s) wider than BEST_FINEST of s are resolved; only the
- * middle of a narrower interval is computed. With friction there is no bound, and only samples are known.
+ * The best separation. Samples of s give a growth R that some separation allows. Then all intervals of s in
+ * which no separation allows more are excluded: either because s R > 1 in the whole interval, or because a
+ * bound (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of
+ * these trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
+ * BEST_FINEST times s are resolved; of a narrower interval only the midpoint is computed. With friction no
+ * bound is available, and only samples are used.
  */
 #include "growth/limit.h"
 
-#define BEST_RATIO    ((real)0.9) /* ratio of successive samples */
-#define BEST_PATIENCE 8           /* the search ends after this many lower samples in a row */
+#define BEST_RATIO    ((real)0.9) /* ratio of one sample of s to the next larger one */
+#define BEST_PATIENCE 8           /* sampling ends after this many lower samples in a row */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* smallest s until a growth is found */
+#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* narrowest interval before a growth is found */
 
 struct search {
     struct margin_context *c;
     real s, r_max; /* the best separation so far */
-    real finest;   /* width of the narrowest interval, over s */
-    real finer;    /* the share of slope_step that is used */
+    real finest;   /* width of the narrowest interval, relative to s */
+    real finer;    /* the factor by which slope_step is reduced */
 };
 
-/* Returns r_max at s, or 0 if not even a train with r = 1 goes on. */
+/* Returns r_max at s, or 0 if even a train with r = 1 stops. */
 static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
     struct limit limit;
-    if (c->status != DOM_OK) /* keeps the reason of the first failure */
+    if (c->status != DOM_OK) /* keeps the status of the first failure */
         return REAL_NAN;
     c->s = s;
     if (limit_find(c, &limit) != DOM_OK)
@@ -34,8 +35,11 @@ static real rmax_at(real s, void *context)
     return limit.ends == DOM_END_NONE ? 0 : limit.r_max;
 }
 
-/* Returns r_max at s, and keeps s if it is the best so far. A coarse scan is enough unless s seems to be
- * better: a dip that the scan misses makes r_max larger, never smaller. */
+/*
+ * Returns r_max at s, and stores s if it is the best so far. A coarse scan comes first, and is enough unless
+ * s seems to be the best: if a coarse scan misses a dip of the margin, r_max comes out too large, never too
+ * small.
+ */
 static real search_at(struct search *b, real s)
 {
     b->c->coarse = (real)1e-3;
@@ -50,7 +54,7 @@ static real search_at(struct search *b, real s)
     return r_max;
 }
 
-/* Finds the margin at one growth as a function of s. Without fuel the margin is negative. */
+/* Finds the margin at the separation s and the growth r. A train without fuel gets a negative margin. */
 static enum dom_status margin_of_s(struct margin_context *c, real s, real r, struct margin *m)
 {
     c->s = s;
@@ -62,7 +66,8 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops if no train between lo and hi goes on at the growth r. m is the margin at lo. */
+/* Sets *stops to true if every train with a separation between lo and hi stops at the growth r, as far as the
+ * bounds show that. m is the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -72,7 +77,7 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 the fuels agree, and P increases with s where it is positive. */
+    /* At r = 1 both fuel formulas agree, and P increases with s where it is positive. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -89,8 +94,9 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 }
 
 /*
- * Finds a growth at which a train stops, for a separation s where the margin at R is not negative but r_max
- * is lower than R: r_max, or a better witness a little above r_max.
+ * Finds a growth at which the train with the separation s stops, if its margin at R is not negative although
+ * r_max is less than R. Such a growth lies a little above r_max, and the one with the most negative margin is
+ * the best witness. *witness is R if no growth is found.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -111,8 +117,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the width of the narrowest interval. The width grows when an answer has done much of its allowed
- * work, so that the search ends. */
+/* Returns the width of the narrowest interval. The width increases as the search uses up the work it may do,
+ * so that the search comes to an end. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -120,8 +126,8 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches for a larger growth between lo and hi. `witness` is a growth at which the trains of the interval
- * may stop. */
+/* Searches the separations between lo and hi for a larger growth than the best so far. `witness` is a growth
+ * at which the trains of this interval may stop. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -161,7 +167,7 @@ static enum dom_status search_between(struct search *b, real lo, real hi, real w
     return status == DOM_OK ? search_between(b, lo, middle, witness) : status;
 }
 
-/* Samples from the largest s downwards. */
+/* Takes samples of s, from the largest downwards. */
 static enum dom_status search_samples(struct search *b)
 {
     int lower = 0;
@@ -177,8 +183,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Searches with friction: near the best sample, and at all larger s that the reach allows, in smaller
- * steps. */
+/* Refines the search if there is friction, with smaller and smaller steps: near the best sample or, if the
+ * train stops at every sample, at all s down to 0.5. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;
@@ -194,12 +200,12 @@ static enum dom_status search_finely(struct search *b)
     return b->c->status;
 }
 
-/* ---- The top ---- */
+/* ---- The maximum of r_max(s) ---- */
 
 /*
- * Returns the step h for d margin / ds at a fixed growth by the nine-point rule. The error of the rule is (h
- * / scale)^8, plus the rounding error over h: it is smallest near this h. The scale is a few percent of s, or
- * the distance to the reach.
+ * Returns the step h with which the nine-point rule computes d margin / ds at a fixed growth. The error of
+ * the rule is (h / scale)^8, plus the rounding error divided by h, and is smallest near the h returned here.
+ * The scale is a few percent of s, or half of the distance to the reach if that is less.
  */
 static real slope_step(real span, real s, real r)
 {
@@ -219,8 +225,8 @@ static real margin_slope_by(struct margin_context *c, real s, real r, real h)
     return c->status == DOM_OK ? sum / (840 * h) : REAL_NAN;
 }
 
-/* Returns d margin / ds at r = r_max(s), which has the sign of d r_max / ds. At the reach r_max = 1/s
- * decreases. */
+/* Returns d margin / ds at r = r_max(s), which has the same sign as d r_max / ds. Returns -1 where the reach
+ * is the limit, since r_max = 1/s decreases there. */
 static real top_slope(real s, void *context)
 {
     struct search *b = context;
@@ -232,9 +238,10 @@ static real top_slope(real s, void *context)
 }
 
 /*
- * Finds the part of slope_step at which the error of the rule is smallest. Its nodes may contain a jump of
- * the second derivative, where a follower begins to detach. The difference of two steps shows such a jump;
- * the rounding error over h bounds the step below.
+ * Finds the factor for slope_step at which the error of the rule is smallest. If a follower begins to detach
+ * at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is better.
+ * The difference between the results of two steps shows this error; the rounding error, divided by h, keeps
+ * the step from becoming too small.
  */
 static void search_step(struct search *b)
 {
@@ -255,15 +262,16 @@ static void search_step(struct search *b)
     }
 }
 
-/* Finds the top near b->s. If it is smooth, the slope changes its sign there; at a kink or a jump golden
- * section finds it. */
+/* Finds the maximum of r_max near b->s. If the maximum is smooth, it is found where the slope changes its
+ * sign; at a kink or a jump golden section finds it. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* Moves the interval up, as wide as it is, and widens it until r_max is lower on both sides. */
+    /* Widens the interval around s until r_max is lower at both ends, and first moves it to the end with the
+     * larger r_max. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -285,18 +293,18 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
         return model_status(c->status, solver);
     search_at(b, top);
-    /* The slope of the margin is a difference, and needs all digits. */
+    /* The slope of the margin is a difference quotient, and needs all digits of the margin. */
     c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
     search_step(b);
-    /* Values alone fix a smooth top only to the square root of their noise; a bracket for the slope begins
-     * outside of that distance. */
+    /* The values of r_max determine a smooth maximum only to the square root of their noise, so a bracket for
+     * a zero of the slope starts outside that distance. */
     for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
         real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
         real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
-        /* At a smooth top the slope decreases with the distance; at a kink or a jump the slope of one side
-         * does not. */
+        /* Close to a smooth maximum the slope is small on both sides; at a kink or a jump it remains large on
+         * one of them. */
         real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
         if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
             break;
@@ -313,8 +321,8 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return c->status;
 }
 
-/* Returns how much lower than the top r_max is at s + step. Returns 0 after a jump, whose lower side does not
- * belong to the top. */
+/* Returns the difference between r_max at s + step and r_max at the maximum. Returns 0 if the difference is
+ * due to a jump, because the lower side of the jump does not belong to the maximum. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
@@ -322,9 +330,10 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 }
 
 /*
- * Finds the error bounds. If the law of motion is not conservative, no bound is known: both are NaN. Near a
- * smooth top the slope is 0: what rounding, tol and the rule leave of the slope, over its derivative, bounds
- * s. At a kink or a jump s is bracketed to tol itself. r_max may be wrong by its change over the error of s.
+ * Finds the error bounds of s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
+ * At a smooth maximum the slope of the margin is 0: the error of the slope that rounding, tol and the rule
+ * cause, divided by the derivative of the slope, bounds the error of s. At a kink or a jump, s is bracketed
+ * to tol, or to 1e-8 if tol is less. The error of r_max includes its change over the error of s.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
@@ -338,7 +347,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps where a dip of the margin begins; the shallowest dips are not resolved (scan.c). */
+    /* r_max(s) jumps where a dip of the margin begins, and the shallowest dips are not resolved (scan.c). */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
@@ -348,10 +357,10 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* Twice the step has 256 times the error of the rule. The weights of the rule add up to 1750 / 840 /
-         * h. */
+        /* The rule has 256 times the error if the step is doubled. The absolute weights of the rule add up to
+         * 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An error of r changes the slope, too. */
+        /* An error of r changes the slope as well. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         s_error +=
@@ -375,7 +384,8 @@ static enum dom_status best_find(struct margin_context *c, struct dom_best *best
         return c->status = status;
     if (!(b.r_max > 1))
         return c->status = DOM_NO_GROWTH;
-    /* Next to a jump there may be several tops: searches once more near the best, in narrower intervals. */
+    /* Near a jump there may be several maxima, so the neighbourhood of the best one is searched again with
+     * narrower intervals. */
     real before = 0;
     status = search_top(&b, (real)1e-6, &smooth);
     for (int k = 0;

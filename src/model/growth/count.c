@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/real.h"
 
-/* Returns r^n for a whole n >= 0, in the widest arithmetic, with about n rounding errors. */
+/* Returns r^n for an integer n >= 0, in the arithmetic of dom_real, with about n rounding errors. */
 static dom_real power_of(dom_real r, dom_real n)
 {
     dom_real power = 1;
@@ -11,9 +11,10 @@ static dom_real power_of(dom_real r, dom_real n)
 }
 
 /*
- * Returns true if domino n reaches the height. The heights and r are decimals that were rounded to the
- * precision, by half a unit each. This moves a power that meets the height exactly by about 4 + n half units,
- * which count as no difference. No more than a millionth of a domino is allowed for.
+ * Returns true if domino n is at least as tall as `height`. The heights and r are decimal numbers that were
+ * rounded to the precision, each by up to half a unit. If a power meets the height exactly, these errors and
+ * those of the power move it by about 4 + n half units, so differences up to that size are ignored, but never
+ * more than a millionth of a domino.
  */
 static bool count_reaches(real first, real height, real r, real ln_r, real n)
 {
@@ -36,10 +37,10 @@ KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_
         *count = (struct dom_count){.dominoes = n, .exact = n, .last = there ? (dom_real)first : DOM_NAN};
         return DOM_OK;
     }
-    /* Beyond 2^(REAL_BITS) neighbouring integers have the same value. */
+    /* Above 2^REAL_BITS not every integer can be represented. */
     if (!(ratio >= REAL_MIN && isfinite(ratio) && exact < 2 / REAL_EPSILON))
         return DOM_BAD_HEIGHT;
-    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* one division and two logarithms */
+    real error_of_exact = UNIT * (2 / ln_r + 5 * fabs(exact)); /* errors of one division and two logarithms */
     real nearest = fmax(round(exact), 0), n = fmax(ceil(exact), 0);
     if (fabs(exact - nearest) <= error_of_exact + UNIT * (4 + nearest) / ln_r)
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;

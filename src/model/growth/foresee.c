@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The root first, then the proof that it is the first one. A guess leads Newton's method to a root in a few
- * passes. The margin decreases over a strip that ends there, and it is positive over one or two strips
- * before: so a few well placed strips replace the many that a scan from r = 1 needs to find its way.
+ * Finds a root of the margin first, and then proves that it is the first root. Starting from a guess,
+ * Newton's method finds the root in a few passes. If the margin is known to decrease over a strip of growths
+ * that ends at the root, and to be positive over one or two strips below, no other root comes before. These
+ * few strips take the place of the many that a scan upwards from r = 1 needs.
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, about: the kinetic energy decreases as r^-(2q+1) (24; c6), and the fuel as the
- * weights of the dominoes that matter. */
+/* Returns -d ln K / d ln r, approximately: the kinetic energy decreases as r^-(2q+1) (24; c6), and the fuel
+ * decreases with the weights of the dominoes that contribute. */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -17,18 +18,18 @@ KERNEL real margin_falls(const struct margin_context *c, real r)
 
 /* ---- The root ---- */
 
-/* A point of the search: the share (margin_follow), and the margin itself. */
+/* A point of the search: the growth r, margin_share at r, and the margin itself. */
 struct root_point {
     real r, share, value;
 };
 
-/* A search for a root of the margin, which is positive at lo and negative at hi; the last points, newest
- * last. */
+/* The state of a search for a root of the margin, which is positive at lo and negative at hi. at[2] is the
+ * last point, and `known` is the number of valid points. */
 struct root_search {
     real lo, hi;
     struct root_point at[3];
     int known;
-    real slope; /* -d margin / d ln r, about; 0: unknown */
+    real slope; /* roughly -d margin / d ln r; 0 if unknown */
 };
 
 static void root_add(struct root_search *s, struct root_point point)
@@ -37,15 +38,18 @@ static void root_add(struct root_search *s, struct root_point point)
         s->lo = fmax(s->lo, point.r);
     if (point.share <= 0)
         s->hi = fmin(s->hi, point.r);
-    bool again = s->known > 0 && s->at[2].r == point.r; /* with a finer tolerance */
+    bool again = s->known > 0 && s->at[2].r == point.r; /* the same growth, with a finer tolerance */
     for (int k = 0; k < 2 && !again; k++)
         s->at[k] = s->at[k + 1];
     s->at[2] = point;
     s->known += !again;
 }
 
-/* Returns the root of the straight line through two points. Near a root the share is less curved than the
- * margin; far from it the share is near 1 or -1 and has no slope. */
+/*
+ * Returns the root of the straight line through two points. Close to the root of the margin, margin_share is
+ * less curved than the margin itself; far from it margin_share is almost constant, near 1 or -1, so the
+ * margin is used.
+ */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
     bool near = fabs(a->share) + fabs(b->share) < 1;
@@ -53,11 +57,12 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* A share this near to 1 or -1 does not show how far the root is; the least step from there, over ln r. */
+/* If margin_share is closer than ROOT_FLAT to 1 or -1, it does not show how far away the root is. The search
+ * then moves by at least ROOT_STEP, relative to ln r. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
-/* Returns a growth, or the middle of the bracket if it is outside. */
+/* Returns r, or the middle of the bracket if r is outside the bracket. */
 static real root_inside(const struct root_search *s, real r)
 {
     return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
@@ -73,13 +78,13 @@ static real root_next(const struct root_search *s, const struct margin_context *
         return root_inside(s, r * exp(at[2].value / s->slope));
     bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
     if (s->known == 1 && !high && !low)
-        next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 /
-                       margin_falls(c, r)); /* ln (K / B) / 2 is atanh of the share */
+        /* margin_share is tanh(ln(K / B) / 2) */
+        next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 / margin_falls(c, r));
     if (s->known > 1)
         next = root_line(&at[1], &at[2]);
     if (s->known > 2 && fabs(f) < fabs(at[1].share) / 2 && fabs(at[1].share) + fabs(at[0].share) < 1)
         next += (next - root_line(&at[0], &at[1])) * f / (at[0].share - f);
-    if (high || low) { /* nearly no energy, or nearly no barrier: the root is some steps away */
+    if (high || low) { /* K or B is almost 0: the root is some steps away */
         real step = exp((high ? -1 : 1) * ROOT_STEP * log(r));
         next = s->known == 1 ? r * step : high ? fmin(next, r * step) : fmax(next, r * step);
     }
@@ -88,7 +93,8 @@ static real root_next(const struct root_search *s, const struct margin_context *
 
 #define ROOT_STEPS 40
 
-/* Finds a root inside the bracket, from the growth r on. second: the growth to try after that; 0: any. */
+/* Finds a root inside the bracket, starting at the growth r. `second` is the growth to try next, or 0 to let
+ * the search choose it. */
 static enum dom_status root_search(struct margin_context *c, struct root_search *s, real r, real second,
                                    real *root)
 {
@@ -111,13 +117,13 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
-        /* The error after a step is about the last error times the one before, over a length that the last
-         * steps show. */
+        /* The error after a step is roughly the product of the last two errors, divided by a length that the
+         * last steps show. */
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        /* A point that was given has an error of its own, from which the steps show no length: takes r / 16.
-         */
+        /* If the second point was given, its error is unrelated to the first step, and the steps do not show
+         * that length; r / 16 is used instead. */
         bool given = s->known == 2 && second > 0;
         bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;
@@ -141,14 +147,16 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
     return root_search(c, &s, lo->r + fmin(fmax(first, (real)0.1), (real)0.9) * (hi->r - lo->r), 0, r);
 }
 
-/* How far from a known root the slope of the margin is measured, and how far away the root may be. */
+/* Relative distance from an approximate root at which the slope of the margin is measured. Its square is the
+ * largest relative error that the approximate root may have. */
 #define ROOT_ASIDE ((real)1e-5)
 
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE), .hi = fmin(near * (1 + ROOT_ASIDE), 1 / c->s)};
     const real tol = c->geometry.tol;
-    /* A coarser search would not end where the known root is, and a whole one would follow. */
+    /* With a coarser tolerance the root found here could differ from the approximate one by more than is
+     * accepted below, and a complete search would have to follow. */
     c->geometry.tol = fmin(tol, ROOT_ASIDE * ROOT_ASIDE);
     margin_follow_begin(c);
     enum dom_status status = root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
@@ -162,19 +170,20 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* Room for the difference between the barrier that was followed last and that at the root. */
+/* Relative allowance for the difference between the barrier at the last growth of the search and the barrier
+ * at the root. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns the separation over the thickness, less the ratio at which a train of equal dominoes has no fuel,
- * 2 d^2 / (1 - d^2). */
+/* Returns the separation divided by the thickness, minus 2 d^2 / (1 - d^2), the ratio at which a train of
+ * equal dominoes has no fuel; 0 if that is negative. */
 static real root_room(const struct margin_context *c)
 {
     const real d = c->geometry.d;
     return fmax(c->s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Returns a growth near the root, right to some percent of its logarithm for the trains that people build.
- * The numbers are fitted to roots. */
+/* Returns an estimate of the root, whose logarithm is correct to a few percent for the trains that people
+ * build. The coefficients are fitted to computed roots. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(c->geometry.d, (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -185,23 +194,25 @@ static real root_guess(const struct margin_context *c)
     return exp((real)2.4 / (q - (real)0.6) * share * log1p((real)0.4 * u));
 }
 
-/* Returns -d margin / d ln r at the root, about. */
+/* Returns -d margin / d ln r at the root, approximately. */
 static real root_slope(const struct margin_context *c)
 {
     const real u = fmax(root_room(c), (real)0.1);
     return barrier_most(&c->geometry) * fmax(c->geometry.q - (real)1.2, (real)0.5) * (1 + 1 / (u * u));
 }
 
-/* The part of the reach from which a guess is replaced by root_near_reach. */
+/* If root_guess exceeds this fraction of the reach, root_near_reach replaces it. */
 #define REACH_NEAR ((real)0.96)
 
 /*
- * Moves the start of a search near the root, from the kinetic energy at the reach; to the reach if there is
- * no root for sure near it. Where r s is nearly 1, all followers have detached at the top, at theta_u; on the
- * way only domino 1 has moved, from theta_c to theta_f. To the first order in sqrt(1 - r s) the barrier lacks
- * what it lost:
+ * Estimates a root close to the reach, from the kinetic energy at the reach. Where r s is nearly 1, all
+ * followers have detached when the head is at theta_u, the tilt of the barrier. On the way only domino 1 has
+ * moved, from theta_c to theta_f, and the energy it released reduces the barrier. To first order in sqrt(1 -
+ * r s) the barrier is
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
+ *
+ * *start receives the estimate, or the reach if the margin is not negative there.
  */
 static void root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
 {
@@ -215,7 +226,7 @@ static void root_near_reach(struct margin_context *c, real reach, real *start, r
 
 enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };
 
-/* Returns the width of the first strip below the root, over ln r. */
+/* Returns the width in ln r of the first strip below the root. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
@@ -223,10 +234,10 @@ static real down_first(real whole)
 }
 
 /*
- * Finds the growth *down, between `from` and the root, from which the margin is positive up to the root;
- * *down = root if no strip shows that. Goes down strip by strip, and computes no margin: over the first strip
- * the margin decreases, and for the others its least value and the largest barrier at their upper ends are
- * known from the strips before.
+ * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
+ * root; *down = root if no strip shows that. Proceeds downwards strip by strip without computing any margin.
+ * Over the first strip the margin decreases. For each later strip, a lower bound of the margin and an upper
+ * bound of the barrier at its upper end are known from the strips above.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
@@ -265,8 +276,8 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Moves *lo, where the margin is positive, up to `to` by strips over which it is positive, as far as that
- * succeeds. */
+/* Moves *lo, where the margin is positive, up towards `to`, as far as a few strips show that the margin is
+ * positive. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
@@ -277,7 +288,8 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
-        if (known == KNOWN_NOTHING && hi->margin.most) { /* the bound of every barrier is not enough */
+        /* the upper bound of all barriers is not enough, so the barrier itself is computed */
+        if (known == KNOWN_NOTHING && hi->margin.most) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;
         }

@@ -2,15 +2,15 @@
 /*
  * The largest growth: the first root of the margin as a function of r, searched upwards from r = 1 to the
  * reach r = 1/s. The margin need not be monotone: for thin dominoes it decreases, increases again and drops
- * near 1/s. So the scan continues only over intervals that a bound covers (scan.c); with friction, over
- * samples and their slopes (probe.c).
+ * near 1/s. Therefore the scan proceeds only over intervals that are covered by a bound (scan.c), or, with
+ * friction, by samples and their slopes (probe.c).
  */
 #include "growth/limit.h"
 
 /*
- * Finds the error bound of a root of the margin: the rest of the margin there, plus its error, over its slope
- * in r. The slope is a difference over an interval that ends at the reach or before, and wide enough to
- * exceed the errors of both margins.
+ * Finds the error bound of a root of the margin: the margin that remains at the root, plus its error, divided
+ * by the slope of the margin in r. The slope is a difference quotient over an interval that ends at or before
+ * the reach and is wide enough for the difference to exceed the errors of both margins.
  */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
@@ -29,10 +29,11 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
         if (fabs(above - below) > 8 * wrong || h >= widest)
             slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
     }
-    /* If even the widest difference shows no slope, it is only known that r is between 1 and the reach. */
+    /* If even the widest interval shows no slope, all that is known is that r lies between 1 and the
+     * reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved: the bound holds if the margins at both its ends surely have their
-     * signs. */
+    /* Near the reach the margin is curved, so the bound is widened until the margins at both of its ends
+     * certainly have the right signs. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
@@ -40,7 +41,7 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
     return c->status;
 }
 
-/* Converts a limit to the structure of the caller. */
+/* Converts a limit to the public structure, and adds the error bound if the request has `errors` set. */
 static enum dom_status limit_public(struct margin_context *c, const struct limit *limit,
                                     struct dom_limit *wide)
 {
@@ -54,7 +55,7 @@ static enum dom_status limit_public(struct margin_context *c, const struct limit
 
 static const struct limit no_limit = {.r_max = REAL_NAN, .ends = DOM_END_NONE};
 
-/* Finds the first r > from->r at which the margin, >= 0 at from->r, is negative. */
+/* Finds the first r > from->r at which the margin becomes negative. The margin at from->r is >= 0. */
 static enum dom_status limit_to_negative(struct margin_context *c, const struct edge *from,
                                          struct limit *limit)
 {
@@ -70,7 +71,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
     return scan_root(c, &before, &after, &limit->r_max);
 }
 
-/* Finds the first r >= from at which the margin is not negative, if there is one. */
+/* Finds the first r >= from at which the margin is not negative. *found is false if there is none. */
 static enum dom_status limit_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
 {
     if (dynamics_bounded(&c->geometry))
@@ -96,7 +97,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1 P has a closed form, and K = P T, T >= 1. */
+    /* At r = 1 the fuel P has a closed form, and K = P T with T >= 1, so P is a lower bound of K. */
     first.margin = (struct margin){
         .kinetic = geometry.law->paper_fuel(&geometry), .barrier = barrier_most(&geometry), .most = true};
     if (!dynamics_bounded(&geometry) || !(first.margin.kinetic > 2 * first.margin.barrier))
@@ -111,8 +112,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The largest number of dominoes if there is an equation of motion, for which a domino takes four times as
- * long. */
+/* The largest number of dominoes in all passes of a search with an equation of motion, where each domino
+ * takes four times as long. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)
@@ -130,7 +131,8 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     limit_begin(&c);
     enum dom_status status = c.status;
     bool known = false;
-    if (status == DOM_OK && train->near > 0) { /* that this root is the first one is known, too */
+    /* the coarser kernel has also shown that this root is the first one */
+    if (status == DOM_OK && train->near > 0) {
         found = (struct limit){.ends = DOM_END_BARRIER};
         status = root_near(&c, (real)train->near, &found.r_max, &known);
     }
@@ -144,7 +146,7 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     struct edge edge;
     bool any;
     *found = no_limit;
-    /* (5; b0): below this growth domino 1 has not tipped over when it hits. */
+    /* (5; b0): below this growth domino 1 has not yet tipped over when it hits. */
     real tips = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1);
     if (tips > c->geometry.span / c->s)
         return DOM_OK;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The first sign change of the margin as a function of r. scan.c samples the margin, and bounds (strip.h)
- * connect the samples: a strip of growths is passed only if K > B is known in all of it, or if the margin can
- * only decrease at every root in it. With friction no bound is known. probe.c then refines the samples
- * wherever their curvature allows a sign change between two of them.
+ * The first sign change of the margin as a function of r. Without friction, scan.c samples the margin, and
+ * bounds (strip.h) cover the intervals between samples: an interval of growths, called a strip, is passed
+ * only if K > B is known everywhere in it, or if the margin is known to decrease at each of its roots in the
+ * strip. With friction no bound is known. probe.c then adds samples wherever the curvature of the margin
+ * leaves room for a sign change between two samples.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -17,57 +18,59 @@ struct edge {
     struct margin margin;
 };
 
-/* What is known about the margin between two samples, the first of which is not negative. KNOWN_TO_FALL means
- * that the margin has at most one root there, at which it decreases. */
+/* What is known about the margin between two samples, if the margin at the first is not negative.
+ * KNOWN_TO_FALL means that the margin has at most one root between them, and decreases at that root. */
 enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 
-/* Finds the bounds between two growths. */
+/* Finds the bounds for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
-/* Finds what is known between lo and hi. Computes hi->margin unless its kinetic energy is already known. */
+/* Finds what is known about the margin between lo and hi. Computes hi->margin if its kinetic energy is NaN
+ * and the margin is needed. */
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
                                   enum known *known);
 
 /* Returns -d ln K / d ln r, roughly. */
 KERNEL real margin_falls(const struct margin_context *c, real r);
 
-/* Finds a root of the margin between lo and hi, where it has different signs, by following one top of the
- * barrier. */
+/* Finds a root of the margin between lo and hi, where the margin has different signs, by following one local
+ * maximum of H from growth to growth. */
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root next to `near`, which is a root to half of the digits of this arithmetic. *found is false if
- * there is no root. */
+/* Finds the root close to `near`, which is known to be a root to half of the digits of this arithmetic.
+ * *found is false if no such root is found. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
 /*
- * Guesses a root of an endless train without friction, finds it, and proves that it is the first root after
- * *from. If *found is false, *from has moved up, and the margin is positive up to *from.
+ * Estimates a root for an endless train without friction, finds it, and proves that it is the first root
+ * after *from. If *found is false, *from may have been moved up, and the margin is positive up to the new
+ * *from.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 
-/* Finds the root of the margin between lo and hi, where it has different signs. */
+/* Finds the root of the margin between lo and hi, where the margin has different signs. */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r);
 
 /*
- * Finds the first r > from->r at which the margin, which is >= 0 at from->r, becomes negative, without
- * friction. If there is none, *ends is DOM_END_REACH and *r is the reach. A dip of the margin below 0, or an
- * interval above 0, can be missed if it is narrower than SCAN_FINEST in ln r.
+ * Finds the first r > from->r at which the margin becomes negative, without friction. The margin at from->r
+ * is >= 0. If it stays so up to the reach, *ends is DOM_END_REACH and *r is the reach. A dip of the margin
+ * below 0, or an interval where it is above 0, can be missed if it is narrower than SCAN_FINEST in ln r.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);
 
 /*
- * Finds the first growth from `from` on at which the margin of the pair is not negative, to SCAN_FINEST in ln
- * r. A band of such growths that is narrower than SCAN_FINEST can be missed.
+ * Finds the first growth, starting at `from`, at which the margin of the pair is not negative, to SCAN_FINEST
+ * in ln r. An interval of such growths that is narrower than SCAN_FINEST can be missed.
  */
 KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found);
 
 /*
- * Finds the first growth after from->r at which the margin changes its sign, which is between *before and
- * *after. *found is false if there is none up to the reach. This is no proof: a dip that neither the samples
- * around it nor the middle between them show is missed.
+ * Finds the first growth after from->r at which the margin changes its sign; this growth lies between *before
+ * and *after. *found is false if the sign does not change up to the reach. The result is not proved: a dip is
+ * missed if neither the samples around it nor the one in the middle between them show it.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
                                     struct edge *after, bool *found);
@@ -75,16 +78,16 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
 struct limit {
     real r_max;
     enum dom_end ends;
-    enum dom_status why; /* the reason if r_max does not exist */
+    enum dom_status why; /* the reason, if r_max does not exist */
 };
 
 /* Finds r_max at the separation c->s. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
-/* Finds a bound of the error of r_max. */
+/* Finds the error bound of r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Begins to count the work of a search, which ends with DOM_TOO_LONG when it takes too much. */
+/* Starts to count the work of a search, which ends with DOM_TOO_LONG if it exceeds its limit. */
 KERNEL void limit_begin(struct margin_context *c);
 
 #endif

@@ -2,11 +2,11 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* The approximate number of passes that use the far tail of one growth. */
+/* The approximate number of passes that use the far tail computed for one growth. */
 #define FAR_PASSES 2
 
-/* Finds the barrier to compare with the kinetic energy, in the way that the context says. `near` has the sums
- * at the tilt from barrier_near, or is NULL. */
+/* Finds the barrier to which the kinetic energy is compared, by the method c->how. `near` holds the sums at
+ * the tilt from barrier_near, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)
 {
@@ -24,14 +24,15 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
         bool top = barrier_follow(geometry, near, b);
-        m->barrier = fmax(b->height, 0); /* that of the upright train */
+        m->barrier = fmax(b->height, 0); /* 0 is the height of the upright train */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Without Newton's method the error of the height is of the second order in the tilt. */
+        /* Unless Newton's method finds the maximum, the error of its height is of the second order in the
+         * error of the tilt. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -52,7 +53,7 @@ static enum dom_status train_margin(const struct geometry *geometry, struct marg
     enum dom_fuel fuel = c->train->fuel;
     enum dom_status status;
     bool both = c->how == MARGIN_FOLLOW && !geometry->detaches;
-    /* At r = 1 the fuels agree, and the closed form needs no train. */
+    /* At r = 1 both fuel formulas agree, and the closed form needs no pass down the chain. */
     if (geometry->r == 1 && geometry->dynamics->conservative && geometry->law->paper_fuel(geometry) <= 0)
         return DOM_NO_FUEL;
     if (both) {
@@ -77,7 +78,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     struct geometry two = *geometry;
     real u = geometry->reach, sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
-    two.n = 1; /* the geometry of the domino that hits */
+    two.n = 1; /* the domino that hits moves alone */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
     enum dom_status status =
@@ -113,7 +114,7 @@ KERNEL struct margin_context margin_of_pair(const struct request *train)
     return c;
 }
 
-/* Finds the margin at the relative tolerance tol. */
+/* Finds the margin at the growth r to the relative tolerance tol. */
 static enum dom_status margin_to(struct margin_context *c, real r, real tol, struct margin *m)
 {
     struct geometry geometry = c->geometry;
@@ -127,7 +128,9 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    if (c->locked) { /* no margin, but a verdict: a locked train stops before, since its energy tends to 0 */
+    /* There is no margin, but there is a verdict: a train that locks stops before, since its energy tends to
+     * 0. */
+    if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
     }
@@ -153,7 +156,8 @@ KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol)
 
 #define ROUGH ((real)1e-3)
 
-/* Finds the sign of the margin; how: MARGIN_SIGN or MARGIN_TOPS, without friction. */
+/* Finds the sign of the margin. Without friction, `how` is MARGIN_SIGN or MARGIN_TOPS; with friction it is
+ * ignored. */
 static struct margin margin_as(struct margin_context *c, real r, enum margin_how how)
 {
     struct margin m = {.kinetic = REAL_NAN};
@@ -169,9 +173,11 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
             break;
     }
     c->how = MARGIN_SURE;
-    /* The tolerance is refined as in barrier_verdict: a difference of two nearly equal numbers must be known
-     * as well as they are, so that no tolerance changes the verdict. If the arithmetic has no finer
-     * tolerance, the present value counts. */
+    /*
+     * The tolerance is refined as in barrier_verdict: the difference of two nearly equal numbers must be
+     * known to the same relative tolerance as they are, so that the verdict does not depend on the tolerance.
+     * If the arithmetic does not allow a finer tolerance, the last result stands.
+     */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
         return m;
@@ -210,7 +216,7 @@ KERNEL real margin_follow(real r, void *context)
     struct margin m = {0};
     real tol = c->geometry.tol, next = fmax(tol, ROUGH * c->share * c->share), rough, share;
     struct followed *last = c->last;
-    /* extrapolates from the last two tops */
+    /* start from the tilt extrapolated from the last two maxima */
     if (last[0].half > 0 && last[1].half > 0 && last[0].r != last[1].r)
         c->barrier.half =
             last[1].half + (last[1].half - last[0].half) / (last[1].r - last[0].r) * (r - last[1].r);
@@ -223,7 +229,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* finer sums would not change the margin */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even finer sums could not resolve the sign */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* The number of samples in each factor e of r far from the reach, and then in each decade of 1 - r s. */
+/* The number of samples per factor of e in r far from the reach, and the number of samples near the reach,
+ * one per decade of 1 - r s. */
 #define PROBE_PER_E   8
 #define PROBE_DECADES 8
 
-/* Returns sample k of r between 1 and the reach, span / s. The last sample is the reach itself, and larger k
- * return it again. */
+/* Returns sample k of r, between 1 and the reach span / s. The last sample is the reach itself, and any
+ * larger k returns the reach as well. */
 static real probe_place(real span, real s, int k)
 {
     const real near = (real)0.1;
@@ -18,19 +19,20 @@ static real probe_place(real span, real s, int k)
     return k - far > PROBE_DECADES ? span / s : fmax((1 - short_of) * span / s, 1);
 }
 
-/* The largest number of halvings of an interval. An interval of a factor e^(1/8) is then 1e-3 of r wide. */
+/* The largest number of bisections of an interval. An interval of the factor e^(1/8) then becomes 1e-3 r
+ * wide. */
 #define PROBE_HALVES 7
 
 /*
- * The margin counts as keeping its sign between two samples if it is more than this number times its
- * deviation from a straight line. The deviation of a parabola between two samples is a quarter of that over
- * twice the distance.
+ * The margin is taken to keep its sign between two samples if it exceeds this multiple of its deviation from
+ * a straight line between them. For a parabola, the deviation over an interval is a quarter of that over an
+ * interval of twice the length.
  */
 #define PROBE_SAFETY 3
 
 struct probe {
     struct margin_context *c;
-    bool positive; /* the sign that is followed: >= 0 */
+    bool positive; /* true if the margin is >= 0 at the start */
     struct edge *before, *after;
     bool found;
 };
@@ -47,8 +49,8 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Finds whether the margin keeps its sign between two samples, of which the first has the sign, by a sample
- * between them. Searches the lower half first.
+ * Finds whether the margin keeps its sign between two samples, the first of which has that sign, by a sample
+ * between them. Searches the lower half first, so that the first change is found.
  */
 static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi,
                                      real deviation, int halves)
@@ -92,7 +94,8 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
         status = probe_sample(&p, r, &hi);
         if (status != DOM_OK)
             break;
-        /* Deviation of the sample before from the line through its neighbours; unknown for the first one. */
+        /* Deviation of the previous sample from the line through its neighbours; for the first interval, a
+         * quarter of the change over the interval. */
         real across = hi.r - last.r, part = across > 0 ? (lo.r - last.r) / across : 0;
         real line = margin_share(&last.margin) * (1 - part) + margin_share(&hi.margin) * part;
         deviation =

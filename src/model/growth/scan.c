@@ -2,14 +2,16 @@
 #include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
-/* The error of margin_sign that a scan accepts, over the barrier. */
+/* Relative errors of the barrier: the one that a scan accepts from margin_sign, and the finer one of
+ * scan_sure. SCAN_CLOSE is the relative width at which scan_close hands over to a root search. */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
 /*
- * Finds the root of the margin between lo and hi by following the top of the barrier at hi. One more search
- * at the root checks that this top is the highest there; if not, all tops are searched at every r.
+ * Finds the root of the margin between lo and hi by following the maximum of H at hi down to the root. One
+ * more search at the root checks that this maximum is the highest there; if it is not, a search for all
+ * maxima is made at every r.
  */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
@@ -24,16 +26,16 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
     return model_status(c->status, solver);
 }
 
-/* Finds the margin with its barrier to a relative tolerance, where margin_sign may know only one of the
- * tops. */
+/* Finds the margin with its barrier correct to a relative tolerance, since margin_sign may have used only one
+ * of several maxima of H. */
 static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
 {
     edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
     return c->status;
 }
 
-/* Returns (1 + k) r [k / (1 + k)]^2, which decreases with r: the kinetic energy of the pair over its push
- * (15; b11). */
+/* Returns (1 + k) r [k / (1 + k)]^2, the kinetic energy of the pair divided by that of the push (15; b11). It
+ * decreases with r. */
 static real pair_velocity_ratio(const struct geometry *geometry)
 {
     real k = geometry->inertia;
@@ -41,9 +43,9 @@ static real pair_velocity_ratio(const struct geometry *geometry)
 }
 
 /*
- * Finds bounds of K of the pair over a strip. The push increases with r, d ln push / d ln r = cot((theta_c -
- * theta_u) / 2) tan theta_c. The part of it that the collision leaves decreases, by 2 q + 1 - (q + 1) k / (1
- * + k).
+ * Finds bounds of the kinetic energy K of the pair over a strip. The push increases with r: d ln push / d ln
+ * r = cot((theta_c - theta_u) / 2) tan theta_c. The fraction of the push that remains after the collision
+ * decreases with the logarithmic slope 2 q + 1 - (q + 1) k / (1 + k).
  */
 static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
 {
@@ -104,7 +106,7 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* The margin has increased towards hi by no more than strip.margin_slope allows. */
+        /* On the way up to hi the margin increases by at most strip.margin_slope * ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -118,14 +120,15 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     return DOM_OK;
 }
 
-/* Estimates how far the margin stays positive after `from`. */
+/* Estimates how far beyond `from`, in ln r, the margin stays positive. */
 static real scan_ahead(const struct margin_context *c, const struct edge *from)
 {
     real most = barrier_most(&c->geometry), K = from->margin.kinetic;
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Estimates where the margin is 0 between lo and below, as a part of the distance. */
+/* Estimates where between lo and below the margin is 0, as a fraction of the distance. `pull` reduces the
+ * weight of the margin at below. */
 static real scan_share(const struct edge *lo, const struct edge *below, real pull)
 {
     real up = margin_value(&lo->margin), down = -margin_value(&below->margin) * pull,
@@ -136,27 +139,29 @@ static real scan_share(const struct edge *lo, const struct edge *below, real pul
     return fmin(fmax(K_below > 0 ? share : (real)0.5, (real)0.1), (real)0.9);
 }
 
-/* State of a search: the margin is positive up to lo, and negative at below, if that is known. */
+/* State of a search: the margin is positive up to lo, and negative at `below` once such a growth is known. */
 struct scan {
     struct edge lo, below;
     real step;  /* the next step to try, in ln r */
-    int strips; /* number of strips tried up to now */
+    int strips; /* number of strips tried so far */
 };
 
-/* Returns the narrowest step: SCAN_FINEST, and twice as much for each 100 strips after the first 1500. No
- * search takes more than about 3,000 strips. */
+/* Returns the narrowest step: SCAN_FINEST, and after the first 1500 strips twice as much for each further
+ * 100. No search takes more than about 3,000 strips. */
 static real scan_finest(const struct margin_context *c, const struct scan *scan)
 {
     return fmax(SCAN_FINEST, c->coarse) *
            exp((real)0.7 * (real)(scan->strips > 1500 ? (scan->strips - 1500) / 100 : 0));
 }
 
-/* Narrows the interval between lo and below until the root in it can only be the first one. */
+/* Narrows the interval between lo and below until the root in it can only be the first root. */
 static enum dom_status scan_close(struct margin_context *c, struct scan *scan, real *r)
 {
     struct edge *lo = &scan->lo, *below = &scan->below, next;
     enum known known = KNOWN_NOTHING;
-    real pull = 1; /* weight of the end that stays, less and less, in the straight line through both */
+    /* Weight of the end that stays in the linear interpolation; it is halved each time (the Illinois
+     * rule). */
+    real pull = 1;
     while (known != KNOWN_TO_FALL && below->r - lo->r > SCAN_CLOSE * lo->r) {
         real width = scan_share(lo, below, pull) * (below->r - lo->r);
         for (;; width /= 2) {
@@ -177,9 +182,9 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
 }
 
 /*
- * Sets *below if the margin is negative over a strip whose lower end has a negative margin. That is so if
- * domino 1 has not tipped over at hi. Otherwise the upper bound of K must be below the lower bound of the
- * barrier, or the strip must be too short for the margin to reach 0.
+ * Sets *below to true if the margin is negative over a whole strip, at whose lower end it is known to be
+ * negative. This is certain if domino 1 has not tipped over at hi. Otherwise the upper bound of K must be
+ * below the lower bound of the barrier, or the margin must be unable to rise to 0 within the strip.
  */
 static enum dom_status scan_below(struct margin_context *c, const struct edge *lo, real hi, bool *below)
 {
@@ -241,7 +246,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         enum dom_status status = scan_strip(c, &scan.lo, &hi, &known);
         bool finest = step <= scan_finest(c, &scan);
         scan.strips++;
-        if (status == DOM_UNDERFLOW && !finest) { /* a shorter strip may still be within range */
+        if (status == DOM_UNDERFLOW && !finest) { /* a shorter strip may not underflow */
             scan.step = step / 2;
             continue;
         }

@@ -2,7 +2,8 @@
 #include "growth/strip.h"
 #include "geometry/sums.h"
 
-/* Relative room for the rounding errors of sums over a chain, whose terms have a few units each. */
+/* Relative allowance for the rounding errors of sums over a chain, whose terms each have an error of a few
+ * units. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
 #define LEAST_TOP_STEPS 4
@@ -19,25 +20,26 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
     return -geometry_height_slope(geometry, t);
 }
 
-/* A follower between its tilts at the two ends of the strip. */
+/* A follower, whose tilt lies between its tilts at the two ends of the strip. */
 struct between {
     struct tilt lo, hi;
-    real fall_least, fall_most; /* h(0) - h */
+    real fall_least, fall_most; /* bounds of h(0) - h */
 };
 
 static struct between between_of(const struct geometry *geometry, struct tilt lo, struct tilt hi)
 {
     real at_lo = strip_fall(geometry, lo), at_hi = strip_fall(geometry, hi);
     bool before = strip_sink(geometry, hi) <= 0, after = strip_sink(geometry, lo) >= 0;
-    /* h is largest at theta_u, where it is sqrt(1 + d^2). */
+    /* h has its maximum at theta_u, where it is sqrt(1 + d^2). */
     real least = after ? at_lo : before ? at_hi : -barrier_most(geometry);
     return (struct between){lo, hi, least, fmax(at_lo, at_hi)};
 }
 
-/* A chain with an upright head, continued with theta_f after a domino has detached. */
+/* A chain with an upright head. After a domino has detached, the chain is continued with dominoes at
+ * theta_f. */
 struct upright {
     struct link link;
-    bool ended; /* this domino and all after it have theta_f */
+    bool ended; /* this domino and all after it are at theta_f */
     real weight, inertia, slope, step, inertia_ratio, next;
 };
 
@@ -54,28 +56,29 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
-    /* T = sum of r^-(q+1)i theta_i'^2 along the train whose head leans at theta_c: of the upright chain, from
-     * domino 1 on. */
+    /* T is the sum of r^-(q+1)i theta_i'^2 over a train whose head leans at theta_c, so it is the sum over
+     * the upright chain from domino 1 on. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->step = u->ended || !u->link.leads ? 0 : u->link.step;
     real ratio = geometry->inertia * u->step * u->step;
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* The sums over a strip. In a strip of separations, d / ds replaces d / d ln r. */
+/* Sums over the followers, as bounds for all trains of a strip. In a strip of separations, d / ds takes the
+ * place of d / d ln r. */
 struct strip_sums {
-    real least, most;              /* bounds of the fuel */
-    real advance;                  /* d theta_i(0) / d ln r, upper bound */
-    real drops, rests;             /* strip->drops, and sum w^i g d theta_i / d ln r */
-    real far_rests;                /* the tail of `rests`, times 1 - w */
-    real least_advance;            /* d theta_i(theta) / d ln r at the largest tilt, lower bound */
-    real first_drops, first_rests; /* the terms of domino 1, which drops and rests leave out */
-    real ages;                     /* sum i w^i (h_i(0) - h_{i+1}(0)), lower bound */
-    real tilt;                     /* tilt of the head at the top of a barrier, upper bound */
+    real least, most;              /* lower and upper bound of the fuel */
+    real advance;                  /* upper bound of d theta_i(0) / d ln r */
+    real drops, rests;             /* the bound strip->drops, and the sum of w^i g d theta_i / d ln r */
+    real far_rests;                /* the tail of `rests`, multiplied by 1 - w */
+    real least_advance;            /* lower bound of d theta_i(theta) / d ln r at the largest tilt */
+    real first_drops, first_rests; /* the terms of domino 1, not included in drops and rests */
+    real ages;                     /* lower bound of the sum of i w^i (h_i(0) - h_{i+1}(0)) */
+    real tilt;                     /* upper bound of the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound over the strip of d theta_1 / d ln r, or d theta_1 / ds: its value at the leader's
- * smallest tilt and hi. */
+/* Returns an upper bound over the strip of d theta_1 / d ln r, or of d theta_1 / ds in a strip of
+ * separations: its value at hi for the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -83,8 +86,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound over the strip of the same derivative: its value at the leader's largest tilt and
- * lo. */
+/* Returns a lower bound over the strip of the derivative that strip_advance bounds: its value at lo for the
+ * largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -93,15 +96,16 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
 }
 
 /*
- * Adds follower i to the sums. Let u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), c = (1 - w) T
- * / (1 + (1 - w) T) and w = r^-q. The envelope theorem gives, at the top theta of the barrier,
+ * Adds follower i to the sums. Let u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), g =
+ * -dh/dtheta, w = r^-q and c = (1 - w) T / (1 + (1 - w) T). Let theta be the tilt at which H has its maximum.
+ * By the envelope theorem
  *
  *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
  *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))],
  *     D = r^q / T + r^q - 1,   K = P / D.
  *
- * Above theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i, u_i(theta) <= u_i(0) and h_i(0) - h_i(theta) >= g_i(0)
- * D_i; below theta_u, the absolute value of each part counts.
+ * For a follower beyond theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i, u_i(theta) <= u_i(0) and h_i(0) -
+ * h_i(theta) >= g_i(0) D_i. For a follower before theta_u, the absolute values of the parts are added.
  */
 static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
@@ -113,7 +117,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h decreases by the integral of g, over the angle from this domino to the next, asin X >= X. */
+        /* From this domino to the next, h decreases by the integral of g over the angle asin X >= X. */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -125,9 +129,9 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 }
 
 /*
- * Finds a lower bound of the head's tilt at the tops that count, those of a barrier of at least `kinetic`.
- * There the head has risen by the barrier, and by what the first follower has lost: more, the more the head
- * leans, and at least 1 / grows of the loss at hi.
+ * Finds a lower bound of the head's tilt at the maximum of H, for those trains whose barrier is at least
+ * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus what the first follower
+ * has lost. This loss increases with the tilt of the head, and is at least 1 / grows of the loss at hi.
  */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
@@ -135,7 +139,8 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0); /* below theta_u */
+        /* Distance below the height at theta_u. */
+        const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->reach - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
         const bool leads = !hi->detaches || head.v < hi->leave.v;
@@ -146,9 +151,10 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns the terms of the first follower in another form, since its angle may change without bound at the
- * reach. At the tops that count the head leans at least at `least`, and there the change of the angle is
- * smaller than upright; that difference lowers the margin by less than it raises it.
+ * Returns the terms of the first follower in a form that stays finite at the reach, where the derivative of
+ * its upright angle may be unbounded. At the maxima that count, the head leans at least by the tilt `least`,
+ * where this derivative is smaller than for an upright head; and this difference lowers the margin by less
+ * than it raises it.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -162,7 +168,7 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
            (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
 }
 
-/* Adds bounds for all followers from number i on, which are not yet in the sums. */
+/* Adds bounds for all followers after those that are already in the sums. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                        real weight, real slope, real step, struct strip_sums *s)
 {
@@ -173,7 +179,7 @@ static void strip_tail(const struct geometry *lo, const struct geometry *hi, con
     s->far_rests = weight * far * u;
 }
 
-/* Returns an upper bound of rises - falls; infinite if it is unknown. */
+/* Returns an upper bound of rises - falls, or infinity if none is known. */
 static real slope_safe(real rises, real falls)
 {
     const real slope = rises + fabs(rises) * STRIP_SLACK - falls;
@@ -190,17 +196,17 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_least = sums->least / D_most * (1 - STRIP_SLACK);
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
-    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases; this is monotone in
-     * T. */
+    /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. The right side
+     * is monotone in T. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
     real kinetic = fmax(s->kinetic_least, 0), rests, head;
-    if (fuel == DOM_FUEL_PAPER) { /* P = 1 - h(theta_f) changes with theta_f alone */
+    if (fuel == DOM_FUEL_PAPER) { /* P = 1 - h(theta_f) depends on r only through theta_f */
         rests = hi->detaches ? strip_sink(hi, hi->f) * strip_advance(lo, hi, hi->leave) / D_least : 0;
         head = sums->first_drops;
         c = 0;
-    } else { /* c / (1 - w) of the tail is needed, and is at most T */
+    } else { /* the tail is multiplied by c / (1 - w), which is at most T */
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
@@ -214,10 +220,10 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns an upper bound of the head's tilt at the top of any barrier of the strip: theta_u, or less where
- * the first follower pulls. At the top d cos - sin = sum r^-qi theta_i' g(theta_i). None of these terms is
- * negative. The first is at least the product of each of its factors at its own end of the strip, with
- * theta_1' at the largest tilt.
+ * Returns an upper bound of the head's tilt at the maximum of H of every train in the strip: theta_u, or less
+ * if the first follower pulls. At the maximum d cos - sin = sum r^-qi theta_i' g(theta_i). None of these
+ * terms is negative. The first is at least the product of lower bounds of its factors, each of which comes
+ * from one end of the strip, with theta_1' at the largest tilt.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -233,7 +239,7 @@ static real strip_top(const struct geometry *lo, const struct geometry *hi, stru
     return top;
 }
 
-/* Counts a pass along both chains, in which a domino takes as long as about ten of a plain pass. */
+/* Counts a pass along both chains. Each domino takes as long as about ten dominoes of a plain pass. */
 static void strip_count(const struct geometry *lo, size_t n)
 {
     chain_count(lo, 2 * n);
@@ -256,7 +262,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     struct between at = between_of(lo, a.link.tilt, b.link.tilt);
     sums.tilt = strip_top(lo, hi, at.lo);
     const struct between first = at;
-    /* A chain that does not get beyond theta_u has no fuel. */
+    /* A chain in which no domino gets beyond theta_u has no fuel. */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
@@ -288,7 +294,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* The most that the rest of the chain can lose on its remaining way, at either end; it gains
+        /* Upper bounds of what the dominoes further down can still lose at either end of the strip; they gain
          * nothing. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
@@ -301,7 +307,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Below the last number a rounded chain comes to rest before its end. */
+        /* Below the second number in this maximum, a rounded chain comes to rest before its end. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
@@ -312,7 +318,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             } else if (settled) {
                 sums.most += rest_hi;
             }
-            if (!after) /* nothing more is known about lo */
+            if (!after) /* the walk has not gone far enough for bounds at lo */
                 sums.least = -(sums.drops = (real)INFINITY);
             s.cut = ends || lo->n != CHAIN_ENDLESS ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
             if (lo->n == CHAIN_ENDLESS)
@@ -344,11 +350,11 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * Above theta_u the drop of follower i is the integral of w^i theta_i' g(theta_i) over theta. At any train of
- * the strip it is at least the drop at hi over `grows`, since theta_i' and w^i are not smaller, and
- * g(theta_i) decreases by no more than upright: h/g and d theta_i / dr decrease with theta. The part of the
- * head's own rise that the followers do not take is at most `most`. Where a follower is before theta_u, the
- * slope of the barrier bounds it.
+ * The drop of follower i beyond theta_u is the integral of w^i theta_i' g(theta_i) over theta. For every
+ * train in the strip it is at least the drop at hi divided by `grows`, since theta_i' and w^i are at least as
+ * large as at hi, and g(theta_i) is smaller by no larger factor than with an upright head, because h/g and d
+ * theta_i / dr decrease with theta. The part of the head's rise that the drops do not compensate is at most
+ * `most`. If a follower is before theta_u, the slope of the barrier gives the bound.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {

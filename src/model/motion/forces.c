@@ -93,9 +93,8 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
         hinge_load->impulse_x = (real)INFINITY;
 }
 
-/*
- * Returns a list with room for n dominoes, or NULL if there is not enough memory. The old contents are lost.
- */
+/* Returns a list with room for n dominoes, or NULL if there is not enough memory. The old contents are
+ * lost. */
 static struct moving *room_for(struct room *room, size_t n)
 {
     if (room->size >= n)

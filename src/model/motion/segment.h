@@ -23,9 +23,9 @@ struct segment {
     struct start start;       /* the state at lo */
     size_t summed;            /* number of dominoes that start.J includes; 0 if J is not known yet */
     real gain;                /* d omegasq / d omegasq(launch) */
-    real inertia_ratio; /* inertia ratio of the collision that begins the segment; 0 if it does not begin with
-                           one */
-    bool locks;         /* friction locks the motion at hi */
+    /* Inertia ratio of the collision that begins the segment; 0 if it does not begin with one. */
+    real inertia_ratio;
+    bool locks;             /* friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
     struct sums end;        /* the sums at hi, with dH relative to lo; segment_next finds them */
     struct room *room;      /* memory for the computation of forces; may be NULL */

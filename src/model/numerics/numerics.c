@@ -94,7 +94,7 @@ struct span {
     /* A sum ends at terms of this relative size, since terms decrease faster than a geometric series. */
     real cut;
     bool failed;
-    /* the part of f, relative to f, that the nodes of the last level do not resolve */
+    /* The part of f, relative to f, that the nodes of the last level do not resolve. */
     real tail;
     real step, sum; /* used by the double exponential rule */
     real peak, width, from, to,

@@ -22,9 +22,8 @@ typedef real num_function(real x, void *context);
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/*
- * Finds a root as num_root does, if the values of f at both ends, or at least their signs, are already known.
- */
+/* Finds a root as num_root does, if the values of f at both ends, or at least their signs, are already
+ * known. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
@@ -110,8 +109,8 @@ struct num_panel {
 
 struct num_linear {
     int panels;
-    /* An array of LINEAR_PANELS panels, too large for the stack. NULL until the first solution allocates it.
-     */
+    /* An array of LINEAR_PANELS panels, too large for the stack. NULL until the first solution
+     * allocates it. */
     struct num_panel *panel;
     real ln_G_error, v_error; /* estimates, from the last terms of the series */
 };

@@ -102,9 +102,8 @@ typedef domq_real real;
 #define fma(x, y, z) MATH(fma)(x, y, z)
 #endif
 
-/*
- * Returns the larger number without a function call. C's fmax has special rules for NaN, which cost a call.
- */
+/* Returns the larger number without a function call. C's fmax has special rules for NaN, which cost a
+ * call. */
 KERNEL inline real real_larger(real a, real b)
 {
     return a > b ? a : b;
