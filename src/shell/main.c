@@ -185,7 +185,7 @@ static void run_sources(int argc, char **argv, struct session *session)
             run_file(session, optarg);
     }
     for (; !is_over(session) && optind < argc; optind++)
-        run_file(session, argv[optind]); /* files after "--" */
+        run_file(session, argv[optind]); /* the arguments after "--" are files, too */
 }
 
 /* Runs the start-up file. This happens only at the prompt, so that scripts do not depend on the file. */

@@ -71,8 +71,8 @@ static void run_commands(struct session *session, const struct text *text, const
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* The whole line is logged before its first command runs, since a later command may fail after others
-     * have already run. */
+    /* A line with several commands is logged at once, since a later command may fail after others have
+     * already run. The log holds back a single command until it is known whether the command failed. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {

@@ -64,7 +64,8 @@ void reader_named(const struct reader *reader, const char *begin, const char *en
 /* Sets the column that is reported with the next problem. */
 void reader_place(const struct reader *reader, const char *at);
 
-/* Returns true at the end of a command; a '#' here begins a comment. */
+/* Returns true if a command ends at c: at the end of the text, at a ';', or at a '#', which begins a comment
+ * here. */
 bool command_ends(const char *c);
 
 /* Skips blanks. Returns true if no argument follows, because the command ends here, or because the next text

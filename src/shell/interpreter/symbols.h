@@ -58,7 +58,7 @@ struct resolver {
     const struct variable *scope;             /* the function whose body is being resolved, or NULL */
     struct routine *routines;
     int depth;           /* how deeply the function whose body is being resolved is nested in others */
-    bool names_function; /* The message already says in which function the error is. */
+    bool names_function; /* After an error: the message already says in which function the error is. */
     const char *at;      /* after an error: its position in the expression */
     char message[EXPRESSION_MESSAGE];
 };

@@ -115,7 +115,7 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
         return csv_wrong(file, open, "this '\"' is never closed; write another '\"' at the end of the cell");
     if (*more && *file->next != file->separator)
         return csv_wrong(file, file->at, "a %s is missing after the closing '\"'", csv_separator_name(file));
-    for (; line && *file->next; advance(file)) /* skips a comment */
+    for (; line && *file->next; advance(file)) /* this skips a comment */
         line = !*more && *file->next != '\n';
     while (to > cell->text && isspace((unsigned char)to[-1]))
         to--;
@@ -170,7 +170,7 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-/* A comma between parentheses separates the arguments of a function. */
+/* A comma between parentheses separates the arguments of a function, and is not a decimal comma. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;

@@ -29,7 +29,7 @@ struct csv_place {
 };
 
 struct csv_cell {
-    const char *text; /* without the quotes and blanks around it */
+    const char *text; /* the contents without the surrounding quotes and blanks */
     struct csv_place at;
     bool is_quoted;
 };
@@ -51,7 +51,7 @@ struct csv_file {
     struct csv_place at;   /* the position of the character at `next` */
     bool after_blank;      /* the character before `next` is a blank or a line end */
     const char *cut_short; /* the reason why `text` does not have the whole file; NULL if it does */
-    char separator;        /* 0 until it is known */
+    char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
     /* What the numbers that have been read so far reveal about decimal points and decimal commas. */
     struct csv_mark {

@@ -55,7 +55,7 @@ struct tree {
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: arguments in parentheses follow the name */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
-    struct tree *child, *next; /* the first child; the next child of the same parent */
+    struct tree *child, *next; /* the first child of this node, and the next child of its parent */
     const struct function *function; /* TREE_FUNCTION: the function */
     int symbol, index; /* TREE_SYMBOL: these and `refers` belong to the code that resolves names */
     const void *refers;
@@ -68,7 +68,7 @@ struct parse {
     struct arena *arena;
     const char *no_unit; /* single letters that are names, not units, when they follow a blank; may be NULL */
     /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses, and returns a tree that
-     * replaces the value. Returns NULL after an error. May be NULL, where "with" is not supported. */
+     * replaces the value. Returns NULL after an error. The pointer is NULL where "with" is not supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the depth of recursion, and the number of open parentheses */

@@ -17,7 +17,7 @@ struct text {
     char *line;
     struct origin {
         int column; /* the column of the character in `typed`, from 1 */
-        int offset; /* its offset in `typed`, in bytes */
+        int offset; /* the offset of the character in `typed`, in bytes */
     } * origin;     /* for each byte of `line` and for its terminating NUL byte: where it comes from */
 };
 

@@ -21,12 +21,12 @@ struct parameter {
     /* The description of the parameter's value, whose `usual` is the default. For an effect: the descriptions
      * of its values. */
     const struct domq_effect_argument *value;
-    const char *help;     /* may be NULL */
+    const char *help;     /* the text of 'help'; may be NULL */
     const char *synonyms; /* words that people may use instead, separated by blanks; may be NULL */
     /* NULL unless the parameter is an effect. The `help` and `synonyms` above are NULL for an effect, which
      * has its own. */
     const struct domq_effect *effect;
-    int which;                /* the number of the effect */
+    int which;                /* the number of the effect, if the parameter is one */
     const struct word *words; /* words for some of the values; may be NULL */
     bool words_only;          /* only these words are values, and the member of the state is an unsigned */
     /* The parameter is a setting of the calculator. 'reset' does not change it unless its name is given. */

@@ -119,7 +119,8 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
-    /* After an error in a sourced file, its commands before the error still belong in the log. */
+    /* A 'source' command stays in the log even if a command of its file fails, since the commands before the
+     * error have run. */
     log_message(&session->output, text, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);
