@@ -24,19 +24,20 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    real passed = 1; /* part of a torque that reaches the head: with friction not the slope */
+    real passed = 1; /* the part of a torque that reaches the head; with friction it is not the slope */
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* A domino that carries less than rounding errors changes nothing when it detaches. */
+        /* A domino that contributes less than the rounding errors changes nothing when it detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* Domino b.i has no follower at 0: it detaches when domino b.i - 1 reaches theta_leave. */
+    /* In an upright train domino b->i has no follower. It detaches when domino b->i - 1 reaches
+     * theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);
@@ -55,7 +56,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower has detached for every theta > 0: H' jumps at 0, and its right limit counts. */
+    /* At r s = 1 the follower has detached for every theta > 0. H' jumps at 0, and only its limit from the
+     * right matters. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -69,7 +71,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* Returns a checked train, with theta in [0, theta_c] as the tilt of its head. */
+/* Makes the geometry of a train, and the tilt of its head at theta, which must be in [0, theta_c]. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {
@@ -81,7 +83,7 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
-/* Returns the public description of a domino, with its bounds e. */
+/* Returns the public description of a domino with its error bounds, computed from e. */
 static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
                                    const struct bound *e)
 {
@@ -119,7 +121,7 @@ KERNEL enum dom_status chain_walk(const struct request *train, dom_real theta, d
     const struct link *k = &walk.link;
     struct bound e = bound_head(&geometry, k, geometry_error_head(head));
     for (;;) {
-        if (dom_raised(geometry.interrupt)) /* writing a row may take longer than computing it */
+        if (dom_raised(geometry.interrupt)) /* visit may take longer than the computation */
             return DOM_INTERRUPTED;
         struct dom_link link = link_public(&geometry, k, &e);
         if (!train->errors)

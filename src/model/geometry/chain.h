@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chain of followers at one tilt of the head. A pass follows it to its end, geometry->n dominoes
- * (19; c1), or until its tail, which a geometric series bounds, no longer matters at the tolerance.
+ * The chain of followers at one tilt of the head. A pass visits the dominoes from the head on, to add up sums
+ * such as (19; c1). It ends after geometry->n dominoes, or when the tail of the sums, which is bounded by a
+ * geometric series, no longer matters at the tolerance.
  */
 #ifndef DOM_CHAIN_H
 #define DOM_CHAIN_H
@@ -9,35 +10,35 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Finds J, H1 and H(theta) - H(0) at theta in [0, theta_c], and bounds of their errors unless error is
+/* Finds J, H1 and H(theta) - H(0) (struct sums) at theta in [0, theta_c], and error bounds unless `error` is
  * NULL. */
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error);
 
-/* Finds J, H1, H2 and H(head) - H(from). */
+/* Finds J, H1 and H2 at the tilt `head`, and H(head) - H(from). */
 KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, struct tilt from,
                                                struct tilt head, struct sums *sums);
 
 /*
  * Finds the tilt of the head at which a domino detaches, and the number of that domino unless `domino` is
- * NULL. *leaves is false if no domino detaches during the cycle. At most one does: the train at theta_c is
- * the train at 0, shifted by one domino.
+ * NULL. *leaves is false if no domino detaches during the cycle. At most one domino detaches, because the
+ * train at theta_c is the train at 0 shifted by one domino.
  */
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,
                                    size_t *domino);
 
 /*
  * Finds the tilts between which a train moves smoothly: edge[0] = 0, the tilt before `end` at which a domino
- * detaches, if there is one, and `end`. *edges gets their number. *moving, unless it is NULL, gets the number
- * of dominoes that move from edge[0] to edge[1], which is one more than after edge[1], or CHAIN_ENDLESS if no
- * domino detaches.
+ * detaches, if there is one, and `end`. Sets *edges to the number of these tilts. Unless `moving` is NULL,
+ * sets *moving to the number of dominoes that move between edge[0] and edge[1], or to CHAIN_ENDLESS if no
+ * domino detaches. After edge[1], one domino fewer moves.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns the status of a search: that of the model if its function has failed, otherwise that of the solver.
- */
+/* Returns the status of a search. `self` is the status of the function that was searched, and takes
+ * precedence over the status of the solver. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

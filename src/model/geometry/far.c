@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The far tail: H and J of a train as power series in z = tan((theta_inf - theta) / 2). A domino at z has its
- * follower at f(z), which is a power series, too, and
+ * The sums over the far tail. H and J of a train are power series in z = tan((theta_inf - theta) / 2), where
+ * theta is the tilt of its head. A domino at z has its follower at f(z), which is a power series as well, so
+ * that
  *
- *     H(z) = h(z) + r^-q H(f(z)),   J(z) / (1 + z^2)^2 = (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 +
- * f^2)^2.
+ *     H(z) = h(z) + r^-q H(f(z)),
+ *     J(z) / (1 + z^2)^2 = (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
  *
- * Each coefficient follows from those before it.
+ * Each coefficient of H and J follows from the coefficients before it.
  */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* Finds f = (z - p) / (1 + z p), where p = tan(asin(X) / 2) = X / (1 + Y) and
- * X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
+/* Finds the coefficients of f = (z - p) / (1 + z p), where p = tan(asin(X) / 2) = X / (1 + Y) and X = 2 r L z
+ * (sin theta_inf - z cos theta_inf) / (1 + z^2). */
 static void far_follower(const struct geometry *geometry, int order, real *f)
 {
     real X[FAR_ORDER + 2], Y[FAR_ORDER + 2], p[FAR_ORDER + 2];
@@ -35,7 +36,8 @@ static void far_follower(const struct geometry *geometry, int order, real *f)
     }
 }
 
-/* Returns an upper bound of the terms that are left out over (z / radius)^order, by the last coefficients. */
+/* Returns an upper bound of the omitted terms, divided by (z / radius)^order. It is estimated from the last
+ * coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -48,8 +50,8 @@ static real far_rest(const struct far *far, const real *series)
 }
 
 /*
- * Returns a radius inside which the series converge: X = 1 and X = -1 are branch points of f, and theta =
- * -theta_inf is a fixed point as well.
+ * Returns a radius inside which the series converge. It is limited by the branch points of f, X = 1 and X =
+ * -1, and by the second fixed point of f, theta = -theta_inf.
  */
 static real far_radius(const struct geometry *geometry)
 {
@@ -59,11 +61,13 @@ static real far_radius(const struct geometry *geometry)
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
 
-/* The cost of a series over that of a domino in a pass, FAR_COST + order^3 / FAR_CUBE, as measured. */
+/* The measured cost of making a series is FAR_COST + order^3 / FAR_CUBE times the cost of one domino in a
+ * pass. */
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order that costs least for a train with this geometry in `passes` passes; 0: none pays. */
+/* Returns the order of the series for which `passes` passes down this train cost least, or 0 if no series
+ * saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = 1 - geometry->rL * geometry->inf.x, fades = log(geometry->rq),
@@ -81,7 +85,8 @@ static int far_order(const struct geometry *geometry, real passes)
     return best;
 }
 
-/* Multiplies the series p by f, which begins with f[1]; p begins with p[first]. Both end at `last`. */
+/* Multiplies the series p in place by the series f. p begins with p[first], f begins with f[1], and both end
+ * at the index `last`. */
 static void far_multiply(real *p, const real *f, int first, int last)
 {
     for (int k = last; k > first; k--) {
@@ -108,7 +113,7 @@ KERNEL void far_make(struct geometry *geometry, real passes)
     real *const H = far->H, *const J = far->J;
     far_follower(geometry, n + 1, f);
     far->radius = far_radius(geometry);
-    /* h = a cos + b sin of 2 atan z; its first coefficients are 2 b and -2 a. */
+    /* h is a cos u + b sin u with u = 2 atan z, whose first coefficients are 2 b and -2 a. */
     H[0] = 0;
     for (int k = 1; k <= n; k++)
         H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
@@ -126,8 +131,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* power holds f^j and squares f'^2 f^(j-1): when its turn comes, coefficient j of H, and j - 1 of J,
-     * lacks only its own term. */
+    /* At step j, `power` holds f^j and `squares` holds f'^2 f^(j-1). By then H[j] and J[j - 1] lack only the
+     * term that contains the coefficient itself, which the division accounts for. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

@@ -5,8 +5,8 @@
 
 #include "geometry/sums.h"
 
-/* Finds geometry->far for a train from which no domino detaches, with the order that is cheapest for that
- * number of passes. */
+/* Makes the series geometry->far of a train, with the order that is cheapest for `passes` passes. The order
+ * is 0, which means no series, if a domino detaches or if no series saves time. */
 KERNEL void far_make(struct geometry *geometry, real passes);
 
 /* Returns the variable of the series, tan((theta_inf - theta) / 2). */
@@ -17,8 +17,8 @@ KERNEL_LOOP real far_off(const struct geometry *geometry, struct tilt t)
     return sine / (1 + cosine);
 }
 
-/* Returns (z / radius)^order. Times this, rest_H and rest_J bound the terms that are left out. Returns
- * infinity where the bounds do not hold. */
+/* Returns (z / radius)^order. This factor times rest_H or rest_J bounds the omitted terms. Returns infinity
+ * where the bounds do not hold. */
 KERNEL_LOOP real far_share(const struct far *far, real z)
 {
     real part = fabs(z) / far->radius, square = part * part, share = 1;
@@ -29,20 +29,21 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if an error `rest` is below the tolerance of a sum plus its tail, which may cancel. */
+/* Returns true if the error `rest` is below the tolerance of the whole sum, that is of the terms added so far
+ * plus `tail`, which may cancel. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
 }
 
-/* A function at z, with its derivatives with respect to theta. */
+/* The value of a series at z, and its first and second derivatives with respect to theta. */
 struct far_point {
     real value, first, second;
 };
 
 KERNEL struct far_point far_point(const real *series, int order, real z)
 {
-    real value = 0, first = 0, second = 0; /* second: half of the derivative */
+    real value = 0, first = 0, second = 0; /* `second` is half of the second derivative */
     for (int k = order; k >= 0; k--) {
         second = second * z + first;
         first = first * z + value;
@@ -52,7 +53,7 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* Return H, up to a constant, and J of the part of the train that begins with a domino at z. */
+/* Return H, up to a constant, and J of the part of a train that begins with a domino at z. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);
@@ -61,15 +62,16 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    real one = 1 + z * z; /* the series is that of J / one^2; d one / dtheta is -z one */
+    real one = 1 + z * z; /* the series is that of J / one^2, and d one / dtheta is -z one */
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};
 }
 
-/* Returns H(theta_a) - H(theta_b) from the z of both and t = tan((theta_a - theta_b) / 2). */
+/* Returns H(theta_a) - H(theta_b) from z_a and z_b, the values of z at both tilts, and t = tan((theta_a -
+ * theta_b) / 2). */
 KERNEL real far_difference(const struct far *far, real z_a, real z_b, real t)
 {
-    real sum = 0, part = 1, power = 1; /* part: (z_a^k - z_b^k) / (z_a - z_b) */
+    real sum = 0, part = 1, power = 1; /* `part` is (z_a^k - z_b^k) / (z_a - z_b) */
     for (int k = 1; k <= far->order; k++) {
         sum += far->H[k] * part;
         power *= z_b;

@@ -40,7 +40,7 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
     *cosine = geometry_height(geometry, geometry->c) / u;
 }
 
-/* ---- Errors, in angles: both coordinates of a tilt carry a few units of their own size ---- */
+/* ---- Errors of tilts, as angles: each coordinate of a tilt has a relative error of a few units ---- */
 
 KERNEL real tilt_error(struct tilt t, real units)
 {
@@ -52,7 +52,7 @@ KERNEL real geometry_error_head(struct tilt head)
     return tilt_error(head, 4);
 }
 
-/* theta_u is the direction of (h.y, h.x), which is exact on a level floor. */
+/* theta_u is the direction of the vector (h.y, h.x), which is exact on a level floor. */
 KERNEL real geometry_error_u(const struct geometry *geometry)
 {
     real reach = geometry->reach;
@@ -65,7 +65,7 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
 }
 
-/* theta_leave comes from its 1 - cos, whose derivative is the sine. */
+/* theta_leave is computed from 1 - cos theta_leave, whose derivative is sin theta_leave. */
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0

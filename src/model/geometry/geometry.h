@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One domino that leans on the next: the geometry of section 2 and appendix A, in Cartesian form. An angle
- * theta is stored as struct tilt, so that the loops down the train need no trigonometry and nothing cancels:
- * v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
+ * One domino that leans on the next: the geometry of section 2 and appendix A of the paper, in Cartesian
+ * form. An angle theta is stored as a struct tilt, so that the loops down the train need no trigonometry and
+ * no digits cancel: v = 1 - cos theta keeps its relative accuracy where cos theta is nearly 1.
  */
 #ifndef DOM_GEOMETRY_H
 #define DOM_GEOMETRY_H
@@ -22,7 +22,7 @@ struct contact_law; /* law.h */
 struct dynamics;    /* dynamics.h */
 struct flow;        /* flow.h */
 
-/* The most terms of the series of the far tail, and the fewest. */
+/* The lowest and the highest order of the series for the far tail. */
 #if REAL_BITS <= 24
 enum { FAR_FIRST = 4, FAR_ORDER = 4 };
 #elif REAL_BITS <= 64
@@ -33,44 +33,45 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 
 /* H and J of a train, as power series around theta_inf (far.h). */
 struct far {
-    int order; /* an even number; 0 if there is no series */
+    int order; /* the order of both series, an even number; 0 if there is no series */
     real radius, rest_H, rest_J;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
 
 /*
- * A, B and C of a train whose head leans at theta_inf - e, a far follower, as A[0] - A[1] e + A[2] e^2 / 2. B
- * holds only the part from theta_i'^2 of that head: its theta_i'' has the same factor as theta_i' has in A.
+ * The sums A, B and C of struct equation_of_motion over the far tail of a train whose first domino leans at
+ * theta_inf - e: each is A[0] - A[1] e + A[2] e^2 / 2. B holds only the part that has the factor theta_i'^2
+ * of this first domino i. The other part is theta_i'' times A[], just as A is theta_i' times A[].
  */
 struct far_friction {
     real A[3], B[3], C[3];
-    bool known; /* true: the series converge */
+    bool known; /* true if the series converge */
 };
 
 /*
- * The shape of a domino with rounded edges, over its height (rounded.h). Its moment of inertia about the line
- * where its foot touches the floor, over that of a block with sharp edges, is i(theta) = i.c + i.x sin theta
- * + i.y cos theta. With sharp edges i is 1 and rho is 0.
+ * The shape of a domino with rounded edges, with lengths relative to its height (rounded.h). Its moment of
+ * inertia about the line where its foot touches the floor, relative to that of a block with sharp edges, is
+ * i(theta) = i.c + i.x sin theta + i.y cos theta. With sharp edges i is 1 and rho is 0.
  */
 struct rounded {
     real rho;           /* radius of the edges */
-    real tall, wide;    /* 1 - 2 rho and d - 2 rho: the flat parts */
-    real rho_1, tall_1; /* rho and tall of the follower, over the height of this domino */
+    real tall, wide;    /* 1 - 2 rho and d - 2 rho: the lengths of the flat parts */
+    real rho_1, tall_1; /* rho and tall of the follower, relative to the height of this domino */
     real roll;          /* the term of dh/dtheta that comes from a foot that rolls down a slope */
     struct {
         real c, x, y;
     } i;
 };
 
-/* A checked train with the quantities that are constant during a cycle; or one domino of a row and its
+/* A checked train with the quantities that are constant during a cycle, or one domino of a row with its
  * follower. */
 struct geometry {
     real s, r, d, q, tol;
     const struct dynamics *dynamics; /* the law of motion; dynamics_choose sets it */
     real mu;                         /* friction coefficient between dominoes, >= 0 */
-    real box;                        /* moment of inertia over that of a solid block: 1 without walls */
-    const struct contact_law *law;   /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;               /* solution of the equation of motion; NULL if the law needs none */
+    real box;                      /* moment of inertia relative to that of a solid block: 1 without walls */
+    const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
+    struct flow *flow;             /* solution of the equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     size_t *effort; /* work of a search so far, in dominoes of a plain pass; NULL if there is no limit */
@@ -78,7 +79,7 @@ struct geometry {
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
-    real leave_at; /* 1 - r^2 s^2; equal to leave_by v where a follower detaches */
+    real leave_at; /* 1 - r^2 s^2, which equals leave_by v at the leader's tilt where its follower detaches */
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H over that of its leader (19; c1) */
     real inertia;  /* r^-(q+1), the factor from one domino to the next in J (20; c2) */
@@ -91,7 +92,7 @@ struct geometry {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
     } h;
     real decay;        /* largest ratio of successive far terms of H': r^-q theta_1'(theta_inf) */
-    real decay_J;      /* largest ratio of successive far terms of J, if the next two terms do not show it */
+    real decay_J;      /* lower limit of the ratio of successive far terms of J that a pass assumes */
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
@@ -99,12 +100,12 @@ struct geometry {
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
-    size_t n; /* number of dominoes from here to the end of the chain */
-    /* The geometry of the follower. NULL in a train, which is self-similar: this geometry is that of all its
-     * dominoes. */
+    size_t n; /* number of dominoes from this domino to the end of the chain */
+    /* The geometry of the follower in a row. NULL in a train, all of whose dominoes have this geometry, since
+     * the train is self-similar. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
-    real span;    /* the largest gap that a head reaches, over its height: 1, unless its edges are rounded */
+    real span;    /* the largest gap that a head reaches, over its height: 1 unless its edges are rounded */
     struct rounded rounded;
     real lean; /* tilt of this domino before it is hit: 0 if it is plumb */
 };
@@ -117,15 +118,16 @@ KERNEL_LOOP real geometry_height_slope(const struct geometry *geometry, struct t
     return geometry->h.x * t.y - geometry->h.y * t.x;
 }
 
-/* Returns the energy of position of one domino, h(theta). */
+/* Returns the potential energy of one domino, h(theta). */
 KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 {
     return geometry->h.y * t.y + geometry->h.x * t.x;
 }
 
 /*
- * Returns the size of the terms of dh/dtheta, each of which has a few rounding errors. On a slope h.x and h.y
- * are sums themselves: their terms count, and twice, since sine and cosine of the slope are rounded too.
+ * Returns the sum of the absolute values of the terms of dh/dtheta, each of which has a few rounding errors.
+ * On a slope h.x and h.y are themselves sums. Their terms then count separately, and twice, since the sine
+ * and cosine of the slope are rounded too.
  */
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
@@ -133,13 +135,14 @@ KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t
     return (along == 0 ? (real)1 : (real)2) * ((d * down + along) * t.y + (down + d * along) * t.x);
 }
 
-/* Returns dh/dtheta of one domino with edges of either kind. */
+/* Returns dh/dtheta of one domino with sharp or rounded edges. */
 KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
 {
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
 }
 
-/* Return the inertia of a domino about the line where it touches the floor, and its derivative. */
+/* Return i(theta) of struct rounded, the relative moment of inertia of a domino about the line where it
+ * touches the floor, and its derivative. */
 KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 {
     const struct rounded *of = &geometry->rounded;
@@ -152,8 +155,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest scale of tilts at the beginning of a cycle: theta_u, or the tilt of the head at which
- * its follower has come down from pi/2. With edges of the radius d/2 there is no theta_u.
+ * Returns the smallest scale of tilts at the beginning of a cycle: theta_u, or if smaller, the tilt of the
+ * head at which its follower, which then began near pi/2, has come down from there. With edges of radius d/2,
+ * theta_u is 0 and does not count.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -163,21 +167,21 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
-/* Return theta_u, at which one domino tips over, tan(theta_u / 2), and how much it rises to there. */
+/* Return theta_u, at which a single domino tips over; tan(theta_u / 2); and h(theta_u) - h(0). */
 KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Finds sine and cosine of theta_c - theta_u. Before theta_u domino 1 has not tipped over when it hits
- * (5; b0). */
+/* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 has not tipped over when
+ * it hits the next domino (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
-/* Converts an angle between the lean of the head, 0 in a train, and theta_c to a tilt. An angle that equals
- * theta_c rounded to a real gives theta_c. */
+/* Converts an angle to a tilt. The angle must be between the lean of the head, which is 0 in a train, and
+ * theta_c. An angle that differs from theta_c only by rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Return upper bounds of the error, as an angle, of a tilt with at most `units` rounding errors in each
- * coordinate, of the tilt of a head, of theta_u, of theta_f and of theta_leave. */
+/* Return upper bounds of errors of tilts, as angles: for a tilt with at most `units` rounding errors in each
+ * coordinate, for the tilt of a head, for theta_u, for theta_f and for theta_leave. */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);
@@ -194,8 +198,8 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* Returns the tilt for p = tan(theta / 2), the variable of searches: it needs no trigonometry, and small
- * tilts keep their digits. */
+/* Returns the tilt for p = tan(theta / 2). Searches use p as their variable, since it needs no trigonometry
+ * and keeps the digits of small tilts. */
 KERNEL struct tilt tilt_half(real p)
 {
     real pp = p * p, share = 2 / (1 + pp);
@@ -207,7 +211,7 @@ KERNEL real half_of_tilt(struct tilt t)
     return t.x / (1 + t.y);
 }
 
-/* Returns tan of half the difference of two tilts; exact if the difference is the whole tilt. */
+/* Returns the tangent of half the difference of two tilts. If `from` is upright, no digits cancel. */
 KERNEL real half_turn(struct tilt from, struct tilt head)
 {
     real sine = head.x * from.y - head.y * from.x, cosine = head.y * from.y + head.x * from.x;
@@ -216,9 +220,9 @@ KERNEL real half_turn(struct tilt from, struct tilt head)
 
 /*
  * The angle from a leader to its follower, with the arm of the contact force on the leader (table 1) and the
- * slope (34; A10). Nothing cancels, neither for X near 0 nor for X near 1. Where Y - r L x would cancel, the
- * arm comes from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower is
- * about to detach.
+ * slope (34; A10). No digits cancel, neither for X near 0 nor for X near 1. Where Y - r L x would cancel, the
+ * arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower
+ * is about to detach.
  */
 struct contact {
     real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
@@ -230,15 +234,16 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    if (2 * rLx <= Y) /* one rounding for a slope near 1, since many slopes are multiplied */
+    if (2 * rLx <= Y) /* a slope near 1 has only one rounding error, since many slopes are multiplied */
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
 /*
- * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). Computes v' = 1 - y' alone, from terms of
- * one sign; x' and y' follow from v', so that neither drifts along a long train.
+ * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). Only v' = 1 - y' is computed from the
+ * leader's tilt, as a sum of terms of one sign. x' and y' are computed from v', so that the two do not drift
+ * apart along a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
@@ -246,8 +251,8 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The sine may then have either sign, which x' = Y
- * x + X y keeps. */
+/* Returns the follower's tilt if the leader leans backwards. The follower's sine may then have either sign,
+ * which the formula x' = Y x + X y preserves. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The geometry of a train, as far as the law of contact does not decide it. */
+/* The part of the geometry of a train that does not depend on the law of contact. */
 #include "geometry/law.h"
 
 /* Finds r^q, and r^q - 1 without cancellation. */
@@ -17,7 +17,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* The logarithm would lose digits where r^q is large, the difference where r^q is near 1. */
+    /* expm1(log) would lose digits where r^q is large, and the difference where r^q is near 1. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
@@ -59,12 +59,12 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
     geometry->rL = r * L;
     /* The fma gives 1 - r s with one rounding. */
     real short_of = fma(-r, s, 1);
-    /* A unit in the last place of 1: r s can exceed 1 by no more where s and r = 1/s are both rounded. */
+    /* If s and r = 1/s are both rounded, r s can exceed 1 by at most a unit in the last place of 1. */
     if (short_of < -REAL_EPSILON)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (24; c6) is as small as r^-(2q+1); below this limit it would lose its digits. */
+    /* The kinetic energy (24; c6) can be as small as r^-(2q+1), which loses its digits below this limit. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;

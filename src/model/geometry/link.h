@@ -6,22 +6,22 @@
 #include "geometry/geometry.h"
 
 struct link {
-    const struct geometry *geometry; /* of this domino and its follower */
+    const struct geometry *geometry; /* geometry of this domino and its follower */
     size_t i;
     struct tilt tilt;
-    struct contact contact; /* with the follower, if a follower leans on this domino */
+    struct contact contact; /* contact with the follower, if one leans on this domino */
     real step;              /* slope between domino and follower, theta_{i+1}' / theta_i' */
     real slope;             /* theta_i' (33; A9), (35; A11) */
     real weight;            /* r^-(q i) */
     real inertia;           /* r^-((q+1) i) */
-    bool leads;             /* a follower leans on this domino */
+    bool leads;             /* true if a follower leans on this domino */
 };
 
 KERNEL_LOOP void link_geometry(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
-    /* A follower always leans on an upright domino: it has just hit that domino, even in the limit
-     * theta_leave = 0. */
+    /* A follower always leans on an upright domino, which it has just hit, even in the limit theta_leave =
+     * 0. */
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
@@ -53,8 +53,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from theta'' of its leader, d/dtheta of (14; b10) along the chain. The cosine
- * Y y - X x of the follower would lose its digits near pi/2. */
+/* Returns theta'' of a follower from theta'' of its leader, by differentiating (14; b10) along the chain.
+ * Does not use the cosine of the follower, Y y - X x, which loses its digits near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
@@ -65,16 +65,19 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* Returns the ratio of t = tan((theta_a - theta_b) / 2) of a follower to t of its leader, for two tilts a and
- * b of the leader. The arms keep the digits of 1 - G (energy_change_between). */
+/*
+ * Returns the ratio of t = tan((theta_a - theta_b) / 2) of a follower to t of its leader, for two tilts a and
+ * b of the leader: (1 - G) / (1 + t^2 G) of energy_change_between. Computing 1 - G from the arms keeps its
+ * digits.
+ */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* Return the lever arms of the contact of a domino with its follower (table 1), with friction, times r of the
- * domino. */
+/* Return the lever arms a and b of the contact of a domino with its follower (table 1), including friction,
+ * multiplied by r of the domino. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;
@@ -85,8 +88,8 @@ KERNEL real contact_arm_b(const struct link *k)
     return k->contact.Y + k->geometry->mu * k->contact.X;
 }
 
-/* Returns a / b, the part of a torque that the contact passes on to the leader. Without friction it is the
- * slope (14; b10). */
+/* Returns a / b, the part of a torque on the follower that the contact passes on to the leader. Without
+ * friction this is the slope (14; b10). */
 KERNEL real torque_ratio(const struct link *k)
 {
     return contact_arm_a(k) / contact_arm_b(k);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a kernel needs to answer a question: the train or row, and how to compute. */
+/* The input of a kernel: a train or a row, and how to compute. */
 #ifndef DOM_REQUEST_H
 #define DOM_REQUEST_H
 
@@ -13,16 +13,16 @@ struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
-    dom_real effect[DOM_DYNAMICS_COUNT]; /* values of the effects in the order of DOM_DYNAMICS; 0 means off */
+    dom_real effect[DOM_DYNAMICS_COUNT]; /* values by enum dom_effect_name; 0 means off */
     enum dom_precision precision;
     enum dom_method method;
     bool errors;
-    dom_real near; /* r_max as a coarser kernel has found it, or 0 */
+    dom_real near; /* r_max as found by a coarser kernel, or 0 if there is none */
     struct dom_work *work;
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* run.h, in each precision */
+struct block; /* defined in run.h, for each precision */
 
 /* The members of struct dom_row and of struct dom_compute. */
 struct row_request {

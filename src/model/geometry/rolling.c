@@ -25,8 +25,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. For J done_J serves, since the inertia of a domino is at
- * most that of a domino with sharp edges. */
+/* Returns true when the tail of H1 can be left out. For J, done_J of sharp edges can be used, since the
+ * inertia of a domino with rounded edges is at most that of one with sharp edges. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -34,7 +34,7 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-/* Finds J and H1, or the sign of H1 alone. */
+/* Finds J and H1 or, if `sign` is true, only a number with the sign of H1. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums)
 {
@@ -94,7 +94,7 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
 
 /* ---- Differences ---- */
 
-/* Returns tan(by / 2) for the tilts a and b, `by` apart. */
+/* Returns tan(by / 2), where `by` is the difference of the angles of a and b. */
 static real half_of_turn(struct tilt a, struct tilt b, real by)
 {
     if (fabs(by) < (real)0.25)
@@ -102,7 +102,7 @@ static real half_of_turn(struct tilt a, struct tilt b, real by)
     return (a.x * b.y - a.y * b.x) / (1 + a.y * b.y + a.x * b.x);
 }
 
-/* The difference of the tilts of one domino in two chains, as an angle and as the tangent of half of that
+/* The difference between the tilts of one domino in two chains, as an angle, and as the tangent of half that
  * angle. */
 struct apart {
     real by, t;
@@ -113,8 +113,8 @@ static struct apart apart_of(struct tilt a, struct tilt b, real by)
     return (struct apart){by, half_of_turn(a, b, by)};
 }
 
-/* Returns this difference from the tangent alone, whose digits the ever smaller differences of far dominoes
- * keep. */
+/* Returns the difference for its tangent t. t keeps its relative accuracy along the chain, although the
+ * differences become ever smaller. */
 static struct apart apart_by(real t)
 {
     real square = t * t;
@@ -135,12 +135,14 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 }
 
 /*
- * Returns the difference of the tilts of two followers whose leaders are `by` apart. The difference D of the
- * two turns obeys the difference of two contacts,
+ * Returns the difference between the tilts of the followers of a and b; `apart` is the difference between the
+ * tilts of a and b themselves. Subtracting the contact equations of a and b gives an equation for the
+ * difference D of their turns,
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
- * where every term of R has the small factor `by`. The first estimate of D fixes only tan(D/2) / D.
+ * where every term of R has the small factor `by`. The direct difference of the turns, which has lost digits,
+ * is used only for tan(D/2) / D.
  */
 static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -163,19 +165,21 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * contact_pushes of sharp_change.c for rounded edges: returns true if one contact surely does its part to
- * keep all contacts closed while its leader moves from b to a. The inertia of a domino now changes with its
- * tilt, so that c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k, and a_k has i_k in its denominator.
+ * Returns true if a contact of rounded edges meets a sufficient condition for all contacts of the chain to
+ * stay closed while its leader moves from b to a. The condition is that of pushes_between in sharp_change.c,
+ * but the inertia of a domino changes with its tilt, so that c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2
+ * i_k, and a_k has i_k in its denominator.
  *
  * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. With p = 1 - step, Q = L - rho_1 turn
- * and more = rho - rho_1, the contact equation makes of the left side
+ * and more = rho - rho_1, the contact equation turns the left side into
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - more [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x],
  *
- * where the square bracket is between -2 and 1.16. The first two terms are a mean of y Q and d. Where y Q <
- * d/2, x and p >= x (M - rho_1 turn)/b are large. The same terms with p for p^2 are a part of that by which
- * the arm of the leader decreases, so slope and turn decrease, too, and the ends of the way bound all terms.
- * a is as with sharp edges, with R i/i_1 for R, and with the part of a foot that rolls down a slope.
+ * where the square bracket is between -2 and 1.16. The first two terms are a weighted mean of y Q and d.
+ * Where y Q < d/2, x is large, and so is p >= x (M - rho_1 turn)/b. The decrease of the arm of the leader
+ * contains the same terms with p instead of p^2. So slope and turn decrease, too, and all terms are bounded
+ * by their values at a and b. The condition for a is that of sharp edges, with R i/i_1 instead of R, and with
+ * a term for a foot that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
@@ -190,7 +194,7 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
-    /* i is concave up to pi/2, and i' decreases. */
+    /* Up to pi/2, i is concave and i' decreases. */
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
@@ -212,8 +216,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns rolling_pushes_between, or whether it holds for both halves of the way, for their halves, and so
- * on. */
+/* Returns true if rolling_pushes_between holds from b to a. If it does not, tries both halves of the interval
+ * separately, down to `halvings` levels. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))
@@ -224,7 +228,8 @@ static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvi
     return rolling_pushes(&middle, b, halvings - 1) && rolling_pushes(a, &middle, halvings - 1);
 }
 
-/* Finds the differences between two chains whose heads are `by` apart, as energy_change_between does. */
+/* Finds the sums of a chain and its difference of H to another chain, whose heads are `by` apart, as
+ * energy_change_between does for sharp edges. */
 static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real by, enum pass pass, struct sums *sums)
 {
@@ -245,7 +250,7 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
                               link->slope * link->slope * geometry_height(link->geometry, link->tilt));
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
-        if (!link->leads) { /* The follower has detached during this cycle: it keeps the energy of theta_f. */
+        if (!link->leads) { /* The follower has detached during this cycle and keeps the tilt theta_f. */
             rounded_next(&b);
             state.left = b.link.weight *
                          rolling_rise(geometry, geometry->f, b.link.tilt,

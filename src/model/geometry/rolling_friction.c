@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Friction between dominoes with rounded edges: the tip is a circle of radius rho_1, and the foot rolls
- * (geometry/rounded.h). About the lines of contact with the floor the arms, times r, are those of
- * rounded_arms. The inertia of a domino changes with its tilt: A and B have i theta_i' and i theta_i'' + i'
- * theta_i'^2 / 2.
+ * Friction between dominoes with rounded edges. The tip is a circle of radius rho_1, and the foot rolls
+ * (geometry/rounded.h). The arms about the lines of contact with the floor, multiplied by r, are those of
+ * rounded_arms. Since the inertia i of a domino changes with its tilt, A contains i theta_i' and B contains i
+ * theta_i'' + i' theta_i'^2 / 2.
  */
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of one domino, in units. The arm a of a contact is a
- * difference of two lengths of the size of b, which cancels where the follower is about to detach. The curve
- * of the contact is a difference, too, and so is b where X < 0.
+ * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. The arm a of a
+ * contact is a difference of two lengths of the size of b, which cancels where the follower is about to
+ * detach. The second derivative of the contact is a difference, too, and so is b where X < 0.
  */
 struct rounding {
     real S, slope, second_derivative;

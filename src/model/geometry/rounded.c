@@ -23,11 +23,14 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The most steps of an iteration that needs one to four, and more only where it has no solution. */
+/* The limit of the steps of an iteration. One to four steps are enough, unless there is no solution. */
 enum { TURN_STEPS = 40 };
 
-/* Returns turn_solve by Halley's method, from an estimate. The step that ends it is so short that the last
- * sine and cosine need its square alone, and so does the step itself where the left side bends. */
+/*
+ * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
+ * with a step so short that third-order terms in it are negligible, in the final sine and cosine and, where
+ * the left side is curved, in the step itself.
+ */
 static real turn_iterate(real l, real c, real G, real turn, real *sine, real *cosine)
 {
     for (int i = 0; i < TURN_STEPS; i++) {
@@ -45,9 +48,9 @@ static real turn_iterate(real l, real c, real G, real turn, real *sine, real *co
 }
 
 /*
- * Returns the solution in [-pi/2, pi/2] of l sin u + c u = G, l and c >= 0, with its sine and cosine; NaN
- * where there is none. For edges that are nearly sharp u is nearly U, sin U = X = G / (l + c): with the
- * cosine Y of U, and S = l Y + c, the rest delta = u - U obeys
+ * Returns the solution u in [-pi/2, pi/2] of l sin u + c u = G, where l and c >= 0, and sets its sine and
+ * cosine. Returns NaN if there is no solution. For edges that are nearly sharp, u is close to U, where sin U
+ * = X = G / (l + c). With the cosine Y of U, and S = l Y + c, the difference delta = u - U obeys
  *
  *     delta = -c (U - X) / S + k delta^2 + m delta^3 - k/12 delta^4 - m/20 delta^5 + k/360 delta^6 + ...,
  *     k = l X / 2 S, m = l Y / 6 S.
@@ -65,7 +68,8 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
     real step = off / (1 - delta * (2 * k + 3 * m * delta));
     delta += step;
     square = delta * delta;
-    /* The terms left out, and what a third step would add, are below a quarter of a rounding error. */
+    /* Accept this result only if the omitted terms, and the change in a third step, are below a quarter of a
+     * rounding error. */
     if (!(fabs(square * square * square * delta) <= 600 * REAL_EPSILON * fabs(X) &&
           fabs(k) * step * step <= REAL_EPSILON / 8 * fabs(X)))
         return turn_iterate(l, c, G,
@@ -79,8 +83,9 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
 }
 
 /*
- * Returns the same turn u from E = l + c pi/2 - G, for turns so near to pi/2 that G has lost the digits of
- * its cosine. The rest e = pi/2 - u obeys l (1 - cos e) + c e = E, where nothing cancels.
+ * Returns the solution u of the equation of turn_solve from E = l + c pi/2 - G, for u so near to pi/2 that
+ * the digits of cos u are lost in G. The difference e = pi/2 - u obeys l (1 - cos e) + c e = E, in which
+ * nothing cancels. Returns NaN if there is no solution.
  */
 static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
 {
@@ -98,7 +103,7 @@ static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
     return *sine = *cosine = REAL_NAN;
 }
 
-/* Returns sin theta - theta cos theta; where the terms cancel, from their series. */
+/* Returns sin theta - theta cos theta, by a power series where the terms would cancel. */
 static real sine_excess(struct tilt t, real theta)
 {
     if (fabs(theta) > (real)0.25)
@@ -111,7 +116,7 @@ static real sine_excess(struct tilt t, real theta)
     return sum;
 }
 
-/* Returns theta cos theta - sin theta + 1 - cos theta: the part of the contact that unequal radii have. */
+/* Returns theta cos theta - sin theta + 1 - cos theta, the factor of rho - rho_1 in the contact equation. */
 static real unequal(struct tilt t, real theta)
 {
     return t.v - t.x + theta * t.y;
@@ -122,11 +127,11 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* From this part of the largest sine on a turn is near to pi/2. */
+/* If G is at least this part of l + c, the turn is near pi/2, and turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns how far the contact is from the turn pi/2, at which the tip of the follower is as low as its rest.
- */
+/* Returns E of turn_near_reach, which is 0 at the turn pi/2, where the follower is perpendicular to its
+ * leader. */
 static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
 {
     const struct rounded *of = &geometry->rounded;
@@ -142,7 +147,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     real turn = G < TURN_NEAR * (of->tall_1 + c)
                     ? turn_solve(of->tall_1, c, G, &x, &y)
                     : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, theta), &x, &y);
-    /* Derivatives of the contact: b turn' = -x M + rho_1 x turn. */
+    /* From the derivatives of the contact equation: b turn' = -x M + rho_1 x turn. */
     real M = geometry->L - more * (1 - theta), b = of->tall_1 * y + c,
          arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
     real curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
@@ -156,7 +161,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     };
 }
 
-/* Returns the same, outside of the loops. */
+/* Returns rolling_here, but is not inlined: for calls outside of the loops. */
 static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
 {
     return rolling_here(geometry, leader, theta);
@@ -167,7 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    const size_t before = geometry->follower ? 0 : k->link.i; /* of the n dominoes of this geometry */
+    /* The number of dominoes before this one, out of the geometry->n dominoes of its geometry. */
+    const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
     if (k->link.leads) {
@@ -246,7 +252,8 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 
 /* ---- The shape of a train ---- */
 
-/* Returns the left side of the contact where the follower leans as its leader: 0 at theta_inf. */
+/* Returns the right side of the contact equation. It is 0 at theta_inf, where a follower leans as much as its
+ * leader. */
 static real far_turn(real theta, void *context)
 {
     const struct geometry *geometry = context;
@@ -255,7 +262,8 @@ static real far_turn(real theta, void *context)
            (geometry->rounded.rho - geometry->rounded.rho_1) * unequal(t, theta);
 }
 
-/* Returns the arm of the contact force on the leader: 0 where the follower detaches. */
+/* Returns the arm of the contact force on the leader, which is 0 where the follower detaches. Returns -1 if
+ * there is no contact. */
 static real leader_arm(real theta, void *context)
 {
     const struct geometry *geometry = context;
@@ -270,14 +278,15 @@ static bool rounded_leave(struct geometry *geometry, real hi, real *theta)
            num_root(leader_arm, geometry, 0, hi, 2 * REAL_EPSILON, theta) == NUM_OK;
 }
 
-/* Returns how far a head reaches beyond the next domino, from how far it would reach with sharp edges. */
+/* Returns how far a head with rounded edges reaches beyond the next domino; `sharp` is how far it would reach
+ * with sharp edges. */
 static real beyond(const struct rounded *of, real sharp)
 {
     return fmax(sharp - of->rho * (2 - PI / 2), 0);
 }
 
-/* Returns the tilt at which a head hits the next domino, `gap` before it; left: how far it would reach
- * beyond. */
+/* Returns the tilt at which a head hits the next domino. `gap` is the gap between the two, and `left` is how
+ * far the head could reach beyond the next domino, both relative to the height of the head. */
 static struct tilt hit_at(const struct rounded *of, real gap, real left)
 {
     real x = 1, y = 0;
@@ -303,7 +312,7 @@ static enum dom_status rounded_set(struct geometry *geometry)
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    /* Nothing turns beyond theta_inf, so that the left side decreases up to pi/2. */
+    /* No domino turns beyond theta_inf, and far_turn decreases up to pi/2, so that it has a single root. */
     if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
         return DOM_NOT_CONVERGED;
     geometry->inf = geometry->f = tilt_of(theta_inf);
@@ -328,7 +337,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
 
-/* Finds the contact of a leader at theta with a follower at a given tilt. */
+/* The context of led_by: the tilt of a follower whose leader is to be found. */
 struct led {
     const struct geometry *geometry;
     real follower;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Dominoes whose edges are rounded with the radius rho, over the height. The foot rolls on the floor without
- * slipping, and the round upper edge of a follower slides down the flat back of its leader; the lower edge at
- * the back stays sharp. With l = 1 - 2 rho the potential energy of a domino is
+ * Dominoes whose edges are rounded with the radius rho, relative to the height. The foot rolls on the floor
+ * without slipping, and the round upper edge of a follower slides down the flat back of its leader. The lower
+ * edge at the back stays sharp. With l = 1 - 2 rho the potential energy of a domino is
  *
- *     h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta,
+ *     h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta.
  *
- * on a floor that slopes by alpha with theta + alpha for theta, and less 2 rho theta sin alpha,
- * since the foot rolls down. The inertia is that about the line of contact with the floor. With rho_1 and l_1
- * of the follower, over the height of the leader, and delta = theta_1 - theta, the contact obeys
+ * On a floor that slopes by alpha, theta + alpha replaces theta, and 2 rho theta sin alpha is subtracted,
+ * since the foot rolls down. The moment of inertia is taken about the line of contact with the floor. rho_1
+ * and l_1 are rho and l of the follower, relative to the height of the leader. With delta = theta_1 - theta
+ * the contact obeys
  *
  *     l_1 sin delta + rho_1 delta cos theta = L cos theta - d
  *                                             + (rho - rho_1) (1 - cos theta - sin theta + theta cos theta).
@@ -23,13 +24,14 @@
 /* Returns h(0) - h(theta) of one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
-/* Begin and continue a chain, and return one domino half way between two tilts. */
+/* rounded_begin starts a walk at the head, and rounded_next goes on to the follower. rounded_between returns
+ * the same domino half way between two tilts. rounded_arms is the member `arms` of struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 KERNEL struct arms rounded_arms(const struct link *link);
 
-/* Counts a pass. */
+/* Counts a pass in geometry->work as work of the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
 /* The passes of struct contact_law, which have no error bounds. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of contact of the paper: the edges are sharp, so that the tip of a follower touches the flat back
- * of its leader, and a domino turns about the edge at the front of its foot.
+ * The law of contact of the paper: the edges are sharp, so that the upper edge of a follower touches the flat
+ * back of its leader, and a domino turns about the front edge of its foot.
  */
 #include "geometry/far.h"
 #include "geometry/law.h"
@@ -16,7 +16,8 @@ static enum dom_status sharp_set(struct geometry *geometry)
     geometry->inf = (struct tilt){x_inf, d / L, s / L};
     geometry->decay = geometry->weight * fmax(0, 1 - r * L * x_inf);
 
-    /* (41; A17): theta_leave < theta_inf.  1 - cos theta_leave = (1/r^2 - s^2) / (2 d L). */
+    /* Followers detach if theta_leave < theta_inf (41; A17), where 1 - cos theta_leave = (1/r^2 - s^2) / (2 d
+     * L). */
     geometry->leave_at = geometry->short_of * (1 + r * s);
     geometry->leave_by = 2 * d * L * r * r;
     real v_leave = geometry->leave_at / geometry->leave_by;
@@ -24,7 +25,8 @@ static enum dom_status sharp_set(struct geometry *geometry)
     geometry->f = geometry->inf;
     if (geometry->detaches) {
         geometry->leave = (struct tilt){sqrt(v_leave * (2 - v_leave)), 1 - v_leave, v_leave};
-        /* (42; A18), and 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L)) r / (2 L) for the cosine. */
+        /* sin theta_f is (42; A18). The cosine follows from 1 - sin theta_f = (d - (1/r - L)) (d + (1/r - L))
+         * r / (2 L). */
         real one_minus_x = (2 * r * d - geometry->short_of) * geometry->short_of / (2 * r * L);
         real x_f =
             2 * one_minus_x < 1 ? 1 - one_minus_x : fmin((1 + r * r * s * (s + 2 * d)) / (2 * r * L), 1);
@@ -44,8 +46,8 @@ static struct tilt sharp_hit(const struct geometry *geometry, real gap)
 
 static struct tilt sharp_leader(const struct geometry *geometry, struct tilt follower)
 {
-    /* (12; b8) for a given follower: A cos theta + B sin theta = d, of whose two roots this is the
-     * smaller. */
+    /* For a given follower, (12; b8) reads A cos theta + B sin theta = d. The leader's tilt is the smaller of
+     * its two roots. */
     real A = geometry->L - follower.x / geometry->r, B = follower.y / geometry->r;
     real R = hypot(A, B), root = sqrt(fmax((R - geometry->d) * (R + geometry->d), 0));
     real least = geometry->lean < 0 ? sin(geometry->lean) : 0;
@@ -59,8 +61,8 @@ static real sharp_paper_fuel(const struct geometry *geometry)
     /* h(0) - h(theta_f) = sin theta_f (h.y tan(theta_f / 2) - h.x). */
     if (geometry->detaches)
         return geometry->f.x * (y * geometry->f.x / (1 + geometry->f.y) - x);
-    /* h(0) - h(theta_inf), rationalized, so that no digits cancel near P = 0; on a level floor P = 0 at s = 2
-     * d^3 / (1 - d^2). */
+    /* h(0) - h(theta_inf) in a form in which no digits cancel near P = 0. On a level floor P = 0 at s = 2 d^3
+     * / (1 - d^2). */
     return s * fma(s, (y - x) * (y + x), -2 * d * x * x) /
            (geometry->L * (y * s + x * geometry->L * geometry->inf.x));
 }
@@ -155,7 +157,8 @@ static enum dom_status sharp_sum(const struct geometry *geometry, struct tilt he
     }
 }
 
-/* Adds the rest of J, H1 and J'/2 from this domino on, if its tilt is near enough to theta_inf (far_near). */
+/* If this domino is near enough to theta_inf (far_near), adds it and all dominoes behind it to J, H1 and J'/2
+ * by means of the far series, and returns true. */
 static bool rates_close(const struct link *k, real second_derivative, struct sum_state *a, real *half_J1)
 {
     const struct geometry *geometry = k->geometry;

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Passes down two chains with sharp edges together, for differences of H. Series replace the far end of both
- * chains. */
+/* Passes down two chains with sharp edges side by side, to find differences of H. Near the ends of both
+ * chains, series replace the dominoes. */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
 
 /*
- * Returns h(A) - h(B) of one domino at the tilts a and b, h = h.y cos + h.x sin, from t = tan((A - B)/2). The
- * product form of 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)) has no cancellation.
+ * Returns h(A) - h(B), where A and B are the angles of one domino at the tilts a and b, and h = h.y cos + h.x
+ * sin. t is tan((A - B)/2). The product 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)) has no
+ * cancellation.
  */
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds of a pass. */
+/* The error bounds of a pass down the chains a and b: those of the current domino in both chains, of its t
+ * (energy_change_between), and of the sums. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -44,9 +46,10 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower that detaches at theta_f and had the tilt theta_1 when
- * its leader had that of `leader`. This is the step of energy_change_between from theta_leave, where a = 0,
- * so Y = r L x. The arm of the leader contains cos - cos theta_leave = (leave_at - leave_by v) / leave_by.
+ * Returns tan((theta_f - theta_1) / 2) for a follower that detaches at theta_f and whose tilt is theta_1
+ * while its leader has the tilt of `leader`. This is one step of energy_change_between between `leader` and
+ * theta_leave, where the arm a is 0, so that Y = r L x. The arm of the leader contains the factor cos theta -
+ * cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
 static real leaving_half_turn(const struct geometry *geometry, const struct link *leader)
 {
@@ -60,8 +63,8 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
 }
 
 /*
- * Returns true if a and b are so near to theta_inf that the terms which the far series leave out do not
- * matter. The series then replace the rest of the pass.
+ * Returns true if a and b are so near to theta_inf that the terms omitted from the far series do not matter.
+ * The series can then replace the remaining dominoes of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
@@ -70,7 +73,8 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    /* Far from theta_inf the first term is not the tail, which may cancel the sum: now with all terms. */
+    /* Far from theta_inf the first term is a poor estimate of the tail, which may cancel the sum. So check
+     * again with all terms. */
     real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;
@@ -92,7 +96,8 @@ static struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Return H2 of one domino, whose theta'' is second_derivative, and H2 of all dominoes from that domino on. */
+/* Return the term of H2 of one domino, and the sum of the terms of this domino and all dominoes behind it.
+ * second_derivative is theta'' of this domino. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
@@ -112,7 +117,8 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when the tail after this pair can be left out. */
+/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is the ratio of the next
+ * t to t. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
@@ -121,28 +127,29 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Returns true if one contact surely does its part to keep all contacts closed while its leader moves from b
- * to a.
+ * Returns true if a contact meets a sufficient condition for all contacts of the chain to stay closed while
+ * its leader moves from b to a. If all contacts meet it, all of them stay closed:
  *
- * The torques of all dominoes from i on, times the factors S of friction.c (without friction theta_i'), pass
- * through the contact of domino i with its leader. What they do not need for their own acceleration is the
- * contact force times S_i b_i > 0. With the acceleration of the whole chain this is the sum over k >= i of
+ * The torques on all dominoes from i on, times the factors S of dynamics/friction.c (theta_i' without
+ * friction), pass through the contact of domino i with its leader. The part of them that does not accelerate
+ * these dominoes is the contact force times S_i b_i > 0. With the acceleration of the whole chain this part
+ * is the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
  *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
  *
- * g = -h'/2, where <> is the mean of the whole chain with the same weights I S theta'. Where a_k and c_k do
- * not decrease down the chain, no such sum is negative: all contacts push, at every speed.
+ * where g = -h'/2, and <> is the mean over the whole chain with the weights I S theta'. If a_k and c_k do not
+ * decrease down the chain, no such sum is negative: all contacts push, at every speed.
  *
- * c increases by r L (y_1 + theta_1' x X) / Y^2 times a square (link_second_derivative), y_1 = Y y - X x of
- * the follower. a does not decrease if f = (weight/inertia) g_1 - theta_1' g >= 0, where X, Y of the contact
- * turn g to g_1,
+ * From a leader to its follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
+ * (link_second_derivative), where y_1 = Y y - X x is the cosine of the follower. a does not decrease if f =
+ * (weight/inertia) g_1 - theta_1' g >= 0. X and Y of the contact turn g into g_1 of the follower, so that
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
- * From b to a, X and theta_1' decrease, and Y increases as long as X >= 0: the terms at the two ends give a
- * bound. The arm a of the contact, which must be positive, decreases too. A leader that still leans backwards
- * gives none of these bounds.
+ * From b to a, X and theta_1' decrease, and Y increases while X >= 0, so that the terms at the two ends give
+ * a bound. The arm a of the contact, which must be positive, decreases too. While a leader still leans
+ * backwards, none of these bounds holds.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -158,7 +165,8 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns pushes_between, or whether it holds for both halves of the way, for their halves, and so on. */
+/* Returns true if pushes_between holds from b to a. If it does not, tries both halves of the interval
+ * separately, down to `halvings` levels. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -180,10 +188,10 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 }
 
 /*
- * Finds differences between two chains: a from the head's tilt, b from upright. With t = tan((theta_a -
- * theta_b)/2) of one domino, the t of its follower is exactly t (1 - G) / (1 + t^2 G), G = r L (x_a + x_b) /
- * (Y_a + Y_b), because X_a - X_b = r L (y_a - y_b). G is r L x / Y of the slope (14; b10) between the two
- * tilts; so the smallest differences keep their digits.
+ * Finds the sums of chain a, whose head is at `head`, and the difference of H to chain b, whose head is at
+ * `from`. With t = tan((theta_a - theta_b)/2) of one domino, t of its follower is exactly t (1 - G) / (1 +
+ * t^2 G), where G = r L (x_a + x_b) / (Y_a + Y_b), because X_a - X_b = r L (y_a - y_b). G is r L x / Y of the
+ * slope (14; b10), averaged between the two tilts. So the smallest differences keep their digits.
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
@@ -216,7 +224,7 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
         if (a.i + 1 >= geometry->n || !b.leads)
             break;
         if (!a.leads) {
-            /* The follower has detached during this cycle: it keeps the energy of theta_f. */
+            /* The follower has detached during this cycle and keeps the tilt theta_f. */
             struct link leader = b;
             if (pass & PASS_SHIFT) {
                 b.tilt = a.tilt;
@@ -272,8 +280,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* Finds error bounds for the sums of another pass: those of a pass without series, plus the difference of the
- * two. */
+/* Finds error bounds of `sums`, which a pass with series has found: the bounds of a pass without series, plus
+ * the difference between the sums of the two passes. */
 static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
                                            const struct sums *sums, struct sums *error)
 {
@@ -288,7 +296,7 @@ static enum dom_status energy_change_error(const struct geometry *geometry, stru
     return status;
 }
 
-/* The pass is a constant of each call, so that the compiler removes what it does not ask for. */
+/* `pass` is a constant in each call, so that the compiler can remove the sums that are not needed. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt head, enum pass pass,
                                     struct sums *sums, struct sums *error)
 {
@@ -319,8 +327,8 @@ KERNEL enum dom_status sharp_change_by(const struct geometry *geometry, struct t
     return energy_change_between(geometry, from, head, tan(by / 2), PASS_PLAIN, sums, NULL);
 }
 
-/* Both passes run side by side: the processor computes square roots of one chain while those of the other
- * wait. */
+/* The two passes run side by side, because the processor can compute the square roots of one chain while the
+ * other chain waits for its own. */
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c)
 {

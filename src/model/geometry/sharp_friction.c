@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes with friction down a chain of dominoes with sharp edges: dynamics/friction.c has the equations.
- */
+/* The passes with friction down a chain of dominoes with sharp edges. dynamics/friction.c has the
+ * equations. */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
 /*
- * The series follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the equations like it for B and
- * C, differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1.
+ * The series follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the corresponding equations for
+ * B and C. These equations are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1.
  */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
-    /* theta_1', as a function of theta, and theta_1'', each with its derivatives. */
+    /* theta_1' and theta_1'' as functions of theta, each with its first two derivatives. */
     const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
     /* S_1 = a / b. */
     const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
@@ -28,7 +28,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
                height = geometry_height(geometry, geometry->inf),
                h[] = {-height_slope / 2, height / 2, height_slope / 2};
     struct far_friction f = {.known = fabs(above[0]) < 1};
-    /* 1 - r^-q S_1, from r^q - 1. */
+    /* The denominator is 1 - r^-q S_1, computed from r^q - 1 to avoid cancellation. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
     f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
     f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);
@@ -51,12 +51,15 @@ static void friction_count(const struct geometry *geometry, size_t n)
         geometry->work->entered[DOM_EFFECT_friction]++;
 }
 
-/* One domino, its S_i, and theta_i''. */
+/* One domino with its S_i and theta_i''. */
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    real noise; /* rounding error of S, in units; more than 1 where b = Y + mu X cancels, since X < 0 */
-    /* the contact force on a follower that lies too flat passes on the wrong side of its hinge: b <= 0 */
+    /* Rounding error of S in units of the unit roundoff. It exceeds 1 where b = Y + mu X cancels, since X <
+     * 0. */
+    real noise;
+    /* True if some follower lies so flat that the contact force passes on the wrong side of its hinge: b <=
+     * 0. */
     bool wrong_side;
 };
 
@@ -78,8 +81,9 @@ static void drive_add(const struct friction_link *k, struct series *C)
 }
 
 /*
- * Returns true when the tail of C can be left out at a tolerance. friction_done finds the same for all three
- * sums. Far down the train, dominoes pass on no more than near the end of an endless train.
+ * Returns true when the tail of C can be left out at the tolerance; friction_done does this for all three
+ * sums. `decay` is a lower limit of the ratio of the terms, since dominoes far down the train pass on no more
+ * than those near the end of an endless train.
  */
 static bool drive_done(const struct friction_link *k, struct series *C, real tol)
 {
@@ -113,8 +117,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* Adds the rest of C from this domino on, if it is so near to theta_inf that the last term does not
- * matter. */
+/* If this domino is so near to theta_inf that the last term of the series does not matter, adds it and all
+ * dominoes behind it to C, and returns true. */
 static bool drive_closes(const struct friction_link *k, struct series *C, real tol)
 {
     const struct link *link = &k->link;
@@ -129,7 +133,7 @@ static bool drive_closes(const struct friction_link *k, struct series *C, real t
     return true;
 }
 
-/* Adds the rest of all three sums, under this condition for each. */
+/* Does the same as drive_closes for all three sums, if the condition holds for each of them. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {
@@ -182,8 +186,8 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* Finds C alone, which is 0 at the top of a barrier. With tol = 1 only its sign is right, and few dominoes
- * are enough. */
+/* Finds only C, which is 0 at the top of a barrier. With tol = 1 only the sign of C is correct, which takes
+ * few dominoes. */
 KERNEL enum dom_status sharp_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
 {
     struct series C = {0};

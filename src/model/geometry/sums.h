@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sums over the dominoes of a chain. They are compensated, and each has a bound of its tail. */
+/* The sums over the dominoes of a chain. Each sum is compensated for rounding, and its tail is bounded. */
 #ifndef DOM_SUMS_H
 #define DOM_SUMS_H
 
@@ -8,35 +8,39 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* d2H/dtheta2, with rounding errors and a part of the tail of H1; only with
-     * PASS_SECOND_DERIVATIVE */
+    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. Its errors are rounding errors and a part of the tail of
+     * H1. */
     real H2;
-    real dH;     /* H(theta) - H(0), or from another tilt; only from passes that compare two tilts */
+    /* H(theta) - H(0), or H(theta) - H at another tilt. Only from passes that compare two tilts. */
+    real dH;
     real left;   /* the part of dH in a follower that has detached during the cycle */
     size_t n;    /* number of dominoes in the sums */
-    bool pushes; /* true: no contact between the two tilts opens; only with PASS_PUSHES */
+    bool pushes; /* true if no contact opens between the two tilts; only with PASS_PUSHES */
 };
 
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms, larger where an arm b cancels: the scale of the rounding
-     * errors. */
+    /* Sums of the absolute values of all terms: the scale of the rounding errors. Larger where an arm b
+     * cancels. */
     real A_size, B_size, C_size;
-    bool locks; /* no acceleration fits the forces (Painleve): A <= 0, or the arm b of a follower is <= 0 */
-    size_t n;   /* dominoes followed */
+    /* True if no acceleration is consistent with the forces (Painleve): A <= 0, or the arm b of a follower is
+     * <= 0. */
+    bool locks;
+    size_t n; /* number of dominoes in the sums */
 };
 
-/* The largest number of dominoes in a pass, which then takes tens of milliseconds. At r = 1 only trains with
+/* The largest number of dominoes in a pass; so many take tens of milliseconds. At r = 1 only trains with
  * sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be this part of the tolerance, so that a result of several sums stays within it. */
+/* The tail of a sum may be this fraction of the tolerance, so that a result made of several sums stays within
+ * the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
 /* A sum with a bound of the terms that are not yet added. */
 struct series {
-    real sum, size; /* of the terms, and of their absolute values */
+    real sum, size; /* sum of the terms, and of their absolute values */
     real lost;      /* the part of the sum that rounding has removed so far */
     real next,
         ratio; /* upper bounds of the next term, and of the ratio of each later term to the one before */
@@ -52,8 +56,8 @@ KERNEL_LOOP void series_add(struct series *s, real term)
 }
 
 /*
- * Returns true when the tail can be left out. The next terms are at most `term` times ratio, ratio^2, ...
- * Terms below the unit roundoff of the sum never matter.
+ * Returns true when the tail can be left out. The remaining terms are at most `term` times ratio, ratio^2,
+ * ... Terms below the unit roundoff of the sum never matter.
  */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
@@ -62,7 +66,8 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns a bound of the rounding error of the sum and of its tail, which is 0 if the train has ended. */
+/* Returns a bound of the rounding error of the sum, plus a bound of its tail, which is 0 if the train has
+ * ended. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);
@@ -80,7 +85,8 @@ KERNEL void chain_count(const struct geometry *geometry, size_t n)
     geometry->work->longest = n > geometry->work->longest ? n : geometry->work->longest;
 }
 
-/* Checks every few thousand dominoes whether there is an interrupt, and whether the pass is too long. */
+/* Every 4096 dominoes, checks whether there is an interrupt, whether the search has taken too much work, and
+ * whether the pass is too long. */
 KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t i)
 {
     if (i % 4096 != 0)
@@ -91,7 +97,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(geometry, i); /* a pass without a result costs as much as one with a result */
+    chain_count(geometry, i); /* a pass without a result takes as much work as one with a result */
     return DOM_TOO_LONG;
 }
 
