@@ -95,7 +95,7 @@ struct command {
     const char *echo;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* The answer is about the endless train. */
-    bool draws;          /* In the format for people, the answer is a picture made of characters. */
+    bool draws;          /* The answer is a picture; in formats for programs it is the data of the picture. */
     /* For a command that decides something: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;

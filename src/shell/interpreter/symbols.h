@@ -52,10 +52,10 @@ struct resolver {
     const struct state *state;
     const struct ans *ans;
     struct arena *arena;
-    struct tree *(*with)(struct parse *parse,
-                         struct tree *value); /* parses 'with' in the bodies of functions, see struct parse */
-    void *context;                            /* for `with` */
-    const struct variable *scope;             /* the function whose body is being resolved, or NULL */
+    /* Parses 'with' in the bodies of functions; see struct parse. */
+    struct tree *(*with)(struct parse *parse, struct tree *value);
+    void *context;                /* for `with` */
+    const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
     int depth;           /* how deeply the function whose body is being resolved is nested in others */
     bool names_function; /* After an error: the message already says in which function the error is. */

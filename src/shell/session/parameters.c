@@ -180,7 +180,7 @@ bool state_assign(struct state *state, const struct assigned *assigned, int coun
     return true;
 }
 
-/* Returns the rank by which parameter_in_order sorts a parameter. */
+/* Returns the rank of a parameter in parameter_in_order, which lists parameters by increasing rank. */
 static int rank(const struct state *state, const struct parameter *p)
 {
     /* Effects that are on come last. Of the effects that are off, those that need another effect come

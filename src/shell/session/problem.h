@@ -18,7 +18,7 @@ enum { PROBLEM_TEXT = 1024 };
 struct problem {
     enum problem_kind kind;
     int column;          /* the column of the error in the line, from 1; 0 stands for the whole line */
-    int place;           /* the column that problem_report stores in the next problem */
+    int place;           /* the column that problem_report copies to `column` */
     const char *command; /* the name of the command; may be NULL */
     char text[PROBLEM_TEXT];
 };

@@ -23,7 +23,8 @@ struct session {
         FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
         long line;        /* the number of the current line in the script */
         int depth;        /* how deeply 'source' commands are nested */
-        int prompt_width; /* the number of columns before the typed line; 0 in a script */
+        int prompt_width; /* the width of the prompt in columns; 0 in a script or a command of several lines
+                           */
     } source;
 
     struct typed {
