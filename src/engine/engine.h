@@ -52,7 +52,7 @@ struct engine_grain {
     int iterations;
 };
 
-/* A box that was hit. */
+/* The record of a box that was hit. */
 struct engine_hit {
     /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box
      * let go. */

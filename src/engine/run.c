@@ -18,16 +18,16 @@
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
 static const double brakes = 0.9; /* the fraction of the time to the next hit that one step may take */
-static const double lies = 1e-3;  /* a box lies if its tip is lower than this, relative to its height */
+static const double lies = 1e-3;  /* a box lies if its tip is lower than this fraction of its height */
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 static const double hinged_rest = 0.1,
                     any_rest = 3; /* a box that rests for this long has stopped, in sqrt(height / g) */
-/* Largest work in steps, divided by the steps in a unit of time, for each box and twenty more:
- * twenty times as much as most rows take. */
+/* Limit on the work of a run, in steps, for each box and for twenty more, divided by the number of steps in a
+ * unit of time. Most rows take a twentieth of this. */
 static const double most_work = 30;
 /* Number of short steps after a hit, and the factor for the number of iterations in them. */
 enum { CALM = 2, HARDER = 50 };
-enum { FOREMOST = 4 }; /* number of boxes whose drift is recorded */
+enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose drift is recorded */
 
 struct run {
     struct world world;
@@ -37,7 +37,7 @@ struct run {
     int calm;            /* number of short steps still to make after a hit */
     double work;         /* number of steps so far, each weighted by its iterations */
     double rest, most;   /* how long the head has rested, and its largest tilt */
-    double *tilt, *foot; /* arrays for visits */
+    double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
 /* Returns the time until the front face of the head reaches the upper back edge of the next box, if that box
@@ -158,8 +158,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Completes the times of each box and the distance that its foot has slid. If the first box was let go rather
- * than pushed, times are measured from the first hit. */
+/* Completes the times of the boxes that were hit, and the distances that their feet have slid. If the first
+ * box was let go rather than pushed, times are measured from the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;
@@ -169,7 +169,7 @@ static void finish(struct run *r)
     w->fall->seconds -= zero;
     w->fall->zero = zero;
     if (tipped && w->hit)
-        w->hit[0].omega = 0; /* it was let go */
+        w->hit[0].omega = 0; /* a box that is let go starts without a hit */
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;

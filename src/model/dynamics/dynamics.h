@@ -82,8 +82,8 @@ struct dynamics {
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds the derivative of the required energy at a tilt of the head; without friction it is dH/dtheta. If
-     * `rough` is true, only the sign of the result is reliable. */
+    /* Finds dH/dtheta at a tilt of the head or, with friction, a quantity that has the same sign as the
+     * derivative of the required energy. If `rough` is true, only the sign of the result is reliable. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the kinetic energy at the tilt `from` that is just sufficient to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,

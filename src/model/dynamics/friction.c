@@ -37,7 +37,8 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* Finds the derivative of the required energy, with -2 C in the place of H', up to a positive factor. */
+/* Finds -2 C, which has the sign of the derivative of the required energy and is dH/dtheta without
+ * friction. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {

@@ -101,7 +101,7 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
     real tol = c->geometry.tol / 8;
     for (int i = 0; i < ROOT_STEPS; i++) {
         real share = margin_follow(r, c);
-        bool none = c->status == DOM_NOT_CONVERGED; /* H has no top: the barrier is 0 */
+        bool none = c->status == DOM_NOT_CONVERGED; /* H has no maximum, so the barrier is 0 */
         if (c->status != DOM_OK && !none)
             return c->status;
         c->status = DOM_OK;
@@ -122,8 +122,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        /* If the second point was given, its error is unrelated to the first step, and the steps do not show
-         * that length; r / 16 is used instead. */
+        /* If the second point was given, its error is unrelated to the first step, so the steps do not show
+         * that length, and r / 16 takes its place. */
         bool given = s->known == 2 && second > 0;
         bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;

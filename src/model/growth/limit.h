@@ -55,8 +55,8 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
 
 /*
  * Finds the first r > from->r at which the margin becomes negative, without friction. The margin at from->r
- * is >= 0. If it stays so up to the reach, *ends is DOM_END_REACH and *r is the reach. A dip of the margin
- * below 0, or an interval where it is above 0, can be missed if it is narrower than SCAN_FINEST in ln r.
+ * is >= 0. If the margin is >= 0 up to the reach, *ends is DOM_END_REACH and *r is the reach. A dip of the
+ * margin below 0, or a rise above 0, can be missed if it is narrower than SCAN_FINEST in ln r.
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);

@@ -159,7 +159,7 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
 {
     struct edge *lo = &scan->lo, *below = &scan->below, next;
     enum known known = KNOWN_NOTHING;
-    /* Weight of the end that stays in the linear interpolation; it is halved each time (the Illinois
+    /* Weight of the margin at `below` in the linear interpolation, halved each time lo moves (the Illinois
      * rule). */
     real pull = 1;
     while (known != KNOWN_TO_FALL && below->r - lo->r > SCAN_CLOSE * lo->r) {

@@ -20,7 +20,8 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
     return -geometry_height_slope(geometry, t);
 }
 
-/* A follower, whose tilt lies between its tilts at the two ends of the strip. */
+/* A follower of the trains in a strip: its tilt lies between `lo` and `hi`, the tilts at the two ends of the
+ * strip. */
 struct between {
     struct tilt lo, hi;
     real fall_least, fall_most; /* bounds of h(0) - h */
@@ -363,7 +364,7 @@ KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most
     return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
 }
 
-/* A drop is at most `grows` times the drop at lo. */
+/* A drop (see strip_barrier_most) is at most `grows` times the drop at lo. */
 KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
 {
     real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,

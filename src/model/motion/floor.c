@@ -88,7 +88,7 @@ KERNEL enum dom_status floor_over(const struct segment *st, real lo, real hi,
     return status;
 }
 
-/* ---- Of a train ---- */
+/* ---- The floor below a train ---- */
 
 KERNEL enum dom_status cycle_floor(const struct request *train, struct dom_floor *floor)
 {

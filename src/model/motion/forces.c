@@ -19,7 +19,9 @@ static real geometric(real first, real ratio)
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    real rest = 0, push = 0; /* of the contact between domino j and its leader: torques on domino j */
+    /* The torque on domino j, and its change of angular momentum in the collision, for which its leader
+     * supplies the contact force. */
+    real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {
         const struct link *self = &k[j].link, *leader = &k[j - 1].link;
@@ -143,10 +145,10 @@ KERNEL real forces_needed(real x, real z)
     return z > 0 ? fabs(x) / z : isnan(x) || isnan(z) ? REAL_NAN : (real)INFINITY;
 }
 
-/* ---- Of a motion ---- */
+/* ---- The forces during a motion ---- */
 
 /* Finds the motion at a tilt. If T is the inertia ratio, the collision reduces the angular velocities of the
- * hitting chain by the factor T / (1 + T): each loses 1 / T of its value after the collision. */
+ * hitting chain by the factor T / (1 + T), that is, by 1 / T of what remains. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {

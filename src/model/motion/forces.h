@@ -15,8 +15,8 @@ struct kinematics {
     size_t n; /* number of dominoes that contribute */
     /*
      * If `hit` is true, this is also the moment of the collision that begins the motion. `omega` is tau times
-     * the angular velocity of the head just after the collision. Follower i loses theta_i' omega_lost of its
-     * own.
+     * the angular velocity of the head just after the collision. In the collision, tau times the angular
+     * velocity of follower i decreases by theta_i' omega_lost.
      */
     bool hit;
     real omega, omega_lost;

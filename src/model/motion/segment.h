@@ -9,7 +9,7 @@
 
 #include "energy/barrier.h"
 
-struct moving; /* forces.c */
+struct moving; /* geometry/law.h */
 
 /* Memory for a list of moving dominoes. Initialise it to {0}; the owner frees the list. */
 struct room {
@@ -22,10 +22,10 @@ struct segment {
     real lo, hi;              /* tilts of the head, in rad */
     struct start start;       /* the state at lo */
     size_t summed;            /* number of dominoes that start.J includes; 0 if J is not known yet */
-    real gain;                /* d omegasq / d omegasq(launch) */
+    real gain;                /* derivative of omegasq with respect to omegasq at the launch */
     /* Inertia ratio of the collision that begins the segment; 0 if it does not begin with one. */
     real inertia_ratio;
-    bool locks;             /* friction locks the motion at hi */
+    bool locks;             /* true if friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
     struct sums end;        /* the sums at hi, with dH relative to lo; segment_next finds them */
     struct room *room;      /* memory for the computation of forces; may be NULL */
