@@ -121,7 +121,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* Clears an earlier SIGINT, if SIGINT ends only the current command and not the whole script. */
+/* If SIGINT ends only the running command and not the whole script, clears a SIGINT that arrived before or
+ * during the commands that command_run_text runs. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)

@@ -55,7 +55,7 @@ void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
 
-/* Returns r->offer if the reader is at the cursor, else NULL. */
+/* Returns reader->offer if the reader is at the cursor, else NULL. */
 struct offer *reader_offer(const struct reader *reader);
 
 /* Records that the text from `begin` to `end` is a command's name. */

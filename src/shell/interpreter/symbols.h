@@ -63,7 +63,8 @@ struct resolver {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Resolves every name of a tree. Returns false after an error, which r->message and r->at then describe. */
+/* Resolves every name of a tree. Returns false after an error, which resolver->message and resolver->at
+ * describe. */
 bool resolve(struct resolver *resolver, struct tree *tree);
 
 /* Evaluates a resolved tree in the state of a query. After an error the function returns false, and reports
