@@ -130,7 +130,7 @@ const char *dom_status_text(enum dom_status status);
  * long double if that is wider than double. */
 enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 
-/* The fuel P in (24; c6): see dom_fuel_find. */
+/* The formula for the fuel P in (24; c6): see struct dom_fuels. */
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
@@ -152,10 +152,10 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
     X(friction, mu, DOM_BAD_MU)                                                                              \
     X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS) X(edges, rho, DOM_BAD_RHO)
 
-/* Lists the effects that belong to a row, or to a question about a row: X(effect). */
+/* Lists the effects of rows and of questions about rows: X(effect). */
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
-/* All effects, in the order of the two lists. */
+/* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
 enum dom_effect_name {
     DOM_EFFECT_friction,
     DOM_EFFECT_slope,
@@ -184,7 +184,7 @@ const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
     DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
-    DOM_EVENT_FALL,   /* a follower detaches from the domino that it leaned on (41; A17) */
+    DOM_EVENT_FALL,   /* a follower detaches from its leader, the domino on which it leaned (41; A17) */
     DOM_EVENT_TOP,    /* the head passes the top of the barrier, if there is a barrier */
     DOM_EVENT_STOP,   /* the train comes to rest below the top, and there is no next hit */
     DOM_EVENT_HIT     /* the head hits the next domino (2; a2) */
@@ -219,7 +219,7 @@ enum dom_question {
 
 /* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
 struct dom_work {
-    size_t passes;                    /* passes down the train */
+    size_t passes;                    /* passes down the chain of dominoes */
     size_t dominoes;                  /* dominoes visited in all passes */
     size_t longest;                   /* dominoes in the longest pass */
     size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
@@ -244,7 +244,7 @@ typedef double dom_real;
 /* The value of a result that does not exist. */
 #define DOM_NAN ((dom_real)NAN)
 
-/* ---- Simple API: these functions return one number, or NaN if there is no answer ---- */
+/* ---- Simple API: each function returns a number, or NaN if it fails ---- */
 
 /* Returns the largest growth of a train. The separation s and the thickness d are relative to the height; the
  * exponent q is 3 for hollow and 4 for solid dominoes. */
@@ -330,17 +330,17 @@ struct dom_compute {
 /* Returns the defaults. */
 struct dom_compute dom_compute_default(void);
 
-/* The arithmetic of a precision. */
+/* The properties of a precision. */
 struct dom_arithmetic {
     const char *name; /* "float", "double" or "quad" */
     const char *type; /* the C type that is used */
     int bits;         /* bits of the significand; 0 if the machine has no such type (DOM_NO_PRECISION) */
     double epsilon;   /* twice the unit roundoff */
-    dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest that is allowed */
+    dom_real tol_default, tol_floor; /* a sensible tolerance, and the smallest tolerance that is allowed */
     int digits;                      /* significant digits worth printing at tol_default */
 };
 
-/* Returns the description of a precision, or NULL if there is no such precision. */
+/* Returns the properties of a precision, or NULL if there is no such precision. */
 const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
@@ -357,7 +357,7 @@ enum dom_status dom_train_check(const struct dom_train *train, const struct dom_
  */
 dom_real dom_train_reach(const struct dom_train *train);
 
-/* A number and the bound of its absolute error. */
+/* A number and an upper bound of its absolute error. */
 struct dom_value {
     dom_real value, error;
 };
@@ -371,14 +371,14 @@ struct dom_angles_error {
 struct dom_angles {
     dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (2; a2) */
     dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (4; b1) */
-    dom_real theta_inf;   /* far followers approach this angle: cos theta_inf = d / (s + d) (40; A16) */
+    dom_real theta_inf;   /* far followers lean at nearly this angle: cos theta_inf = d / (s + d) (40; A16) */
     dom_real theta_f;     /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
     dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
     bool detaches;        /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
 };
 
-/* Finds the angles that bound a cycle. */
+/* Finds these angles. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -489,8 +489,8 @@ struct dom_barrier_error {
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt where the barrier is highest, 0 <= theta_m <= theta_c */
-    /* The global maximum of H(theta) - H(0) over the cycle, >= 0; with friction, the kinetic energy after the
-     * collision that just suffices to pass every tilt. */
+    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy
+     * after the collision with which the train passes every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -608,7 +608,7 @@ typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force. Dominoes stay in contact if force and impulse are > 0. Both are infinite if
+/* The smallest contact force and impulse. Dominoes stay in contact if both are > 0. Both are infinite if
  * there is no contact. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
@@ -628,9 +628,9 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
  * a domino would be lifted off the floor.
  */
 struct dom_floor {
-    dom_real motion, theta; /* the largest value during the motion, and the tilt of the head at that time */
+    dom_real motion, theta; /* the coefficient needed during the motion, and the tilt at that time */
     size_t domino;          /* the domino whose foot needs `motion`, 0 = head */
-    dom_real hit;           /* the largest value in the collision */
+    dom_real hit;           /* the coefficient needed in the collision */
     size_t hit_domino;      /* the domino whose foot needs `hit`, 0 = head */
 };
 
@@ -724,18 +724,18 @@ struct dom_effect_argument {
 struct dom_effect {
     const char *name;
     const char *adds;   /* what the effect adds, in a few words */
-    const char *help;   /* what the effect adds, in full sentences, with equations in the paper's letters */
+    const char *help;   /* a description in full sentences, with equations in the paper's letters */
     const char *source; /* where the mathematics comes from */
-    const char *plan;   /* what is solved, and how */
+    const char *plan;   /* the equation that is solved, and how it is solved, in a few words */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
     bool dissipates; /* dominoes lose energy while they move: see dom_law */
     /* The effect changes only tau: with times in tau, a train moves as it does without the effect. */
     bool cancels;
-    const char *synonyms; /* other words for the effect, separated by blanks */
+    const char *synonyms; /* search words for the effect, separated by blanks */
 };
 
-/* The descriptions of all effects, by enum dom_effect_name. */
+/* The descriptions of all effects, indexed by enum dom_effect_name. */
 extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
 
 /* Returns the description of an effect, or NULL if there is no such effect. */
@@ -778,8 +778,8 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    dom_real
-        dominoes; /* n, the smallest integer with first r^n >= height; infinite if r = 1 and height > first */
+    /* n, the smallest integer with first r^n >= height. Infinite if r = 1 and height > first. */
+    dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r */
     dom_real last;  /* first r^n, in the unit of first; NaN if n is infinite */
     struct dom_count_error error;

@@ -40,8 +40,7 @@ enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 /* Why a wish cannot be fulfilled, and the meaning of dom_design.needs in that case. */
 enum dom_design_limit {
     DOM_DESIGN_FITS,   /* the wish can be fulfilled */
-    DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is a bit less than the largest safety of a train
-                        */
+    DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is close to the largest safety, and below it */
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
     DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
@@ -50,10 +49,10 @@ enum dom_design_limit {
 
 /* What dom_row_windows changes. */
 enum dom_window_of {
-    DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move along */
+    DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
     /* The distance from the back of the first domino to the back of this domino. No other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since its density stays the same */
+    DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since the density stays the same */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
 };
@@ -95,10 +94,11 @@ struct dom_domino {
 
 /*
  * Finds the leans in rad, lean[0] < lean[1], between which a domino on a floor with the slope alpha does not
- * fall over by itself. They are -(limit + alpha) and limit - alpha, since the centre of the block must be
- * above the flat part of its foot: tan limit = thickness / height - 2 rho. rho is the radius of the edges
- * over the height, as in struct dom_row, unless the domino has a radius of its own. With sharp edges the
- * limit is theta_u (4; b1). An upright domino stands if 0 is between the two leans. Makes no checks.
+ * fall over by itself. They are -(limit + alpha) and limit - alpha with tan limit = thickness / height - 2
+ * rho, since the centre of the block must be above the flat part of its foot. rho is the radius of the edges
+ * relative to the height, as in struct dom_row, unless the domino has a radius of its own. With sharp edges
+ * the limit is theta_u (4; b1). An upright domino stands if 0 is between the two leans. Does not check the
+ * arguments.
  */
 void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real rho, dom_real lean[2]);
 
@@ -121,23 +121,23 @@ struct dom_row {
     const struct dom_engine *engine; /* simulates the row instead of this library; may be NULL */
 };
 
-/* Returns a row without dominoes, to fill in: g = 9.81 m/s^2, no push, no effects, no engine. */
+/* Returns a row without dominoes, which the caller adds: g = 9.81 m/s^2, no push, no effects, no engine. */
 struct dom_row dom_row_default(void);
 
 /* One domino of the row while it is the head: from the moment when it is hit until it hits the next domino or
  * lies on the floor. In the comments below, "it" is this domino. */
 struct dom_fall {
     size_t domino;     /* number of this domino, from 1 */
-    dom_real time;     /* s, when it was hit; the clock starts with the push, or else with the first hit */
+    dom_real time;     /* s, the time of the hit; the clock starts with the push, or at the first hit */
     dom_real duration; /* s, until it hits the next domino or lies on the floor; NaN if it does neither */
-    dom_real omega;    /* rad/s, just after it was hit */
+    dom_real omega;    /* rad/s, its angular velocity just after it was hit */
     dom_real kinetic;  /* J, the kinetic energy of all moving dominoes just after it was hit */
-    dom_real barrier;  /* J, the kinetic energy needed to go on; infinite if friction locks the row later */
+    dom_real barrier;  /* J, the kinetic energy that it needs; infinite if friction locks the row later */
     dom_real margin;   /* J, kinetic - barrier */
     dom_real lost;     /* J, the energy lost in the collision */
     /* J, the energy lost to friction between dominoes since it was hit. NaN if the row ends here. */
     dom_real friction_work;
-    dom_real theta_m; /* rad, the tilt at which it is hardest to go on */
+    dom_real theta_m; /* rad, the tilt that takes the most energy to pass */
     dom_real theta;   /* rad, the tilt at which it hits the next domino, lies on the floor, or rests */
     size_t moving;    /* the number of dominoes that move when it is hit, including it */
     /* As in struct dom_floor, but dominoes are numbered from 1. NaN and 0 unless row->floor is set. */
@@ -185,7 +185,7 @@ struct dom_moment {
     dom_real time;                /* s, as in struct dom_fall */
     size_t head;                  /* number of the last domino that was hit, from 1 */
     size_t moving;                /* the number of dominoes that move, the head included */
-    const dom_real *tilt, *omega; /* rad and rad/s, of domino 1 at index 0; valid only during the visit */
+    const dom_real *tilt, *omega; /* rad and rad/s, with domino 1 at index 0; valid only during the visit */
 };
 
 /*
@@ -231,10 +231,10 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 
 /* A change of one gap that makes all dominoes of a row fall. */
 struct dom_mend {
-    size_t domino;  /* the number of the domino whose gap changes, from 2 */
-    dom_real gap;   /* m, the gap now */
-    dom_real to;    /* m, the nearest gap found with which all dominoes fall, to seven digits */
-    dom_real until; /* m, the farthest such gap: all dominoes fall with gaps from `to` to `until` */
+    size_t domino; /* the number of the domino whose gap changes, from 2 */
+    dom_real gap;  /* m, the gap now */
+    dom_real to;   /* m, the gap nearest to `gap` that was found to make all dominoes fall, to seven digits */
+    dom_real until; /* m, the farthest: all dominoes fall with every gap from `to` to `until` */
 };
 
 /*
@@ -250,14 +250,14 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
-/* The values of one gap, place, height, friction or lean with which all dominoes fall while all other values
- * stay as they are. A friction has no unit, a lean is in rad, and all others are in m. */
+/* The window of one gap, place, height, friction or lean: the values with which all dominoes fall while all
+ * other values stay as they are. A friction has no unit, a lean is in rad, and all others are in m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
     dom_real now;  /* the present value */
     dom_real low;  /* the smallest value of the window, to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
-    bool others;   /* the row also falls with values outside the window */
+    bool others;   /* true if the row also falls with some values outside the window */
     /* How the row ends with a value just outside the window. DOM_ROW_FALLS if the window reaches the end of
      * the range that is tried, or if the row does not fall now. */
     enum dom_row_end below, above;
@@ -309,10 +309,10 @@ struct dom_wish {
  * `needs` are NaN or 0. */
 struct dom_design {
     dom_real s, r;    /* the gap of each domino divided by its height, a multiple of 0.001; the growth */
-    size_t steps;     /* first r^steps = height, so that there are steps + 1 dominoes */
+    size_t steps;     /* first r^steps = height: the row has steps + 1 dominoes */
     dom_real feet;    /* m, from the back of the first domino to the front of the last */
     dom_real length;  /* m, with the last domino lying: feet + height */
-    dom_real seconds; /* as in struct dom_verdict, by the engine of the wish if it has one */
+    dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
     size_t weakest;   /* the number of that domino, from 2 */
@@ -353,8 +353,9 @@ struct dom_placement {
 /* How many rows of a placement fall. */
 struct dom_study {
     size_t rows, fall; /* all rows, and those in which every domino falls */
-    size_t unknown;    /* rows that the model cannot decide (PASSES and PARTS), which widen the interval */
-    double low, high;  /* 95 % interval of the probability that all fall (Clopper and Pearson) */
+    /* Rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). They widen the interval. */
+    size_t unknown;
+    double low, high; /* 95 % interval of the probability that all fall (Clopper and Pearson) */
 };
 
 /*

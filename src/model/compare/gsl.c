@@ -41,7 +41,7 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
     int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
     for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
         code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
-        /* The error of the height is the square of the error of theta_m. */
+        /* The error of the height is of second order in the error of theta_m. */
         done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
                                      0, sqrt((double)c->train->tol));
     }
@@ -66,7 +66,8 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     }
     if (c->status != DOM_OK || top == GSL_SAMPLES)
         return c->status;
-    double middle = top > 0 ? top * step : step / 2; /* theta_m may be before the first sample */
+    /* If no sample is above H(0), theta_m may still be before the first one. */
+    double middle = top > 0 ? top * step : step / 2;
     while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
         middle /= 2;
     if (top == 0 && -gsl_depth(middle, c) <= 0)

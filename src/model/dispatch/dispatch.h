@@ -23,10 +23,10 @@ struct row_question {
     enum dom_status status;
 };
 
-/* The kernel of each precision. */
+/* The kernels of this library's own method, indexed by enum dom_precision. */
 extern const struct kernel *const kernels[];
 
-/* Returns DOM_OK if the machine has the precision. */
+/* Returns DOM_OK, DOM_BAD_PRECISION, or DOM_NO_PRECISION if the machine does not have the precision. */
 enum dom_status precision_check(enum dom_precision precision);
 
 /* Returns *compute, or the defaults if compute is NULL. */

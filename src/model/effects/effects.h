@@ -6,7 +6,7 @@
 
 #include "numerics/api.h"
 
-/* Returns true if an effect with this value is on; 0 turns every effect off. */
+/* Returns true if an effect with this value is on. Every effect is off if its value is 0. */
 static inline bool dynamics_on(dom_real value)
 {
     return value != 0;

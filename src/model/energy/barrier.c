@@ -162,7 +162,7 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if this bound proves that H is concave up to theta_u, so that H has a single top. Up to
+ * Returns true if H is proved to be concave up to theta_u, so that H has a single top. The proof: up to
  * theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14; b10),
  * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >= sqrt(1 -
  * r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of which lose
@@ -363,11 +363,11 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Finds a bound of the distance between theta and the top in [first, last]. At this distance below theta, H
- * certainly increases, and at this distance above theta, H certainly decreases, except beyond the ends of the
- * cycle. The first estimate is the distance over which H'' changes H' by twice its possible error. Where H''
- * jumps or is 0, the distance is doubled until both signs are certain. *steepest is set to an upper bound of
- * |H'| at the tilts that were tried.
+ * Finds *error, a bound of the distance between theta and the top in [first, last]. H certainly increases at
+ * theta - *error and certainly decreases at theta + *error, unless these tilts are outside of the cycle. The
+ * first estimate is the distance over which H'' changes H' by twice its possible error. Where H'' jumps or is
+ * 0, the distance is doubled until both signs are certain. Sets *steepest to an upper bound of |H'| at the
+ * tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

@@ -41,7 +41,7 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
 /* Returns true only if H is proved to have a single top. */
 KERNEL bool barrier_single(const struct geometry *geometry);
 
-/* Returns an upper bound of the barrier of a train of any length, for r >= 1. */
+/* Returns an upper bound of the barrier, which holds for trains of any length with r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
 /* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at lo, and `from` is lo

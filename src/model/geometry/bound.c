@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/bound.h"
 
-/* Finds the bounds of Y, of the arm and of the step from this domino to its follower. */
+/* Finds the error bounds of Y, of the arm and of the slope of the contact of a domino with its follower. */
 static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
     b->Y = b->arm = b->step = 0;
@@ -15,8 +15,8 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    if (2 * rLx <=
-        Y) { /* as in geometry_contact: the slope is 1 - r L x / Y, where errors of Y count little */
+    /* As in geometry_contact, the slope is 1 - r L x / Y here, in which errors of Y matter little. */
+    if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
         return;

@@ -57,7 +57,7 @@ struct rounded {
     real rho;           /* radius of the edges */
     real tall, wide;    /* 1 - 2 rho and d - 2 rho: the lengths of the flat parts */
     real rho_1, tall_1; /* rho and tall of the follower, relative to the height of this domino */
-    real roll;          /* the term of dh/dtheta that comes from a foot that rolls down a slope */
+    real roll;          /* the term of dh/dtheta that is due to a foot that rolls down a slope */
     struct {
         real c, x, y;
     } i;
@@ -74,25 +74,27 @@ struct geometry {
     struct flow *flow;             /* solution of the equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    size_t *effort; /* work of a search so far, in dominoes of a plain pass; NULL if there is no limit */
+    /* Work of the current search so far, in dominoes of a plain pass, and its limit. NULL if there is no
+     * limit. */
+    size_t *effort;
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
     real leave_at; /* 1 - r^2 s^2, which equals leave_by v at the leader's tilt where its follower detaches */
     real leave_by; /* 2 r^2 L d */
-    real weight;   /* r^-q, the weight of a follower in H over that of its leader (19; c1) */
+    real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
     real inertia;  /* r^-(q+1), the factor from one domino to the next in J (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
     real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
-        real along, down; /* gravity along the floor and into it: 0 and 1, unless the floor slopes */
+        real along, down; /* gravity along the floor and into the floor: 0 and 1, unless the floor slopes */
     } g;
     struct {
-        real x, y; /* h(theta) = h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
+        real x, y; /* h(theta) is h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
     } h;
-    real decay;        /* largest ratio of successive far terms of H': r^-q theta_1'(theta_inf) */
-    real decay_J;      /* lower limit of the ratio of successive far terms of J that a pass assumes */
+    real decay;        /* r^-q theta_1'(theta_inf), the largest ratio of successive far terms of H1 */
+    real decay_J;      /* passes assume at least this ratio of successive far terms of J */
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */

@@ -10,7 +10,8 @@
 
 #include "geometry/sums.h"
 
-/* The contact of a domino with its follower, as in geometry_contact, with two more derivatives. */
+/* The contact of a domino with its follower, as in geometry_contact, with the turn, the arm b and the second
+ * derivative. */
 struct rolling {
     struct contact contact;
     real turn;  /* theta_1 - theta */

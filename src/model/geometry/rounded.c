@@ -337,7 +337,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
 
-/* The context of led_by: the tilt of a follower whose leader is to be found. */
+/* The context of led_by, whose root is the tilt of a leader: the angle of its follower. */
 struct led {
     const struct geometry *geometry;
     real follower;

@@ -34,7 +34,7 @@ KERNEL struct arms rounded_arms(const struct link *link);
 /* Counts a pass in geometry->work as work of the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
-/* The passes of struct contact_law, which have no error bounds. */
+/* The passes of struct contact_law. They find no error bounds. */
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt head, enum pass pass,

@@ -8,12 +8,12 @@
 struct sums {
     real J;  /* (20; c2) */
     real H1; /* dH/dtheta = sum r^(-q i) theta_i' h_i'(theta_i) */
-    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. Its errors are rounding errors and a part of the tail of
-     * H1. */
+    /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. It is less accurate than the other sums: its rounding
+     * errors are not compensated, and its tail is bounded only through H1. */
     real H2;
     /* H(theta) - H(0), or H(theta) - H at another tilt. Only from passes that compare two tilts. */
     real dH;
-    real left;   /* the part of dH in a follower that has detached during the cycle */
+    real left;   /* the part of dH due to a follower that has detached during the cycle */
     size_t n;    /* number of dominoes in the sums */
     bool pushes; /* true if no contact opens between the two tilts; only with PASS_PUSHES */
 };
@@ -38,15 +38,16 @@ struct equation_of_motion {
  * the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
-/* A sum with a bound of the terms that are not yet added. */
+/* A compensated sum, with what is needed to bound the terms that have not been added yet. */
 struct series {
     real sum, size; /* sum of the terms, and of their absolute values */
-    real lost;      /* the part of the sum that rounding has removed so far */
-    real next,
-        ratio; /* upper bounds of the next term, and of the ratio of each later term to the one before */
+    real lost;      /* the sum of the rounding errors so far, to be added at the end */
+    /* Upper bounds of the next term, and of the ratio of each later term to the term before it. */
+    real next, ratio;
 };
 
-/* Adds a term with compensation by Fast2Sum, which also works if the term is larger than the sum. */
+/* Adds a term, and its rounding error to `lost` (Fast2Sum). Fast2Sum needs the larger of the two numbers
+ * first. */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;
