@@ -10,8 +10,8 @@
 
 static const struct {
     int rgb;
-    int of_8;    /* the nearest of eight colours, as its escape sequence has it; 0 for that of text */
-    char letter; /* draws curves where there is no braille */
+    int of_8;    /* the nearest of the 8 basic colours, as in escape sequences; 0 for the colour of text */
+    char letter; /* the letter of which curves are made where there is no braille */
 } inks[INKS] = {
     [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
     [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
@@ -103,11 +103,12 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if a dot of a dashed line is drawn. No letter is left out, since each curve has its own. */
+/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille all lines are unbroken,
+ * because different letters tell curves apart. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
-        unsigned bits; /* from the lowest on */
+        unsigned bits; /* the pattern, from the lowest bit to the highest */
         int length;
     } dashes[DASHES] = {{1, 1}, {0x0f, 7}, {0x1, 3}, {0x11f, 11}, {0x3, 5}};
     const int k = dash % DASHES;
@@ -129,7 +130,8 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
     }
 }
 
-/* Writes the character of some dots, or of their ink where there is no braille. */
+/* Writes the braille character with these dots or, where there is no braille, the letter of their ink.
+ * Returns its length in bytes. */
 static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
     if (!c->look.braille)
@@ -171,7 +173,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    if (!c->look.braille || c->look.colours < COLOURS_256) /* characters stand for shades */
+    if (!c->look.braille || c->look.colours < COLOURS_256) /* shades are shown by characters */
         canvas_text(c, column, row,
                     shade < 0         ? " "
                     : c->look.braille ? blocks[shade * 4 / 256]
@@ -186,7 +188,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
 
 enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
 
-/* Writes the escape sequence of a colour; -1 is the colour of the terminal. */
+/* Writes the escape sequence for a colour. The value -1 stands for the default colour of the terminal. */
 static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
 {
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
@@ -226,7 +228,8 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell while the ink `now` is set. Returns the ink that is set afterwards. */
+/* Writes a cell. `now` is the ink that the terminal has at the moment. Returns the ink that it has
+ * afterwards. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Pictures in characters: lines of braille dots or of letters, text, and shades, in colour where the terminal
- * has colours. A cell shows what was put there last; only the dots of a cell add up.
+ * Pictures made of characters: lines of braille dots or of letters, text, and shades, in colour if the
+ * terminal has colours. A cell shows only what was drawn into it last, except that several dots in a cell add
+ * up.
  */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
@@ -28,63 +29,65 @@ int ink_colour(enum ink ink);
 /* Returns the colour of a shade in 0 .. 1 of the palette viridis, whose brightness rises steadily. */
 int shade_colour(double shade);
 
-/* Returns the step of a ruler or an axis: the least of 1, 2 and 5 times a power of ten that is not below
- * `least`. */
+/* Returns a round step for a ruler or an axis: the smallest number of the form 1, 2 or 5 times a power of ten
+ * that is not below `least`. */
 double ruler_step(double least);
 
-/* Returns true if the name of the terminal, $TERM, begins with one of these names, which end with NULL. */
+/* Returns true if the name of the terminal, $TERM, begins with one of the names in this NULL-terminated list.
+ */
 bool term_begins(const char *const *names);
 
-/* What the terminal of a stream can show; a file and a pipe get plain letters. */
+/* What the terminal of a stream can show. Files and pipes get plain letters. */
 struct look {
-    bool braille; /* also lines of boxes and half blocks */
+    bool braille; /* shows braille, box-drawing characters and half blocks */
     enum { COLOURS_NONE, COLOURS_8, COLOURS_256, COLOURS_ALL } colours;
 };
 struct look look_of(FILE *stream);
 
-enum { GLYPH = 5 /* bytes of a character in UTF-8, with its end */ };
+enum { GLYPH = 5 /* bytes of a character in UTF-8, with the terminating null */ };
 
 struct canvas_cell {
-    char glyph[GLYPH]; /* "" for none */
+    char glyph[GLYPH]; /* the character, or "" */
     unsigned char dots, ink;
-    int upper, lower; /* colours of the halves; -1 for none */
+    int upper, lower; /* colours of the upper and lower half; -1 for none */
 };
 
 struct canvas {
     struct look look;
     int width, height; /* in cells */
-    int across, down;  /* the number of dots in a cell */
+    int across, down;  /* number of dots in a cell, across and down */
     struct canvas_cell *cell;
 };
 
-/* Makes an empty canvas. Returns false if there is no memory. */
+/* Makes an empty canvas. Returns false if memory runs out. */
 bool canvas_make(struct canvas *canvas, struct look look, int width, int height);
 void canvas_free(struct canvas *canvas);
 
-/* Puts a dot, counted from the upper left. A dot outside the canvas is ignored. */
+/* Draws the dot at (x, y), counted from the upper left corner. A dot outside the canvas is ignored. */
 void canvas_dot(struct canvas *canvas, int x, int y, enum ink ink);
 
-/* The number of patterns of dashes, which keep curves apart that have one colour. Pattern 0 is unbroken. */
+/* The number of dash patterns, by which curves of the same colour can be told apart. Pattern 0 is an unbroken
+ * line. */
 enum { DASHES = 5 };
 
-/* Draws a line of dots. *phase is the place in the pattern, which goes on from one piece of a curve to the
- * next. */
+/* Draws a straight line of dots. *phase is the position in the dash pattern. It is updated, so that the
+ * pattern continues when the next piece of a curve is drawn. */
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
 /* Writes a short piece of a curve for a legend. */
 void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
 
-/* Writes text from a cell on. What is outside the canvas is left out. */
+/* Writes text that starts in a cell. Characters outside the canvas are left out. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Puts two shades in 0 .. 1, one above the other, into a cell. A shade that is NaN is left out. */
+/* Draws two shades in 0 .. 1 into the upper and lower half of a cell. A shade that is NaN is left out. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
-/* Returns true if a cell shows nothing, or is outside the canvas. */
+/* Returns true if a cell is empty or outside the canvas. */
 bool canvas_blank(const struct canvas *canvas, int column, int row);
 
-/* Writes the rows of the canvas from a row on, without blanks at their ends. */
+/* Prints the canvas from the row `from` to its end, without trailing blanks. */
 void canvas_write(const struct canvas *canvas, int from, FILE *out);
 
 #endif

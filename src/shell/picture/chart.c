@@ -26,7 +26,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    c->curves -= c->curves == CHART_CURVES; /* the last curve is replaced: no caller has more */
+    c->curves -= c->curves == CHART_CURVES; /* if all are used, replace the last; no caller needs more */
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
     va_start(arguments, format);
@@ -95,7 +95,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends that are NaN, with room above and below the data, `pad` times its range. */
+/* Sets those ends of an axis that are NaN. Leaves room on both sides of the data, which extends from `low` to
+ * `high`: the room is `pad` times the range of the data. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -107,7 +108,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* Ticks could not tell a smaller range from a single value. */
+        /* A smaller range is treated as a single value, because the labels of ticks could not show it. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
@@ -119,7 +120,7 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Returns a coordinate within the axis where it is infinite, or 0 on a logarithmic axis. */
+/* Returns a coordinate, but replaces an infinite one, and 0 on a logarithmic axis, by an end of the axis. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high
@@ -127,7 +128,7 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Moves the ends of an axis from the middles of the outermost cells of a map to their edges. */
+/* Moves the ends of an axis from the centres of the outermost cells of a map to the edges of these cells. */
 static void cells_fit(struct chart_axis *a, int cells)
 {
     double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
@@ -195,7 +196,7 @@ static void tick_add(struct ticks *t, double tick)
     char *text = t->text[t->count];
     int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
     if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
-        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* the range of the axis is narrow */
+        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* a narrow range needs more digits */
     t->widest = wide > t->widest ? wide : t->widest;
     t->at[t->count++] = tick;
 }
@@ -206,7 +207,7 @@ struct ticks axis_ticks(const struct chart_axis *a, int most)
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;
     most = most < TICKS ? most : TICKS;
-    if (decades < 0.8) { /* a short piece of a logarithmic axis is nearly even */
+    if (decades < 0.8) { /* a short piece of a logarithmic axis is nearly linear */
         double step = ruler_step((a->high - a->low) / most * (1 - 1e-9));
         step = a->whole ? fmax(step, 1) : step;
         for (double k = ceil(a->low / step - 1e-9); k * step <= a->high + 1e-9 * step; k++)
@@ -230,7 +231,7 @@ struct ticks axis_ticks(const struct chart_axis *a, int most)
 
 struct event_spot event_spot(const struct chart *c, int event, double letter)
 {
-    double end[CHART_EVENTS] = {0}; /* where the next name of each row may begin */
+    double end[CHART_EVENTS] = {0}; /* for each row, the place where the next name may begin */
     struct event_spot spot = {0, 0};
     for (int k = 0; k <= event; k++) {
         double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Curves, points, ranges and maps over two axes. A command says what a chart shows, and chart_show (show.h)
- * draws it where the answer goes: in characters, as a picture on a terminal, or by gnuplot into a file.
+ * Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data, and
+ * chart_show (show.h) draws it where the answer goes: in characters, as a picture on a terminal, or by
+ * gnuplot into a file.
  */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
@@ -14,16 +15,16 @@ enum chart_kind {
     CHART_POINTS,
     CHART_MARKED, /* a line through points */
     CHART_STEPS,  /* y holds from x to the x of the next point */
-    CHART_RANGES, /* from low to high at x */
+    CHART_RANGES, /* a vertical line from low to high at each x */
     CHART_BOTH    /* points with their ranges, and a line through them */
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap of a line; low and high are NaN where there is no range */
+    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN if there is no range */
 };
 
 struct chart_curve {
-    char title[96]; /* in the legend; "" leaves the curve out of the legend */
+    char title[96]; /* title in the legend; "" leaves the curve out of the legend */
     enum chart_kind kind;
     enum ink ink;
     int dash; /* 0 for an unbroken line */
@@ -32,18 +33,18 @@ struct chart_curve {
 };
 
 struct chart_axis {
-    char label[128]; /* with its unit */
+    char label[128]; /* label, including the unit */
     bool logarithmic;
     bool whole;       /* only whole numbers have ticks */
-    double low, high; /* NaN for what the data needs */
+    double low, high; /* ends of the axis; NaN for an end that chart_fit chooses from the data */
 };
 
-/* A value for each cell of a grid, from the lowest row on. chart_fit takes the ends of the axes for the
- * middles of the outermost cells. */
+/* A value for each cell of a grid, row by row, from the lowest row to the highest. The ends of the axes are
+ * first the centres of the outermost cells; chart_fit moves them to the edges. */
 struct chart_map {
-    double *value; /* NaN where there is none; NULL for a chart without a map */
+    double *value; /* NaN for a cell without a value; the pointer is NULL in a chart without a map */
     int across, down;
-    char label[96]; /* what the values are */
+    char label[96]; /* label of the values */
 };
 
 struct chart_event {
@@ -53,7 +54,7 @@ struct chart_event {
 
 enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
 
-/* A chart has curves or a map. */
+/* A chart has either curves or a map. */
 struct chart {
     char title[192], note[256]; /* the note is a sentence, or "" */
     struct chart_axis x, y;
@@ -62,16 +63,18 @@ struct chart {
     struct chart_event event[CHART_EVENTS]; /* vertical lines with names at their upper ends */
     int events;
     struct chart_map map;
-    bool failed; /* there was no memory for the data */
+    bool failed; /* memory for the data ran out */
 };
 
 /* Returns an empty chart. */
 struct chart chart_make(void);
 void chart_free(struct chart *chart);
 
-/* Adds a curve without points, whose title is formatted. */
+/* Adds a curve without points. Its title is formatted as by printf. */
 struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum ink ink, int dash,
                                 const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/* Add a point, or a point with a range, to a curve. */
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
 void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
 
@@ -81,37 +84,38 @@ void chart_level(struct chart *chart, double y, const char *title);
 /* Adds a vertical line with a name. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Divides all numbers by the sizes of the units in which they are to be shown. */
+/* Divides all numbers of the chart by the sizes of the units in which they will be shown. */
 void chart_scale(struct chart *chart, double x, double y);
 
 /*
- * Makes a chart ready to be drawn: chooses the ends of axes that are NaN, moves points at infinity, and at 0
- * on a logarithmic axis, to the end of the axis, lets steps go on where y is NaN, and drops curves without
- * points.
+ * Makes a chart ready to be drawn. Chooses the ends of axes that are NaN. Moves points at infinity, and
+ * points at 0 on a logarithmic axis, to the end of the axis. Continues steps at the last y where y is NaN.
+ * Removes curves without points.
  */
 void chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Return the place of a value on its axis, from 0 at the lower end to 1 at the upper end, and the value at a
- * place. */
+/* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.
+ * axis_number returns the value at such a position. */
 double axis_place(const struct chart_axis *axis, double value);
 double axis_number(const struct chart_axis *axis, double place);
 
 enum { TICKS = 24, TICK_TEXT = 24 };
 
 struct ticks {
-    int count, widest; /* widest: the characters of the longest text */
+    int count, widest; /* number of ticks, and length of the longest text */
     double at[TICKS];
     char text[TICKS][TICK_TEXT];
 };
 
-/* Returns at most so many ticks of an axis. */
+/* Returns the ticks of an axis, of which there are about `most` or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /*
- * Where the name of an event stands: its first letter as a share of the x axis, and its row above the chart,
- * from 0. Names that would meet stand above each other. `letter` is the width of a letter, as such a share.
+ * The position of the name of an event: where its first letter stands, as a fraction of the x axis, and in
+ * which row above the chart, from 0. Names that would overlap are in different rows. `letter` is the width of
+ * a letter, as a fraction of the x axis.
  */
 struct event_spot {
     double from;
@@ -119,13 +123,13 @@ struct event_spot {
 };
 struct event_spot event_spot(const struct chart *chart, int event, double letter);
 
-/* Returns how many rows the names of the events take. */
+/* Returns how many rows the names of the events need. */
 int event_rows(const struct chart *chart, double letter);
 
-/* Draws in so many columns and rows of characters. Returns false if there is no memory. */
+/* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
 bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out);
 
-/* Writes the script of gnuplot. */
+/* Writes a gnuplot script that draws a chart. */
 void chart_script(const struct chart *chart, FILE *script);
 
 #endif

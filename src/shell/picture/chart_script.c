@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Charts as scripts of gnuplot. */
+/* Writes charts as gnuplot scripts. */
 #include "answer/wrap.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -7,11 +7,11 @@
 #include <string.h>
 
 enum { COLUMNS = 64 /* letters across a picture */, ROOM = 320 };
-#define LETTER 0.016 /* width of a letter, as a share of the x axis */
+#define LETTER 0.016 /* width of a letter, as a fraction of the x axis */
 
 /*
- * Breaks a text into lines of about equal length that fit the picture, and writes them as gnuplot reads them
- * between double quotes. Returns how many lines there are.
+ * Breaks a text into lines of about equal length that fit the picture, and writes them as the content of a
+ * double-quoted gnuplot string. Returns the number of lines.
  */
 static int lines_make(const char *text, char script[ROOM])
 {
@@ -39,8 +39,8 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
     fprintf(out, ")\n");
 }
 
-/* The legend has as many columns as its longest title allows. gnuplot takes letters for wider than they are.
- */
+/* Sets up the legend, with as many columns as its longest title allows. The negative width makes up for
+ * gnuplot, which assumes that letters are wider than they are. */
 static void legend_script(const struct chart *c, FILE *out)
 {
     int longest = 0;
@@ -54,8 +54,8 @@ static void legend_script(const struct chart *c, FILE *out)
 }
 
 /*
- * Writes the texts around the axes. What the y axis shows, and the colours of a map, is written level above
- * the axes: beside them a text that is longer than the axis would be cut off.
+ * Writes the texts around the axes. The labels of the y axis and of the colours of a map are written
+ * horizontally above the axes, because beside an axis a label that is longer than the axis would be cut off.
  */
 static void texts_script(const struct chart *c, FILE *out)
 {
@@ -89,7 +89,7 @@ static void events_script(const struct chart *c, FILE *out)
     }
 }
 
-/* Writes a number in a row of data, in which gnuplot reads NaN as a missing number. */
+/* Writes a number into a row of data. gnuplot reads NaN as a missing number. */
 static void number_script(double value, FILE *out)
 {
     if (isfinite(value))
@@ -112,9 +112,9 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
 }
 
 /*
- * Writes the data of a map and draws it. With even axes it is an image, which needs the middles of all cells.
- * On a logarithmic axis the cells are boxes, which overlap a little, since the background would shine through
- * between edges that only meet.
+ * Writes the data of a map and the command that draws it. If both axes are linear, the map is an image, for
+ * which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes. They overlap
+ * a little, because the background would shine through between boxes that only touch.
  */
 static void map_script(const struct chart *c, FILE *out)
 {
@@ -150,7 +150,7 @@ static void curve_script(const struct chart_curve *curve, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        double width, size; /* the width is 0 for that of all lines, and the size 0 if there are no points */
+        double width, size; /* line width, or 0 for the usual one; point size, or 0 for no points */
         bool dashed;
     } styles[] = {
         [CHART_LINE] = {"1:2 with lines", .dashed = true},
@@ -181,7 +181,7 @@ void chart_script(const struct chart *c, FILE *out)
     axis_script(out, &c->x, "x");
     axis_script(out, &c->y, "y");
     events_script(c, out);
-    if (c->map.value) { /* a chart has a map or curves */
+    if (c->map.value) { /* a chart with a map has no curves */
         map_script(c, out);
         return;
     }

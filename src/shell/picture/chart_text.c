@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Charts in characters. */
+/* Draws charts with characters. */
 #include "answer/wrap.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
@@ -13,7 +13,7 @@ struct frame {
     struct canvas *canvas;
     const struct chart *chart;
     int left, top, right, bottom;
-    int most; /* rows that each text may take */
+    int most; /* the largest number of rows for each text */
 };
 
 /* ---- From values to dots ---- */
@@ -35,7 +35,8 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Cuts [*from, *to], parts of a line, to where start + part * change is in [low, high]. */
+/* Clips a line in one dimension. *from and *to are the ends of the visible part, as fractions of the line;
+ * they are moved so that start + fraction * change is within [low, high]. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;
@@ -47,7 +48,7 @@ static void clip(double start, double change, double low, double high, double *f
     *to = fmin(*to, fmax(first, last));
 }
 
-/* Draws the part of a line that is between the axes. */
+/* Draws the part of a line that is inside the frame of the chart. */
 static void line_draw(const struct frame *f, double x0, double y0, double x1, double y1,
                       const struct chart_curve *curve, int *phase)
 {
@@ -124,7 +125,8 @@ static void map_ends(const struct chart_map *m, double *low, double *high)
         }
 }
 
-/* Returns the shade of a place, given as shares of the axes, or NaN where there is no value. */
+/* Returns the shade of a map at the position (x, y), given as fractions of the axes. Returns NaN if the map
+ * has no value there. */
 static double map_shade(const struct chart_map *m, double x, double y, double low, double high)
 {
     int i = (int)clamp(x * m->across, 0, m->across - 1), k = (int)clamp(y * m->down, 0, m->down - 1);
@@ -150,8 +152,8 @@ static void map_draw(const struct frame *f)
 /* ---- Texts and axes ---- */
 
 /*
- * Writes a text between two columns, in at most so many rows, of which the last is cut off where it is too
- * long. Returns how many rows there are; without a canvas it only counts them.
+ * Writes a text between two columns, in at most `most` rows. If the text is too long, the last row is cut
+ * off. Returns the number of rows. If the canvas is NULL, only counts the rows.
  */
 static int text_put(struct canvas *c, int left, int right, int row, int most, bool centred, const char *text)
 {
@@ -224,8 +226,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves from a row on. Returns how many rows they take. If the row is negative, the
- * rows are only counted. */
+/* Writes the titles of the curves, starting in a row of the canvas. Returns how many rows the titles take. If
+ * `row` is negative, only counts the rows. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;
@@ -256,8 +258,8 @@ static int legend(const struct frame *f, int row)
     return rows;
 }
 
-/* Writes the shades of a map between the values at their ends, below their label if there is no room beside
- * it. Returns and counts rows as legend does. */
+/* Writes the legend of a map: a bar of shades between the lowest and the highest value, beside its label or,
+ * if there is no room, below it. Returns the number of rows, and only counts them if `row` is negative. */
 static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };
@@ -315,7 +317,9 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
     f.bottom = canvas.height - 2 - label_rows;
     int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
-    f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0; /* what does not fit is left out */
+    f.bottom -= legend_rows < room ? legend_rows
+                : room > 0         ? room
+                                   : 0; /* rows that do not fit are left out */
     const int rows = f.bottom - f.top;
     const struct ticks ticks = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3);
     f.left = ticks.widest + 3;

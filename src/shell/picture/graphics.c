@@ -14,10 +14,11 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads an answer of the terminal up to its last letter, if it comes in time. */
+/* Reads the answer of the terminal up to its final letter, 'c', or until the terminal is silent for too long.
+ */
 static void answer_read(int terminal, char *answer, size_t size)
 {
-    enum { WAIT = 1000 /* ms, which is enough over a slow line, too */ };
+    enum { WAIT = 1000 /* ms, which is enough even for a slow connection */ };
     size_t n = 0;
     struct pollfd ready = {.fd = terminal, .events = POLLIN};
     while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {
@@ -39,7 +40,8 @@ static bool has_sixel(const char *answer)
     return false;
 }
 
-/* Asks the terminal for its attributes (DA1), unless a person is typing, whose letters would be lost. */
+/* Asks the terminal for its attributes (DA1), and returns true if it can show sixel. Does not ask if the user
+ * has typed ahead, because the typed letters would be lost. */
 static bool ask_sixel(void)
 {
     char answer[64] = "";
@@ -100,14 +102,14 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* Letters are as large as fits the sheet of a stage, or the lines of letters around a chart. */
+    /* The size of the font suits the sheet of a stage, or the lines of text around a chart. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,
              stage ? 14 : 13, scale);
 }
 
-/* Writes a file by the protocol of kitty: in base64, in pieces of 4096 letters. */
+/* Writes a PNG file in the graphics protocol of kitty: in base64, in pieces of 4096 letters. */
 static bool kitty_write(FILE *png, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures on terminals that can show them. */
+/* Shows pictures on terminals that can display graphics. */
 #ifndef SHELL_GRAPHICS_H
 #define SHELL_GRAPHICS_H
 
@@ -9,20 +9,21 @@
 enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /*
- * Returns the protocol by which the terminal of a stream shows pictures. The name of the terminal tells
- * kitty, and the terminal is asked whether it knows sixel. If $DOMINO_GRAPHICS is none, sixel or kitty, it
- * decides instead. A terminal without colour, or with NO_COLOR, shows no pictures.
+ * Returns the protocol with which the terminal of a stream shows pictures. A terminal with the kitty protocol
+ * is recognised by its name, and other terminals are asked whether they can show sixel. If the environment
+ * variable DOMINO_GRAPHICS is set to none, sixel or kitty, it decides instead. A terminal without colour, or
+ * with NO_COLOR set, shows no pictures.
  */
 enum graphics graphics_of(FILE *stream);
 
-/* Finds the size in dots of a picture that leaves room for the prompt, and is at most two thirds as tall as
- * wide. */
+/* Finds the size in pixels of a picture that leaves room for the prompt, and is at most two thirds as tall as
+ * it is wide. */
 void graphics_size(FILE *stream, int *width, int *height);
 
-/* Writes gnuplot's terminal for a stage or a chart of this size. */
+/* Writes the gnuplot terminal, with its options, for a stage or a chart of this size in pixels. */
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size);
 
-/* Shows the drawing on the terminal. Returns false if it cannot be read. */
+/* Shows a drawing on the terminal. Returns false if the drawing cannot be read. */
 bool graphics_write(FILE *drawing, FILE *out);
 
 #endif

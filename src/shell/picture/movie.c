@@ -5,12 +5,12 @@
 #include <string.h>
 #include <strings.h>
 
-/* How ffmpeg makes the file. Both formats can be written into a pipe. */
+/* The formats of films, and the options with which ffmpeg writes them. */
 enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
     const char *ending;
     bool ffmpeg;
-    const char *option[OPTIONS]; /* ends with NULL */
+    const char *option[OPTIONS]; /* the list ends with NULL */
 };
 
 static const struct movie_kind kinds[] = {
@@ -55,7 +55,7 @@ bool movie_begin(struct movie *m, const char *path, int width, int height, int d
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     bool ffmpeg = m->kind->ffmpeg;
-    height += ffmpeg ? height % 2 : 0; /* its formats have colours for each 2 x 2 dots */
+    height += ffmpeg ? height % 2 : 0; /* these formats store colours for blocks of 2 x 2 pixels */
     snprintf(terminal, sizeof terminal, "size %d,%d font 'sans,14' fontscale 0.72 noenhanced", width, height);
     if (ffmpeg)
         snprintf(options, sizeof options, "pngcairo %s", terminal);
@@ -82,7 +82,8 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     snprintf(what, sizeof what, "make '%s'", m->shown);
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
-    /* In a file, unlike a pipe, ffmpeg goes back to write how long the film is. The rest of argv is NULL. */
+    /* ffmpeg writes to a file, because in a pipe it could not go back to write the duration of the film. The
+     * remaining elements of argv are NULL. */
     argv[n] = "file:/proc/self/fd/1";
     return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
 }

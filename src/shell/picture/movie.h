@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Animations in files: .gif by gnuplot alone, .webm and .mp4 by gnuplot and ffmpeg. */
+/* Writes animations into files: .gif with gnuplot alone, and .webm and .mp4 with gnuplot and ffmpeg. */
 #ifndef SHELL_MOVIE_H
 #define SHELL_MOVIE_H
 
@@ -8,7 +8,7 @@
 #include "picture/picture.h"
 
 struct movie {
-    struct picture picture; /* its script takes a plot command for each frame */
+    struct picture picture; /* its script gets a plot command for each frame */
     struct output *file;
     const struct movie_kind *kind;
     FILE *frames; /* the frames for ffmpeg; NULL for a gif */
@@ -16,15 +16,17 @@ struct movie {
     char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 
-/* Describes a problem and returns false if the ending of the file is unknown, or needs ffmpeg, which is not
- * installed. */
+/* Checks the extension of the file. If it is unknown, or if it needs ffmpeg and ffmpeg is not installed, sets
+ * *problem and returns false. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation of width x height dots, with frames `delay` hundredths of a second apart. */
+/* Begins an animation of width x height pixels, with frames `delay` hundredths of a second apart. If this
+ * fails, sets *problem and returns false. */
 bool movie_begin(struct movie *movie, const char *path, int width, int height, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Ends the animation. Draws it into the file if the script is whole; else returns false. */
+/* Ends the animation. If `whole` is true, the script is complete, and the film is drawn into the file.
+ * Otherwise drops the film and returns false. */
 bool movie_end(struct movie *movie, bool whole, struct problem *problem);
 
 #endif

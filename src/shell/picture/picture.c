@@ -28,8 +28,8 @@ bool program_exists(const char *name)
     return false;
 }
 
-/* Waits for a program, which does not see a ^C itself, and kills it after an interrupt. Returns true if it
- * was successful. */
+/* Waits for a program to end, and kills it after an interrupt, because a ^C does not reach the program
+ * itself. Returns true if the program was successful. */
 static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
@@ -43,15 +43,15 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/* Becomes the program, in the child process. */
+/* Replaces the child process by the program. */
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
     /*
-     * In a process group of its own a program gets no ^Z. It would stop, and this program, which stops only
-     * when the command is done, would wait for it without end.
+     * In a separate process group the program does not receive a ^Z. Otherwise the program would stop at
+     * once, while its parent, which stops only when the command is done, would wait for it for ever.
      */
     setpgid(0, 0);
-    /* The program is to end with this one, which may have ended already. */
+    /* The program has to end when its parent ends, which may already have happened. */
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent)
         _exit(127);
@@ -62,7 +62,7 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
     _exit(127);
 }
 
-/* Describes the failure of a program by the first line that it wrote to standard error. */
+/* Reports that a program failed, with the first line that it wrote to standard error. Returns false. */
 static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
 {
     char line[256] = "";
@@ -120,8 +120,9 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 }
 
 /*
- * Returns the error with which the drawing cannot be whole, or 0. gnuplot does not report a full disk, on
- * which the end of the drawing is missing: there is then no room for another block.
+ * Checks that the drawing is complete. gnuplot does not report a full disk, on which the end of the drawing
+ * is missing; but then there is no room for another block either. Returns an error number, or 0 if there is
+ * room.
  */
 static int drawing_error(FILE *drawing, long size)
 {
@@ -131,13 +132,14 @@ static int drawing_error(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /* gnuplot reads the script in blocks if it has a name, and byte by byte from "-". */
+    /* gnuplot reads a script with a file name in blocks, but it reads from "-" byte by byte. */
     char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     char block[4096];
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
-    /* gnuplot tries the terminal of the environment before it reads the script, and ends if there is none. */
+    /* Before gnuplot reads the script, it tries the terminal that the environment names, and exits if this
+     * fails. */
     setenv("GNUTERM", "unknown", 1);
     if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))
         return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures that gnuplot draws from a script, and other programs that help with it. */
+/* Runs gnuplot, which draws pictures from scripts, and other programs that help with pictures. */
 #ifndef SHELL_PICTURE_H
 #define SHELL_PICTURE_H
 
@@ -8,26 +8,28 @@
 #include <stdio.h>
 
 struct picture {
-    FILE *script; /* what gnuplot is to do, after its terminal was set */
-    FILE *out;    /* takes the picture */
+    FILE *script; /* commands for gnuplot, of which the first has set its terminal */
+    FILE *out;    /* receives the picture */
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Describes a problem and returns false if gnuplot is not installed. */
+/* Returns true if gnuplot is installed. Otherwise sets *problem and returns false. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture on a stream, with a terminal of gnuplot and its options. */
+/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal with its options. If this
+ * fails, sets *problem and returns false. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Ends a picture. Draws it if the script is whole; else returns false. */
+/* Ends a picture. If `whole` is true, the script is complete, and the picture is drawn. Otherwise drops the
+ * picture and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 
-/* Returns true if a program of this name is in one of the folders of PATH. */
+/* Returns true if a program with this name is in one of the directories of PATH. */
 bool program_exists(const char *name);
 
-/* Runs a program that reads one file and writes another one. `what` says in a problem what the program did
- * not do: "draw it". */
+/* Runs a program with `in` as its standard input and `out` as its standard output. If the program fails, the
+ * message says that it did not do `what`, for example "draw it". */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

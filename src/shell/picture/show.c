@@ -10,12 +10,12 @@
 #include <strings.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
-enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* heights of a sheet, in dots */
+enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* least and largest height of a sheet, in dots */
 
-/* ---- Endings ---- */
+/* ---- File extensions ---- */
 
-/* A bare Debian has a font 'sans'. Its letters are large enough to be read where a telephone shrinks the
- * picture. */
+/* Even a minimal Debian system has a font 'sans'. The letters are large enough to be read on a telephone,
+ * which shrinks the picture. */
 #define SVG "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
 #define PNG "pngcairo size 960,720 font 'sans,17'"
 #define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
@@ -32,7 +32,7 @@ const struct ending *ending_of(const char *path)
 {
     static const struct ending none = {.kind = ENDING_NONE}, other = {.kind = ENDING_OTHER};
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' is a name */
+    if (!dot || dot == name || dot[1] == '\0') /* '.hidden' has no extension */
         return &none;
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
         if (strcasecmp(endings[i].text, dot) == 0)
@@ -42,7 +42,7 @@ const struct ending *ending_of(const char *path)
 
 /* ---- Before a picture is drawn ---- */
 
-/* Returns true if the picture goes into a file whose ending is that of a picture. */
+/* Returns true if the answer goes into a file with the extension of a picture. */
 static bool is_filed(const struct answer *a)
 {
     return a->path && ending_of(a->path)->kind == ENDING_PICTURE;
@@ -88,13 +88,13 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     progress_end();
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
-    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* a row is left for the next prompt */
-    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than wide */
+    height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
+    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than 79 columns are wide */
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
 }
 
-/* Draws by gnuplot into a file, or to a terminal that shows pictures. */
+/* Draws with gnuplot, into a file or on a terminal that shows pictures. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {

@@ -3,10 +3,10 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and room for others */
-#define SMALLEST 0.01               /* height, over that of the head, below which a domino would be a dot */
-#define WIDEST   2.4 /* width of a picture over its height; dominoes farther back are left out */
-#define TALLEST  2.5 /* height of a picture, over that of the head; a taller next domino is cut off */
+enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and extra room for the caller */
+#define SMALLEST 0.01               /* a domino smaller than this, relative to the head, would be a dot */
+#define WIDEST   2.4 /* width of a picture relative to its height; dominoes farther back are left out */
+#define TALLEST  2.5 /* height of a picture relative to the head; a taller next domino is cut off */
 
 /* ---- One domino ---- */
 
@@ -18,7 +18,7 @@ static struct point direction(double theta)
 void drawn_stand(struct drawn *k)
 {
     struct point up = direction(k->theta);
-    /* The centre of the rounded foot moves on by radius theta. */
+    /* The rounded foot rolls: its centre moves forwards by radius * theta. */
     k->corner[0] =
         (struct point){k->foot + k->radius * (k->theta + up.y - 1 - up.x), k->radius * (1 - up.y - up.x)};
     k->corner[1] = along(k->corner[0], k->height, up.x, up.y);
@@ -48,7 +48,8 @@ int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
     return n;
 }
 
-/* Returns where a follower touches the back of its leader with its upper edge, an arc around a centre. */
+/* Returns the point where the upper edge of a follower, which may be rounded, touches the back of its leader.
+ */
 static struct point touch(const struct drawn *follower, const struct drawn *leader)
 {
     struct point up = direction(follower->theta), face = direction(leader->theta);
@@ -97,7 +98,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 struct filling {
     struct stage *stage;
     double s, r, d, rho;
-    bool leans; /* the next follower leans on the last domino so far */
+    bool leans; /* the next follower leans on the domino that was added last */
 };
 
 static void train_add(struct filling *f, double height, double foot, double theta)
@@ -159,14 +160,16 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     double pitch = (f.s + f.d) * f.r, tall = f.r < TALLEST ? f.r : TALLEST, seen = 1.04 * tall;
     if (!stage_make(stage, DOMINOES + MORE))
         return DOM_NO_MEMORY;
-    fine.tol =
-        domq_arithmetic(fine.precision)->tol_floor; /* a domino may be light, and large enough to be seen */
+    /* With the finest tolerance the chain includes even dominoes that are very light but large enough to be
+     * seen. */
+    fine.tol = domq_arithmetic(fine.precision)->tol_floor;
     stage->unit = "h";
     stage->ruler = "x";
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
     stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
-    stage->left = stage->left > -1 ? -1 : stage->left; /* the head is seen, however far the next one is */
+    stage->left =
+        stage->left > -1 ? -1 : stage->left; /* the head must be seen, even if the next domino is far away */
     train_add(&f, f.r, pitch, 0);
     enum dom_status status = domq_angles_find(train, compute, &angles);
     if (status == DOM_OK)
@@ -174,11 +177,11 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        train_follow(&f, (double)angles.theta_f); /* as far as anybody can see, these lie */
+        train_follow(&f, (double)angles.theta_f); /* farther back, all seem to lie at theta_f */
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {
-        stage->domino[0].touched = true; /* the head hits it */
+        stage->domino[0].touched = true; /* the head hits the next domino */
         stage->domino[0].contact = touch(&stage->domino[1], &stage->domino[0]);
     }
     double end = stage->domino[stage->count - 1].foot - 0.05 * seen;

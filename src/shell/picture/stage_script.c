@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A stage as a script of gnuplot, to scale: for a picture in a file, and for a frame of a film. */
+/* Writes a stage as a gnuplot script, to scale, for a picture in a file or for a frame of a film. */
 #include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
@@ -10,18 +10,18 @@
 /* ---- The sheet, in dots ---- */
 
 enum {
-    FONT = 14,  /* of the caption */
-    SMALL = 11, /* font of labels */
+    FONT = 14,  /* font size of the caption */
+    SMALL = 11, /* font size of labels */
     LINE = 19,  /* height of a line of the caption */
-    STRIP = 17, /* below the ground, for numbers */
+    STRIP = 17, /* height of the strip below the ground, for numbers */
     MARGIN_LEFT = 52,
     MARGIN_RIGHT = 12,
     MARGIN_BELOW = 50,
-    CLEAR = 6, /* above the tallest domino */
+    CLEAR = 6, /* empty space above the tallest domino */
     ACROSS = SHEET_WIDTH - MARGIN_LEFT - MARGIN_RIGHT
 };
-#define LETTER (0.62 * SMALL) /* the most that a letter is wide */
-#define EDGE   0.02           /* margin at both sides, over the width of what is seen */
+#define LETTER (0.62 * SMALL) /* the largest width of a letter */
+#define EDGE   0.02           /* margin on both sides, as a fraction of the visible width */
 
 const struct marks script_marks = {
     .theta = "\u03b8",
@@ -39,7 +39,7 @@ static int caption_lines(const char *text)
     return lines;
 }
 
-/* Returns the sheet with so many dots above the tallest domino. */
+/* Returns the sheet for a stage, with `room` dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
     int lines = caption_lines(stage->caption) + (stage->row != NULL); /* a line for labels_missing */
@@ -84,7 +84,8 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes tics `step` units apart. Their texts count units, and their places are those on the stage. */
+/* Writes the tics of an axis, `step` units apart. Their labels are in this unit, and their positions are in
+ * the unit of the stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";
@@ -105,12 +106,13 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             "unset grid\nunset key\nset border 1 lc rgb '#404040'\nset tics out nomirror\n",
             MARGIN_LEFT / v->width, 1 - MARGIN_RIGHT / v->width, v->below / v->height,
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
-    /* The tape of a row begins at domino 1. */
+    /* The tape measure of a row begins at domino 1. */
     double from = stage->left < 0 || v->left > 0 ? v->left : 0, up = ruler_step(34 * v->dot / unit.size);
-    while (up * unit.size > v->high - 10 * v->dot) /* a low row has a tic, too */
+    while (up * unit.size > v->high - 10 * v->dot) /* even a low row needs a tic */
         up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
-    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size); /* the unit stands at 0 */
+    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up,
+                unit.size); /* the unit is written at 0 */
     fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
             (MARGIN_LEFT - 12) / v->width, 0.0, SMALL + 1);
     fprintf(script, "set arrow from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,
@@ -119,7 +121,7 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (MARGIN_LEFT + ACROSS / 2.0) / v->width, 9 / v->height, SMALL + 1);
 }
 
-/* Writes a text from a line of the caption on. */
+/* Writes a text into the caption, starting at a line of the caption. */
 static void caption_script(const char *text, const struct sheet *v, int line, FILE *script)
 {
     for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {
@@ -134,7 +136,8 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
 
 /* ---- Labels where there is room ---- */
 
-/* The room of a text: its middle and its size, in dots, from 0 on the ruler and from the ground. */
+/* The rectangle that a text covers: its centre and its size, in dots. x is counted from 0 on the ruler, and y
+ * from the ground. */
 struct box {
     double x, y, wide, high;
 };
@@ -148,8 +151,8 @@ struct labels {
 };
 
 /*
- * Writes a text at x on the ruler, around a height of so many dots, or upright from that height on. Returns
- * false if another text is there.
+ * Writes a text at x on the ruler: centred at `height` dots above the ground or, if `upright` is true,
+ * rotated by 90 degrees and starting at this height. Returns false if the text would overlap another one.
  */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
@@ -170,8 +173,8 @@ static bool label_put(struct labels *l, double x, double height, bool upright, c
     return true;
 }
 
-/* The colours of dominoes differ in lightness, too, so that grey print and colour-blind people keep them
- * apart. */
+/* The colours of dominoes also differ in lightness, so that they can be told apart in grey print and by
+ * colour-blind people. */
 static const char *const fill[PARTS] = {"#f4efe2", "#e8b85a", "#4f95c4", "#c8400c", "#000000"};
 
 static const char *colour_of(const struct drawn *d)
@@ -184,8 +187,8 @@ static struct measured height_of(const struct stage *stage, size_t k)
     return measured(stage->row[k].height, "m", 3);
 }
 
-/* Writes the height of a domino for people, with the word that marks it. Returns false if the dominoes beside
- * it leave no room for the text, or if the height is that of the domino before. */
+/* Writes the height of a domino as a label and, if the domino is marked, why it is marked. Returns false if
+ * the neighbouring dominoes leave no room for the label. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -199,15 +202,16 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     return drawn_marked(d) || (before > half && after > half);
 }
 
-/* Returns true for a height that is written once, at a domino before this one. */
+/* Returns true if the height of a domino need not be written, because it is the same as that of the domino
+ * before. */
 static bool height_repeats(const struct stage *stage, size_t k)
 {
     return k > 0 && !drawn_marked(&stage->domino[k]) &&
            strcmp(height_of(stage, k - 1).text, height_of(stage, k).text) == 0;
 }
 
-/* Puts the number of a domino below the ground, and its height above it. Returns false if one of them has no
- * room. */
+/* Writes the number of a domino below the ground, and its height above the domino. Returns false if there is
+ * no room for one of the two. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -223,7 +227,8 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* Puts the gap before a domino between the feet where it is wide enough, upright if need be. */
+/* Writes the size of the gap before a domino into the gap if it is wide enough, rotated by 90 degrees if need
+ * be. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -235,8 +240,8 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 }
 
 /*
- * Writes below the caption which dominoes have no labels, and how tall they are, if that fits a line: in a
- * long row there may be many runs of them.
+ * Writes a line below the caption with the dominoes that have no labels, and with their heights. Leaves the
+ * line out if it would be too long, as it may be in a long row.
  */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
@@ -264,8 +269,8 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
 }
 
 /*
- * Writes numbers, heights and gaps where there is room: those of the marked dominoes first, then from the
- * front, where a row that grows has its largest dominoes; gaps last.
+ * Writes numbers, heights and gaps where there is room. The marked dominoes come first, then the others from
+ * the front, where a growing row has its largest dominoes, and then the gaps.
  */
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {
@@ -344,7 +349,7 @@ void sheet_palette(const struct sheet *v, int shift, FILE *script)
             k + 1, 1.5 / v->width, 1.5 / v->height, colour[k]);
 }
 
-/* Writes the outlines of the dominoes of one part as closed curves. Returns how many there are. */
+/* Writes the outlines of all dominoes in one state as closed curves. Returns the number of these dominoes. */
 static int part_script(const struct stage *stage, const struct sheet *v, enum part part, FILE *script)
 {
     int count = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A stage in characters, to scale: a character is twice as high as wide. */
+/* Draws a stage with characters, to scale. A character is assumed to be twice as high as it is wide. */
 #include "answer/wrap.h"
 #include "picture/stage.h"
 #include <math.h>
@@ -13,8 +13,8 @@ enum {
 
 struct grid {
     struct canvas canvas;
-    double left, unit; /* the place on the stage where the canvas begins, and the width of a column */
-    int ground;        /* the row of the ground */
+    double left, unit; /* position on the stage where the canvas begins, and width of a column */
+    int ground;        /* row of the canvas in which the ground is drawn */
 };
 
 struct marks text_marks(struct look look)
@@ -40,15 +40,15 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
-/* Fills a domino with a letter, at points closer than the characters. The edges are left out, since they
- * would make the domino a character wider. */
+/* Fills a domino with a letter, by sampling points that are closer together than the characters. Points on
+ * the edges are left out, because they would make the domino one character wider. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
     const char mark[2] = {(char)(k->part == ENDS      ? 'X'
                                  : k->part == WEAKEST ? '*'
                                  : k->number < 0      ? '#'
                                                       : '0' + k->number % 10)};
-    /* Only the next domino of a train may be taller than the picture, and that stands upright. */
+    /* Only the next domino of a train may be taller than the picture, and this domino stands upright. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;
@@ -63,7 +63,7 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
         }
 }
 
-/* Draws the outline of a domino, and fills a marked one. */
+/* Draws the outline of a domino, and fills it if the domino is marked. */
 static void domino_outline(struct grid *g, const struct drawn *k)
 {
     struct canvas *c = &g->canvas;
@@ -101,7 +101,7 @@ static void dominoes_draw(struct grid *g, const struct stage *stage)
 
 /* ---- The ruler and the numbers ---- */
 
-/* Writes a text around a column, unless another text is in its place. */
+/* Writes a text that is centred on a column, unless it would overlap another text. */
 static void label_put(struct canvas *c, int column, int row, const char *text)
 {
     int n = (int)strlen(text), from = column - n / 2;
@@ -112,7 +112,7 @@ static void label_put(struct canvas *c, int column, int row, const char *text)
     canvas_text(c, from, row, text, INK_TEXT);
 }
 
-/* Writes the heights from the row `top` on, and the ground with the ruler. */
+/* Draws the scale of heights from the row `top` down, and the ground with the ruler. */
 static void ruler_draw(struct grid *g, const struct stage *stage, int top)
 {
     struct canvas *c = &g->canvas;
@@ -137,7 +137,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
     }
 }
 
-/* Writes the numbers of the dominoes: those of the marked ones first, which so have room. */
+/* Writes the numbers of the dominoes. The marked dominoes come first, so that their numbers find room. */
 static void numbers_draw(struct grid *g, const struct stage *stage)
 {
     struct canvas *c = &g->canvas;
@@ -173,7 +173,7 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     g.unit = across > up ? across : up;
     g.left = stage->left - (LEFT + 1) * g.unit;
     dominoes_draw(&g, stage);
-    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows are not written */
+    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows at the top are not printed */
         for (int column = 0; column < width && blank; column++)
             blank = canvas_blank(&g.canvas, column, top);
     ruler_draw(&g, stage, top);

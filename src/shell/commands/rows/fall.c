@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fall and verdict: both run the row of the scene once; fall lists the dominoes, and verdict gives the
- * result. */
+/* The commands fall and verdict. Both run the row of the scene once; fall lists the dominoes, and verdict
+ * prints only the result. */
 #include "commands/rows/rows.h"
 #include "commands/walk.h"
 #include "language/quad.h"
@@ -43,7 +43,8 @@ static bool is_slippery(const struct scene_row *scene)
     return scene->row.engine && isfinite(scene->engine.effects.feet);
 }
 
-/* Returns how far the foot of domino k, counted from 0, has slid, or NaN without the engine. */
+/* Returns how far the foot of domino k, counted from 0, has slid. Returns NaN if the engine did not run the
+ * row. */
 static domq_real foot_slid(const struct scene_row *scene, size_t k)
 {
     return scene->row.engine ? (domq_real)scene->report.hit[k].slid : DOMQ_NAN;
@@ -91,7 +92,7 @@ static void verdict_say(struct answer *a, const struct falling *f)
     weakest_say(a, v);
 }
 
-/* Says which foot slides the farthest, compared with the height of its domino. */
+/* Prints which foot slides the farthest relative to the height of its domino. */
 static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
 {
     size_t most = 0;
@@ -109,7 +110,7 @@ static void slide_say(struct answer *a, const struct scene_row *scene, size_t hi
                    foot_slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
 }
 
-/* If the engine ran the row, says how far feet slide and how accurate the engine is. */
+/* If the engine ran the row, prints how far feet slide and how accurate the engine is. */
 static void engine_say(struct answer *a, const struct row_run *run)
 {
     const struct engine_settled *s = &run->scene.report.settled;
@@ -124,7 +125,8 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves out columns. People see energies as percentages, and in J if masses are known. */
+/* Leaves out the columns that are not needed. People see energies as percentages, and also in J if masses are
+ * known. */
 static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
     bool people = answer_for_people(a);
@@ -144,7 +146,7 @@ static void columns_choose(struct answer *a, const struct scene_row *scene, bool
         answer_leave_out(a, "slid");
 }
 
-/* Keeps the last domino that was hit, and what feet need. */
+/* Stores the last domino that was hit, and updates the friction that feet need. */
 static bool fall_note(const struct domq_fall *fall, void *context)
 {
     struct falling *f = context;
@@ -188,13 +190,13 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
-    if (answer_for_people(a)) /* who get the same in sentences */
+    if (answer_for_people(a)) /* people get the same result in sentences */
         answer_keep(a, cells);
     else
         answer_row(a, cells, falls ? NULL : reason);
 }
 
-/* Runs the row and writes the answer of fall, which lists the dominoes, or of verdict. */
+/* Runs the row, and prints the answer of fall if `listed` is true, or else of verdict. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};

@@ -33,12 +33,12 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 {
     if (!row_run_begin(query, problem, run))
         return false;
-    run->scene.row.floor = false; /* no picture shows it */
+    run->scene.row.floor = false; /* no picture shows the friction that feet need */
     run->fall = calloc(run->scene.row.count, sizeof *run->fall);
     enum dom_status status =
         run->fall ? domq_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
                   : DOM_NO_MEMORY;
-    run->timeless = timed && status == DOM_NO_MARGIN; /* the row falls nevertheless */
+    run->timeless = timed && status == DOM_NO_MARGIN; /* the verdict is known, but not all times */
     if (status == DOM_OK || run->timeless)
         return true;
     row_run_free(run);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Running the row of the scene, with the model or the rigid-body engine, and words about the result. */
+/* Runs the row of the scene with the model or the rigid-body engine, and describes the result in words. */
 #ifndef SHELL_FALLING_H
 #define SHELL_FALLING_H
 
@@ -7,7 +7,8 @@
 
 /* ---- A run of the row ---- */
 
-/* Do not copy this struct: the engine has a pointer to the report inside it. */
+/* The row of the scene and the result of running it. Do not copy this struct: the engine has a pointer to the
+ * report inside it. */
 struct row_run {
     struct scene_row scene; /* includes the report of the engine, if the engine runs the row */
     struct domq_verdict verdict;
@@ -16,13 +17,13 @@ struct row_run {
     bool timeless; /* a domino almost stops, so that the times after it cannot be computed */
 };
 
-/* Makes the row of the scene without running it. Returns false with a problem, and then nothing needs to be
- * freed. */
+/* Makes the row of the scene without running it. If this fails, sets *problem and returns false; nothing
+ * needs to be freed then. */
 bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
 void row_run_free(struct row_run *run);
 
-/* Makes the row of the scene for a picture, runs it, and keeps every hit. The hits have times only if `timed`
- * is true. Returns false with a problem, and then nothing needs to be freed. */
+/* Makes the row of the scene for a picture, runs it, and stores every hit. The hits have times only if
+ * `timed` is true. If this fails, sets *problem and returns false; nothing needs to be freed then. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
 /* Returns true if k is 0 and the first domino is not pushed, but tipped until it falls by itself. */
@@ -30,8 +31,8 @@ bool row_run_tipped(const struct row_run *run, size_t k);
 
 /* ---- Words and numbers ---- */
 
-/* Returns a cell for a narrow column: a number without an error bound, which has this many digits in a table.
- */
+/* Returns a cell with a number for a narrow column: without an error bound, and in tables with this many
+ * digits. */
 struct cell cell_narrow(domq_real value, int digits);
 
 /* Rounds a positive number up or down to this many significant digits. Other numbers are returned unchanged.
@@ -42,7 +43,7 @@ struct words {
     char text[CELL_TEXT + 40];
 };
 
-/* Returns "96 % of the energy that it needs", or "12 times the energy that it needs". */
+/* Returns a phrase such as "96 % of the energy that it needs" or "12 times the energy that it needs". */
 struct words energy_words(domq_real share);
 
 /* Returns "All 8 fall", "Both fall" or "It falls". */
@@ -52,10 +53,11 @@ struct words all_fall_words(size_t count);
  * needs none, or if no energy is enough. */
 domq_real fall_share(const struct domq_fall *fall);
 
-/* Says which domino has the least energy to spare, unless no domino is known to. */
+/* Prints which domino has the least energy to spare, if this is known. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict);
 
-/* Describes a problem with the row of the scene from a status other than DOM_OK. Returns false. */
+/* Sets *problem after a computation about the row of the scene that ended with a status other than DOM_OK.
+ * Returns false. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 
 #endif

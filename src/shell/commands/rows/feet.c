@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The friction of the floor that feet need: in a train for 'slip', and in a row for 'fall'. */
+/* How much friction of the floor keeps feet from slipping: in a train for 'slip', and in a row for 'fall'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
@@ -24,7 +24,7 @@ void feet_add(struct feet *feet, const struct domq_fall *f)
     needs_add(&feet->hit, (struct slip){f->floor_hit, f->floor_hit_domino, f->domino}, feet->floor);
 }
 
-/* Returns "of domino 2, while domino 3 falls". */
+/* Returns a phrase such as "of domino 2, while domino 3 falls". */
 static struct words foot_words(const struct slip *slip, bool hit)
 {
     struct words words;
@@ -55,7 +55,8 @@ static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_re
                    (double)floor, foot_words(&n->first, hit).text, measured(n->first.needs, "", 4).text);
 }
 
-/* Says what it means for the answer that feet slip, either while dominoes fall or only in a collision. */
+/* Prints how slipping feet affect the answer. `in_motion` is true if feet slip while dominoes fall, and false
+ * if they slip only in a collision. */
 static void slip_matters_say(struct answer *a, bool in_motion)
 {
     answer_say(

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* mend: the smallest change of one gap that saves a row. */
+/* The command mend, which finds the smallest change of a single gap that saves a row. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Studies of placement that are computed in parts, and the answer of a study. A study counts how many random
- * rows fall, and counts can be added. Each part of a study writes the counts of some blocks of 100 rows, and
- * 'pool' reads the blocks of all parts, adds them up and gives the answer that 'placement' would have given.
+ * Studies of random errors of placement that are computed in parts. A study counts how many random rows fall,
+ * and such counts can be added. Each part of a study writes the counts for some blocks of 100 rows. The
+ * command pool reads the blocks of all parts, adds them up, and prints the answer that 'placement' would have
+ * printed.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
@@ -27,8 +28,9 @@ const struct column placement_columns[] = {
 };
 
 /*
- * Lists the dominoes at which rows stop, the most frequent first: returns the index of the domino after
- * `last`, or the first one if `last` is count. Returns count at the end of the list.
+ * Steps through the dominoes at which rows stop, from the most frequent to the least frequent one. Returns
+ * the index of the domino after `last`, or of the first domino if `last` is count. Returns count after the
+ * last domino.
  */
 static size_t stop_next(const size_t *stops, size_t count, size_t last)
 {
@@ -113,7 +115,7 @@ static uint32_t scene_checksum(const struct domq_row *row, const struct domq_com
     return sum;
 }
 
-/* The data of a worker. Only the status differs between workers. */
+/* The data of a worker thread. Only the status differs between workers. */
 struct blocks {
     const struct scene_row *scene;
     const struct domq_placement *placement; /* the whole study */
@@ -122,7 +124,8 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes how many rows stop at which domino: "5:12 6:3" for 12 rows at domino 5 and 3 at domino 6. */
+/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5 and 3 at
+ * domino 6. */
 static void stops_text(const size_t *stops, size_t count, char text[STOPS_TEXT])
 {
     int n = 0;
@@ -203,7 +206,7 @@ static const struct csv_column pool_columns[FIELDS] = {
 static const struct csv_kind pool_kind = {
     .column = pool_columns,
     .columns = FIELDS,
-    .headless = true, /* a user may have sorted the lines, with the column names */
+    .headless = true, /* sorting the lines may have moved the column names away from the first line */
     .rows_most = COUNT_MAX,
     .item = "block",
     .items = "blocks of a study",
@@ -233,7 +236,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Parses a text such as "5:12 6:3", adds its counts to p->stops, and returns their sum in *sum. */
+/* Parses a text such as "5:12 6:3", adds its counts to p->stops, and sets *sum to their sum. Returns false if
+ * the text is wrong. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -284,7 +288,8 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes which rows of the study are missing, or "". Returns false with a problem if a row is there twice. */
+/* Writes how many rows of the study are missing, or "" if none is. Returns false with a problem if the file
+ * has a row twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

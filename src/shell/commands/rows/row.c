@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* row, place and rowmax, and the table of the commands about a row. */
+/* The commands row, place and rowmax, and the table of all commands about a row. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -58,14 +58,14 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
 
 /* ---- place ---- */
 
-/* Describes a problem if a gap without a unit is wider than the dominoes on both sides are tall: whoever
- * types 25 means 25 mm, not 25 m. */
+/* Rejects a gap without a unit that is wider than the dominoes on both sides are tall, because a user who
+ * types 25 means 25 mm and not 25 m. If so, sets *problem and returns false. */
 static bool gap_check(const struct query *query, size_t k, domq_real gap, struct problem *problem)
 {
     struct scene_row scene;
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
-    bool is_there = k >= 2 && k <= scene.row.count; /* if it is not, scene_row_place describes the problem */
+    bool is_there = k >= 2 && k <= scene.row.count; /* if not, scene_row_place reports the error */
     domq_real before = is_there ? scene.domino[k - 2].height : gap,
               after = is_there ? scene.domino[k - 1].height : gap;
     free(scene.domino);
@@ -97,7 +97,8 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes the row that the scene has at another growth r, including the gaps that the user has changed. */
+/* Fills in the row that the scene would have with another growth r, including the gaps that the user has
+ * changed with 'place'. */
 static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct scene scene = *(const struct scene *)context;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the files in this folder share, and what the tables of commands need from them. */
+/* Types and functions that the files in this directory share, and the commands that are defined in them. */
 #ifndef SHELL_ROWS_H
 #define SHELL_ROWS_H
 
@@ -14,7 +14,8 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* The friction without which the foot of a domino slips, while another domino, the head, falls or is hit. */
+/* The friction of the floor that keeps the foot of a domino from slipping while the head, often another
+ * domino, falls or is hit. */
 struct slip {
     domq_real needs;     /* infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
@@ -28,22 +29,23 @@ struct feet {
     } motion, hit;               /* while dominoes fall, and in the instant of a hit */
 };
 
-/* feet_begin takes the friction of the floor from the scene, feet_add takes each domino that is hit, and
- * feet_say says how much friction a row of `count` dominoes needs. */
+/* feet_begin takes the friction of the floor from the scene. feet_add is then called for each domino that is
+ * hit. At the end, feet_say prints how much friction the feet of a row of `count` dominoes need. */
 struct feet feet_begin(const struct query *query);
 void feet_add(struct feet *feet, const struct domq_fall *fall);
 void feet_say(struct answer *a, const struct feet *feet, size_t count);
+/* The message for a domino that is lifted off the floor. */
 extern const char foot_lifted[];
 
 /*
- * Writes the answer of 'placement' for a row of `count` dominoes: stops[k] of the rows in the study ended at
- * domino k + 1. If the study is incomplete, `reason` says why; otherwise it is NULL.
+ * Prints the answer of 'placement' for a row of `count` dominoes. stops[k] is the number of rows in the study
+ * that stopped at domino k + 1. If the study is incomplete, `reason` says why; otherwise it is NULL.
  */
 void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
                   const size_t *stops, size_t count, const char *reason);
 
-/* Computes the part of a study that --shard asks for, and writes it as blocks of counts. The blocks are the
- * same for any number of parts. */
+/* Computes the part of a study that the option --shard selects, and prints it as blocks of counts. The blocks
+ * are the same for any number of parts. */
 bool study_blocks(const struct query *query, struct answer *a, struct problem *problem,
                   const struct scene_row *scene, const struct domq_placement *placement);
 

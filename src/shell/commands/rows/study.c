@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* placement and budget, and the table of the commands about rows with random errors. */
+/* The commands placement and budget, and the table of all commands about rows with random errors. */
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -47,8 +47,8 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     size_t *stops = calloc(count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
-    bool interrupted =
-        status == DOM_INTERRUPTED && study.rows > 0 && !a->sink; /* an interrupted sweep has no answer here */
+    /* Within a sweep or an expression, an interrupted study has no answer. */
+    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->sink;
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, p->sigma, p->heights, &study, stops, count, interrupted ? partial : NULL);
@@ -81,7 +81,8 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 or 1000 if the share is a whole number of 100 or of 1000 rows, and 0 if it is neither. */
+/* Returns 100 or 1000 if the share is a whole number of rows out of 100 or out of 1000. Returns 0 if it is
+ * neither. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -90,7 +91,8 @@ static int rows_of(domq_real share)
     return 0;
 }
 
-/* Returns "95 of 100", "999 of 1000", or "99.95 % of the" if neither is exact. */
+/* Returns a phrase such as "95 of 100" or "999 of 1000". If neither form is exact, returns one such as "99.95
+ * % of the". */
 static struct words share_words(domq_real share)
 {
     struct words words;
@@ -102,13 +104,14 @@ static struct words share_words(domq_real share)
     return words;
 }
 
-/* Rounds sigma to two digits, and down, since more rows fall with a smaller sigma. */
+/* Rounds sigma down to two digits. Rounding down is safe, because more rows fall with a smaller sigma. */
 static domq_real two_digits(domq_real sigma)
 {
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* Says how precisely to place the gaps, and how many rows then fall. */
+/* Runs a study with sigma rounded to two digits, and prints how precisely to place the gaps and how many rows
+ * then fall. */
 static enum dom_status budget_say(struct answer *a, const struct trials *t, const struct domq_budget *budget,
                                   domq_real share)
 {
@@ -127,7 +130,7 @@ static enum dom_status budget_say(struct answer *a, const struct trials *t, cons
     return DOM_OK;
 }
 
-/* Says what the search had found when ^C interrupted it. */
+/* Prints what the search had found when ^C interrupted it. */
 static void interrupted_say(struct answer *a, const struct domq_budget *b, domq_real share)
 {
     const bool open = !isfinite(b->high);
@@ -147,7 +150,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(share).text);
-    if (!trials_make(query, problem, rows, false /* nobody knows how many studies the search takes */, &t))
+    if (!trials_make(query, problem, rows, false /* how many studies the search takes is not known */, &t))
         return false;
     enum dom_status status =
         domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement, (double)share, &budget);

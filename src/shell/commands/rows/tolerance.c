@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* tolerance: how far each domino of a row may be off, so that all still fall. */
+/* The command tolerance, which finds how far each domino of a row may differ from its place, its height and
+ * plumb while all dominoes still fall. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -31,9 +32,10 @@ enum { KINDS = DOM_WINDOW_PLUMB + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    struct domq_window
-        *kind[KINDS];    /* by enum dom_window_of, one window for each domino; friction has only [0] */
-    size_t first[KINDS]; /* the number of the domino that first_find finds, or 0 */
+    /* For each kind of window, in the order of enum dom_window_of, the windows of all dominoes. There is only
+     * one window of friction, which is the first element. */
+    struct domq_window *kind[KINDS];
+    size_t first[KINDS]; /* for each kind, the number of the domino that first_find found, or 0 */
     bool falls;
 };
 
@@ -43,16 +45,17 @@ static void search_progress(size_t done, size_t of, void *context)
     progress_show((*search + (double)done / (double)of) / KINDS);
 }
 
-/* Returns how far the value is from the closer end of its window, negative if it is outside. Returns NaN if
- * there is no window. */
+/* Returns the distance of the current value from the nearer end of its window. The distance is negative if
+ * the value is outside the window, and NaN if there is no window. */
 static domq_real room(const struct domq_window *w)
 {
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
 /*
- * Finds the domino whose value is closest to an end of its window: if the row falls, this domino fails first,
- * and if the row does not, it needs the smallest change. Only heights are compared in proportion.
+ * Finds the domino whose current value is closest to an end of its window. If the row falls, this domino has
+ * the least room; if the row does not fall, this domino needs the smallest change. Distances are compared as
+ * they are, except for heights, where they are divided by the height.
  */
 static void first_find(struct windows *w, enum dom_window_of kind)
 {
@@ -67,7 +70,8 @@ static void first_find(struct windows *w, enum dom_window_of kind)
     }
 }
 
-/* Converts a window of angles into one of distances of the top of the domino from plumb. */
+/* Converts a window of lean angles into a window of the distance by which the top of the domino is off plumb.
+ */
 static void lean_to_top(struct domq_window *lean, domq_real height)
 {
     lean->now = height * quad(sin)(lean->now);
@@ -79,7 +83,7 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
 static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
     const struct domq_row *row = &scene->row;
-    const bool leans = !row->engine && row->rho == 0; /* else the library cannot compute them */
+    const bool leans = !row->engine && row->rho == 0; /* otherwise the library cannot compute leans */
     int search = 0;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};
@@ -112,7 +116,7 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
 
 /* ---- For people: rounded inwards ---- */
 
-/* Rounds both ends into the window, by at most a hundredth of its width, so that they have few digits. */
+/* Rounds both ends of a window inwards, by at most a hundredth of its width, so that they have few digits. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
@@ -155,7 +159,7 @@ static void friction_say(struct answer *a, const struct windows *w)
                    now.text);
 }
 
-/* Returns "1.7 mm backwards" or "2 mm forwards". */
+/* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
 static struct words off_plumb(domq_real value, int digits)
 {
     struct words off;
@@ -187,7 +191,8 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Says how many windows of heights are wider than they look, because the search or the model ends there. */
+/* Prints how many windows of heights may really be wider, because they end where the search or the model
+ * ends. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -236,7 +241,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 
 /* ---- The answer ---- */
 
-/* The kinds of windows in the order of the columns, of which each kind has three. */
+/* The kinds of windows, in the order of the columns. Each kind has three columns. */
 static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
                                                   DOM_WINDOW_PLUMB};
 enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
@@ -248,7 +253,7 @@ static void columns_choose(struct answer *a, const struct windows *w)
     for (size_t i = 0; answer_for_people(a) && i < sizeof left_out / sizeof *left_out; i++)
         answer_leave_out(a, left_out[i]);
     for (size_t k = 0; k < w->count; k++)
-        for (int i = 0; i < COLUMN_KINDS; i++) { /* so that both ends of a window have the same unit */
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* gives both ends of a window the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
             answer_largest(a, tolerance_columns[3 * i + 2].key, high);
             answer_largest(a, tolerance_columns[3 * i + 3].key, high);

@@ -6,7 +6,7 @@ static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ...,
 
 /* ---- Parsing ---- */
 
-/* Parses one value. `name` says in messages which value is missing. */
+/* Parses one value. `name` is the name of the value in the message if it is missing. */
 static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
     bool ends = reader_ends(r);
@@ -15,7 +15,7 @@ static bool value_parse(struct reader *r, const struct parameter *p, const char 
                 : item_parse_listed(r, p, item);
 }
 
-/* Parses the rest of a list, after its first value. */
+/* Parses the remaining values of a list, after the first one. */
 static bool list_parse(struct reader *r, struct axis_parsed *axis)
 {
     struct value_parsed **last = &axis->first->next;
@@ -163,7 +163,7 @@ domq_real axis_value(const struct axis *axis, size_t k)
     if (axis->list)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
-    bool is_end = k == 0 || k == axis->count - 1; /* the ends are exactly as typed */
+    bool is_end = k == 0 || k == axis->count - 1; /* the two ends must be exactly as typed */
     domq_real value = axis->logarithmic && !is_end
                           ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                           : (1 - f) * axis->from + f * axis->to;

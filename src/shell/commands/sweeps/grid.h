@@ -10,12 +10,12 @@ struct axis {
     const struct parameter *parameter;
     size_t count;
     domq_real from, to;
-    bool logarithmic;      /* neighbouring values have the same ratio, not the same difference */
+    bool logarithmic;      /* the ratio of neighbouring values is constant, not their difference */
     const domq_real *list; /* the values of a list, or NULL */
 };
 
 struct grid {
-    struct axis axis[ASSIGNED_MAX]; /* the first one changes slowest */
+    struct axis axis[ASSIGNED_MAX]; /* the value of the first axis changes slowest */
     int axes;
     size_t points; /* the product of the counts */
 };
@@ -30,7 +30,7 @@ struct grid_parsed {
         } * first;    /* the first value of a list, or FROM */
         size_t count; /* the number of values in a list, or 0 for FROM TO N */
         struct item to, steps;
-        const char *log_at; /* the place of the word 'log', or NULL */
+        const char *log_at; /* points to the word 'log' in the command, or is NULL */
     } axis[ASSIGNED_MAX];
     int axes;
     size_t listed; /* the number of values in all lists */
@@ -39,7 +39,7 @@ struct grid_parsed {
 /* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Computes the values of a grid in the state of a query. `listed` has room for the values of all lists. */
+/* Evaluates a parsed grid in the state of a query. `listed` must have room for the values of all lists. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                domq_real *listed, struct grid *grid, struct problem *problem);
 

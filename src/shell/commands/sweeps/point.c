@@ -16,7 +16,8 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes a column for each question of a list. The units of expressions are those in the current scene. */
+/* Makes a column for each question of a list. The unit of an expression is the one that its value has in the
+ * current scene. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;
@@ -37,13 +38,14 @@ static void list_columns(struct sweeper *w)
     c->answer[n] = (struct column){NULL, NULL, NULL, 0};
 }
 
-/* Returns the columns of the answer. */
+/* Returns the columns of the answer at each point, without the columns of the grid. */
 static const struct column *answered_columns(const struct sweeper *w)
 {
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Returns true if an argument of the command replaces the parameter that one of its columns repeats. */
+/* Some commands repeat a parameter in a column of their answer. Returns true if an argument of the question
+ * replaces this parameter. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
@@ -85,7 +87,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
 
 /* ---- Rows ---- */
 
-/* Stores the first reason of a point. */
+/* Stores the reason for a missing value, unless the point already has a reason. */
 static void reason_keep(struct sweeper *w, const char *reason)
 {
     if (reason && !*w->reason)
@@ -113,7 +115,8 @@ static int column_find(const struct column *columns, const char *key)
     return -1;
 }
 
-/* The sink for the rows of a point. The columns and units of an answer may differ from point to point. */
+/* The sink of the answer at a point: receives each row, and writes it as a row of the sweep. The columns and
+ * units of an answer may differ from point to point. */
 static void row_take(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct sweeper *w = a->sink_context;
@@ -147,8 +150,8 @@ void point_values(struct sweeper *w, size_t k)
     }
 }
 
-/* Asks a list of questions, and writes their answers as one row. A question without an answer has an empty
- * cell. */
+/* Evaluates a list of questions, and writes their answers as one row. A question without an answer gets an
+ * empty cell. Returns false with w->problem if a question has an error. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -168,7 +171,8 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Asks at point k, and writes the rows to `to`, unless that is NULL. */
+/* Evaluates the question at point k, and writes the rows to `to`, unless `to` is NULL. Returns false with
+ * w->problem if the question has an error. */
 static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
 {
     struct state state;

@@ -5,15 +5,16 @@
 
 #include "commands/sweeps/grid.h"
 
-/* The question that is asked at each point, or a list of questions about one number each. */
+/* The question that is evaluated at each point, or a list of questions, each of which has one number as its
+ * answer. */
 struct point_question {
     struct question question;
-    struct point_question *next; /* NULL after the last question of a list, and without a list */
+    struct point_question *next; /* the next question of the list, or NULL */
 };
 
 enum { SWEEP_REASON = 256 };
 
-/* Counts the points that have no answer, and those where some value is missing for a reason. */
+/* The number of points that have no answer, and of points where a value is missing for a known reason. */
 struct tally {
     size_t without_answer, with_reason;
     size_t first; /* the first point with a reason */
@@ -23,8 +24,8 @@ struct tally {
 /* The columns of a sweep: the parameters of the grid, then the columns of the answer. */
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
-    const char *key[ANSWER_COLUMNS];      /* how the answer calls this column, or NULL */
-    char renamed[ASSIGNED_MAX][40];       /* names such as "rmax.s", if the answer has a column s, too */
+    const char *key[ANSWER_COLUMNS]; /* key of the column in the answer; NULL for a parameter of the grid */
+    char renamed[ASSIGNED_MAX][40];  /* names such as "rmax.s", if the answer has a column s, too */
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
     char unit[ANSWER_COLUMNS][24];        /* the units of expressions in a list */
 };
@@ -35,7 +36,7 @@ struct sweeper {
     const struct point_question *question;
     const struct query *query; /* each point changes a copy of its state */
     const char *command;       /* the name of the sweeping command, for messages */
-    struct means means;        /* the means of each point: no shard */
+    struct means means;        /* the means for each point, without a shard */
     bool styled;               /* the grid changes the number of digits */
     struct answer answer;      /* the answer of the sweep, from which its parts are made */
     struct sweep_columns columns;
@@ -44,7 +45,7 @@ struct sweeper {
     /* The point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
-    struct answer *to;         /* takes the rows, or NULL to drop them */
+    struct answer *to;         /* receives the rows; NULL to discard them */
     bool answered;             /* the answer has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
@@ -60,13 +61,13 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem);
 /* Computes the values of the parameters at point k. */
 void point_values(struct sweeper *w, size_t k);
 
-/* Stores the row of the first point that has an answer in w->sample, and sets w->answered if there is one
- * among the first 256. Returns false with w->problem if the question has an error. */
+/* Looks among the first 256 points for one that has an answer. If there is one, stores its row in w->sample
+ * and sets w->answered. Returns false with w->problem if the question has an error. */
 bool point_probe(struct sweeper *w);
 
-/* The functions `point` and `merge` of struct workers: the first writes the rows of point k, and returns
- * false with w->problem if the question has an error; the second adds the tally of a worker to that of
- * another. */
+/* The callbacks `point` and `merge` of struct workers. point_write writes the rows of point k. It returns
+ * false, with the problem in the sweeper, if the question has an error. sweeper_merge adds the tally of a
+ * worker to that of another one. */
 bool point_write(void *sweeper, size_t k, FILE *out);
 void sweeper_merge(void *sweeper, const void *worker);
 

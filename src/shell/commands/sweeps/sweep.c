@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep: the answers of a command over a grid of parameters and effects. */
+/* The command sweep, which prints the answers of a command at all points of a grid of parameters and effects.
+ */
 #include "commands/sweeps/sweep.h"
 #include "answer/format.h"
 #include "commands/sweeps/point.h"
@@ -29,7 +30,7 @@ bool sweep_parse_grid(struct reader *r, struct question *q)
     return s ? grid_parse(r, &s->grid) : problem_error(r->problem, "out of memory");
 }
 
-/* Lists for names.h the commands that can be swept. */
+/* Lists, in the form that names.h expects, the commands that can be swept. */
 static const char *sweepable_names(const void *context, int k)
 {
     const char *name;
@@ -78,7 +79,7 @@ static bool list_parse(struct reader *r, struct point_question *s)
     return false;
 }
 
-/* Parses what stands after the ':': one answer, or several with commas between them. */
+/* Parses the text after the ':': one answer, or several with commas between them. */
 bool sweep_parse_answers(struct reader *r, struct question *q)
 {
     struct sweep_parsed *s = q->parsed;
@@ -120,7 +121,7 @@ struct sweep_shape sweep_shape(const struct arguments *given)
 
 /* ---- The answer ---- */
 
-/* Announces the values of the grid, on which the units of the columns depend. */
+/* Announces the values of the grid to the answer, because they decide the units of its columns. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
@@ -131,7 +132,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
     }
 }
 
-/* Makes the problem of a point the problem of the sweep. Returns false. */
+/* Sets *problem to the problem of the point that failed, or to an interrupt. Returns false. */
 static bool point_failed(const struct sweeper *w, struct problem *problem)
 {
     if (dom_raised(w->query->scene->compute.interrupt))
@@ -140,8 +141,8 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. What comes before the first row must not depend on which worker computes it,
- * nor on the part that --shard asks for, so it is planned with a sample row. */
+/* Writes the rows of all points. The output before the first row must depend neither on the worker that
+ * computes this row nor on the part that --shard selects, so it is planned with a sample row. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
@@ -161,7 +162,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     return points_answer(w->query, problem, a, workers, &by_point) || (by_point && point_failed(w, problem));
 }
 
-/* Says at how many points something is missing, and why it is missing at the first of them. */
+/* Prints at how many points a value is missing, and why it is missing at the first of these points. */
 static void tally_say(struct sweeper *w, struct answer *a)
 {
     const struct tally *t = &w->tally;

@@ -5,18 +5,20 @@
 
 #include "commands/sweeps/grid.h"
 
-/* Parse the grid and the answers after the ':', and bind both. */
+/* Functions that parse the grid, parse the answers after the ':', and bind both. */
 bool sweep_parse_grid(struct reader *reader, struct question *question);
 bool sweep_parse_answers(struct reader *reader, struct question *question);
 bool sweep_bind(const struct question *question, const struct query *query, struct arguments *given,
                 struct problem *problem);
 
-/* What a bound sweep asks for. */
+/* The grid and the answers of a sweep. */
 struct sweep_shape {
     const struct grid *grid;
     const struct command *command; /* the command that is swept, or the first one of a list */
     const char *typed;             /* the answers as they were typed */
 };
+
+/* Returns the grid and the answers of a sweep whose arguments have been bound. */
 struct sweep_shape sweep_shape(const struct arguments *given);
 
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem);
