@@ -537,7 +537,7 @@ enum dom_status dom_cycle_duration(const struct dom_train *train, const struct d
 struct dom_event {
     enum dom_event_kind kind;
     dom_real theta; /* tilt of the head */
-    dom_real time;  /* since the launch, in tau */
+    dom_real time;  /* time since the launch, in tau */
     size_t domino;  /* number of the domino that detaches; 0 for all other events */
 };
 
@@ -559,7 +559,7 @@ struct dom_state_error {
  */
 struct dom_state {
     dom_real theta;         /* tilt of the head */
-    dom_real time;          /* since the launch, in tau */
+    dom_real time;          /* time since the launch, in tau */
     dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
     dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (21; c3) */
     dom_real kinetic;       /* J(theta) tau^2 omega^2 */
@@ -769,8 +769,8 @@ enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width
  * not check the arguments. */
 dom_real dom_scale_tau(const struct dom_scale *scale, const struct dom_train *train);
 
-/* Returns the front speed in m/s: (s + d) r h divided by the duration of a cycle, which is given in tau. Does
- * not check the arguments. */
+/* Returns the front speed in m/s, which is (s + d) r h divided by the duration of a cycle. `duration` is in
+ * tau. Does not check the arguments. */
 dom_real dom_scale_speed(const struct dom_scale *scale, const struct dom_train *train, dom_real duration);
 
 struct dom_count_error {

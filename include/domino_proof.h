@@ -56,8 +56,8 @@ enum dom_proof_end {
 
 struct dom_proof {
     enum dom_proof_end ends;
-    /* The lowest growth of the proved interval. 1, or for a pair in which equal dominoes fail but larger ones
-     * succeed, a growth at which the pair succeeds. */
+    /* The lowest growth of the proved interval: 1, or a growth at which the pair succeeds if equal dominoes
+     * fail but larger ones succeed. */
     double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */

@@ -104,7 +104,8 @@ void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real r
 
 /*
  * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling
- * domino is the head, and the dominoes before it lean on it until it hits the next one.
+ * domino is the head, and the dominoes behind the head lean on each other and on it until the head hits the
+ * next domino.
  */
 struct dom_engine;
 struct dom_row {
@@ -234,7 +235,7 @@ struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* m, the gap now */
     dom_real to;   /* m, the gap nearest to `gap` that was found to make all dominoes fall, to seven digits */
-    dom_real until; /* m, the farthest: all dominoes fall with every gap from `to` to `until` */
+    dom_real until; /* m, the other end: all dominoes fall with every gap from `to` to `until` */
 };
 
 /*

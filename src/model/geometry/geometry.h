@@ -143,8 +143,8 @@ KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
 }
 
-/* Return i(theta) of struct rounded, the relative moment of inertia of a domino about the line where it
- * touches the floor, and its derivative. */
+/* Return i(theta) of struct rounded, which is the relative moment of inertia of a domino about the line where
+ * it touches the floor, and the derivative of i. */
 KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 {
     const struct rounded *of = &geometry->rounded;
@@ -266,7 +266,8 @@ KERNEL struct tilt geometry_rest(const struct geometry *geometry)
     return geometry->lean == 0 ? standing : tilt_make(sin(geometry->lean), cos(geometry->lean));
 }
 
-/* Returns the slope d theta_1 / d theta when the domino is hit, which is 1 if the domino is plumb. */
+/* Returns the slope d theta_1 / d theta at the moment when the domino is hit. The slope is 1 if the domino is
+ * plumb. */
 KERNEL real geometry_hit_slope(const struct geometry *geometry)
 {
     return geometry->lean == 0 ? 1 : geometry_contact(geometry, geometry_rest(geometry)).step;

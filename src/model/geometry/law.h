@@ -23,7 +23,7 @@ struct rolling {
 struct walk {
     struct link link;
     struct rolling rolling;
-    real theta;             /* the tilt as an angle */
+    real theta;             /* the tilt of the domino as an angle */
     real second_derivative; /* theta_i'' */
 };
 

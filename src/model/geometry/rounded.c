@@ -127,7 +127,7 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* If G is at least this part of l + c, the turn is near pi/2, and turn_near_reach finds it. */
+/* The turn is near pi/2, and found by turn_near_reach, if G is at least this fraction of l + c. */
 #define TURN_NEAR ((real)15 / 16)
 
 /* Returns E of turn_near_reach, which is 0 at the turn pi/2, where the follower is perpendicular to its
