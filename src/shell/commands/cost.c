@@ -255,7 +255,7 @@ static double seconds_for(const struct cost *cost, enum dom_method method, enum 
     for (const struct cost_row *row = cost->row; row < cost->row + cost->rows; row++)
         if (row->method == method && row->precision == precision && row->status == DOM_OK &&
             row->error <= (domq_real)error)
-            least = fmin(least, row->seconds); /* fmin ignores the NaN */
+            least = fmin(least, row->seconds); /* fmin ignores the initial NaN */
     return least;
 }
 

@@ -17,7 +17,7 @@ struct cost_row {
     enum dom_method method;
     enum dom_precision precision;
     double tol;
-    enum dom_status status; /* the members below are valid only if it is DOM_OK */
+    enum dom_status status; /* if it is not DOM_OK, the members below are not set */
     domq_real error;        /* relative error, never less than the error bound of the reference */
     struct dom_work work;
     double seconds; /* shortest time of several runs */

@@ -189,7 +189,8 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Adds a row for each part of the computation of a train or a row. No sum is over more than n dominoes. */
+/* Adds a row for each part of the computation of a train or a row. n is the largest number of dominoes in a
+ * sum. */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;

@@ -8,8 +8,8 @@
 /* A topic of help, with its texts from the tables of commands and parameters. A text that it does not have is
  * NULL. */
 struct topic {
-    const struct command *command;     /* NULL for other topics */
-    const struct parameter *parameter; /* a parameter or an effect; NULL for other topics */
+    const struct command *command;     /* the command; NULL for other topics */
+    const struct parameter *parameter; /* the parameter or effect; NULL for other topics */
     const char *name, *kind, *summary, *equation, *text, *example, *see, *synonyms;
     char usage[96], keys[ANSWER_HEAD], value[VARIABLE_VALUE], shown[EFFECT_EXAMPLE];
 };

@@ -23,7 +23,7 @@ enum ink {
     INKS
 };
 
-/* Returns the colour of an ink, 0xrrggbb. */
+/* Returns the colour of an ink as 0xrrggbb. */
 int ink_colour(enum ink ink);
 
 /* Returns the colour of a shade in 0 .. 1 of the palette viridis, whose brightness rises steadily. */
@@ -54,7 +54,7 @@ struct canvas_cell {
 
 struct canvas {
     struct look look;
-    int width, height; /* in cells */
+    int width, height; /* size of the canvas in cells */
     int across, down;  /* number of dots in a cell, across and down */
     struct canvas_cell *cell;
 };
@@ -75,7 +75,7 @@ enum { DASHES = 5 };
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
-/* Writes a short piece of a curve for a legend. */
+/* Writes a short sample of a curve, with its ink and dash pattern, for a legend. */
 void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
 
 /* Writes text that starts in a cell. Characters outside the canvas are left out. */

@@ -120,7 +120,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Returns a coordinate, but replaces an infinite one, and 0 on a logarithmic axis, by an end of the axis. */
+/* Replaces a coordinate that is infinite, or 0 on a logarithmic axis, by an end of the axis. Returns other
+ * coordinates unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high
@@ -203,7 +204,8 @@ static void tick_add(struct ticks *t, double tick)
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
 {
-    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}}; /* ticks of a decade, from coarse to fine */
+    static const double parts[3][3] = {
+        {1}, {1, 3}, {1, 2, 5}}; /* the ticks of a decade, in three degrees of fineness */
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;
     most = most < TICKS ? most : TICKS;

@@ -27,7 +27,7 @@ struct chart_curve {
     char title[96]; /* title in the legend; "" leaves the curve out of the legend */
     enum chart_kind kind;
     enum ink ink;
-    int dash; /* 0 for an unbroken line */
+    int dash; /* the dash pattern of canvas.h; 0 for an unbroken line */
     struct chart_point *point;
     size_t count, room;
 };
@@ -81,7 +81,7 @@ void chart_range(struct chart *chart, struct chart_curve *curve, double x, doubl
 /* Adds a grey horizontal line all across the chart. */
 void chart_level(struct chart *chart, double y, const char *title);
 
-/* Adds a vertical line with a name. */
+/* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 
 /* Divides all numbers of the chart by the sizes of the units in which they will be shown. */

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLUMNS = 64 /* letters across a picture */, ROOM = 320 };
+enum { COLUMNS = 64 /* width of a picture in letters */, ROOM = 320 };
 #define LETTER 0.016 /* width of a letter, as a fraction of the x axis */
 
 /*
@@ -65,7 +65,7 @@ static void texts_script(const struct chart *c, FILE *out)
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + left + 0.1);
     if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > COLUMNS - 4)
-        above += left; /* the two texts have no room beside each other */
+        above += left; /* there is no room for the two labels side by side */
     above += left > right ? left : right;
     if (right)
         fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", shades,
@@ -76,7 +76,7 @@ static void texts_script(const struct chart *c, FILE *out)
             title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
 }
 
-/* Draws a vertical line with its name for each event. */
+/* For each event, draws a vertical line with the name of the event. */
 static void events_script(const struct chart *c, FILE *out)
 {
     for (int k = 0; k < c->events; k++) {

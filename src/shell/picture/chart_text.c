@@ -6,7 +6,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 /* columns of the y axis */ };
+enum {
+    CHART_TEXT = 192,
+    LEGEND_APART = 3,
+    ROWS_LEAST = 4,
+    AXIS_LEAST = 7 /* first guess of the columns left of the y axis */
+};
 
 /* The part of the canvas between the axes, in cells; bottom is the row of the x axis. */
 struct frame {
@@ -204,7 +209,7 @@ static void axis_x_draw(const struct frame *f)
     text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
 }
 
-/* Draws a vertical line with its name for each event. */
+/* For each event, draws a vertical line with the name of the event. */
 static void events_draw(const struct frame *f)
 {
     const struct chart_curve line = {.ink = INK_GREY, .dash = 2};

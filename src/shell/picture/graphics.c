@@ -67,10 +67,10 @@ static bool ask_sixel(void)
 enum graphics graphics_of(FILE *stream)
 {
     static const char *const kitty[] = {"xterm-kitty", "xterm-ghostty", NULL};
-    static const char *const inside[] = {"tmux", "screen", NULL}; /* these pass on only sixel */
+    static const char *const inside[] = {"tmux", "screen", NULL}; /* multiplexers, which pass on only sixel */
     static const char *const asked[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
                                         "tmux",  "screen", "yaft",   NULL};
-    static int sixel = -1; /* not known yet; the terminal is asked once */
+    static int sixel = -1; /* -1 until the terminal has been asked, which happens only once */
     const char *wanted = getenv("DOMINO_GRAPHICS");
     if (!terminal_colour(stream))
         return GRAPHICS_NONE;

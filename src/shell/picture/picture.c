@@ -37,7 +37,7 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
     pid_t ended;
     while ((ended = waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
         if (dom_raised(interrupt))
-            kill(-child, SIGKILL); /* the whole process group */
+            kill(-child, SIGKILL); /* kills the whole process group of the program */
         nanosleep(&moment, NULL);
     }
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
@@ -120,9 +120,8 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 }
 
 /*
- * Checks that the drawing is complete. gnuplot does not report a full disk, on which the end of the drawing
- * is missing; but then there is no room for another block either. Returns an error number, or 0 if there is
- * room.
+ * Checks that the end of the drawing was not lost because the disk is full, which gnuplot does not report. On
+ * a full disk there is no room for another block either. Returns an error number, or 0 if there is room.
  */
 static int drawing_error(FILE *drawing, long size)
 {

@@ -25,7 +25,7 @@ enum ending_kind {
 struct ending {
     const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
     enum ending_kind kind;
-    const struct format *format; /* for ENDING_DATA */
+    const struct format *format; /* for ENDING_DATA: the format of answers */
     const char *terminal;        /* for ENDING_PICTURE: the gnuplot terminal, with its options */
 };
 const struct ending *ending_of(const char *path);

@@ -94,7 +94,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 
 /* ---- The train ---- */
 
-/* A train that is being put on a stage, from the front to the back. */
+/* The state while the dominoes of a train are put on a stage, from the front to the back. */
 struct filling {
     struct stage *stage;
     double s, r, d, rho;

@@ -15,7 +15,7 @@
 enum {
     CORNERS = 4,
     ARC = 5,               /* points of a rounded edge */
-    OUTLINE = 3 * ARC + 1, /* points of an outline; the lower edge at the back is always sharp */
+    OUTLINE = 3 * ARC + 1, /* most points of an outline, in which the lower back edge is always sharp */
 };
 
 struct point {
@@ -25,7 +25,8 @@ struct point {
 /* The state of a domino, which decides its colour. */
 enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
-/* Numbers of the dominoes in front of the head: the next one, and those beyond it, which show no number. */
+/* The values of drawn.number for the dominoes in front of the head: the next one, and those beyond it, which
+ * have no label. */
 enum { NUMBER_NEXT = -1, NUMBER_NONE = -2 };
 
 /* A domino on a stage. */
@@ -33,10 +34,11 @@ struct drawn {
     int number; /* in a row, from 1; in a train, 0 is the head, and 1, 2, ... are its followers */
     enum part part;
     double height, thickness, theta;
-    double foot;                  /* position of the hinge, its lower front edge while it stands */
-    double radius;                /* radius of its rounded edges; 0 for sharp ones */
-    struct point corner[CORNERS]; /* front foot, front top, back top, back foot, as if edges were sharp */
-    bool touched;                 /* its follower touches it at `contact`; otherwise `contact` is NaN */
+    double foot;   /* position of the hinge, its lower front edge while it stands */
+    double radius; /* radius of its rounded edges; 0 for sharp ones */
+    struct point
+        corner[CORNERS]; /* the corners as if edges were sharp: front foot, front top, back top, back foot */
+    bool touched;        /* its follower touches it at `contact`; otherwise `contact` is NaN */
     struct point contact;
     double force, of_own; /* push at the contact, in m g of the head and of this domino; NaN if unknown */
 };
@@ -44,21 +46,21 @@ struct drawn {
 enum { CAPTION = 1024 };
 
 struct stage {
-    struct drawn *domino; /* the first ones are drawn over the others */
+    struct drawn *domino; /* the dominoes; earlier ones are drawn over later ones */
     size_t count;
     double left, right, top;       /* limits of the visible part */
     const char *unit;              /* unit of lengths: "h", or NULL for m, shown in mm, cm or m */
     const char *ruler;             /* what the ruler measures */
     const struct domq_domino *row; /* if not NULL, the sizes to write where there is room */
     bool forces;                   /* show the forces that are known */
-    char caption[CAPTION];         /* one or more lines */
+    char caption[CAPTION];         /* caption of one or more lines */
 };
 
 /* How a painter marks dominoes, in words for captions. */
 struct marks {
     const char *theta, *weakest, *ends;
     const char *contacts; /* explains the marks in a picture of a train */
-    const char *forces;   /* explains arrows; NULL if there are none, and the caption has the numbers */
+    const char *forces;   /* explains the arrows for forces; NULL if the caption lists the forces instead */
 };
 
 /* Returns the point at a distance in the direction (x, y). */
@@ -67,8 +69,8 @@ static inline struct point along(struct point from, double distance, double x, d
     return (struct point){from.x + distance * x, from.y + distance * y};
 }
 
-/* Sets the corners of a domino from its sizes, its foot and its tilt. A domino with rounded edges has rolled
- * from its foot. */
+/* Computes the corners of a domino from its sizes, its foot and its tilt. A domino with rounded edges rolls
+ * away from its foot as it tilts. */
 void drawn_stand(struct drawn *domino);
 
 /* Writes the points of the outline of a domino. Returns the number of points. */
@@ -127,7 +129,7 @@ enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
 struct sheet {
     double width, height, below, above; /* below and above are margins outside the axes */
     double left, right, low, high;      /* visible part of the stage; low < 0 leaves room for numbers */
-    double dot;                         /* the length of a dot on the stage */
+    double dot;                         /* length of a dot, in the unit of the stage */
 };
 
 extern const struct marks script_marks;

@@ -42,7 +42,7 @@ static int caption_lines(const char *text)
 /* Returns the sheet for a stage, with `room` dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* a line for labels_missing */
+    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* one more line for labels_missing */
     struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);

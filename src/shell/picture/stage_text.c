@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    LEFT = 7,  /* columns for the heights */
+    LEFT = 7,  /* columns for the scale of heights */
     BELOW = 3, /* rows for the ground, the numbers of the dominoes, and the ruler */
     WIDTH_MOST = 200
 };
@@ -151,7 +151,7 @@ static void numbers_draw(struct grid *g, const struct stage *stage)
         }
 }
 
-/* Writes the caption. Returns how many lines it takes. */
+/* Prints the caption. Returns the number of its lines. */
 static int caption_write(const char *text, int width, FILE *out)
 {
     int lines = 0;

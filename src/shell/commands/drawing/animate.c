@@ -21,7 +21,7 @@ struct film {
     struct movie movie;
     struct sheet sheet;
     size_t frames, frame; /* number of all frames, and of the frames drawn so far */
-    int delay;            /* between two frames, in hundredths of a second */
+    int delay;            /* time between two frames, in hundredths of a second */
 };
 
 /* Makes the film. All frames have the size of the picture of `stage`, whose caption must have as many lines
@@ -258,7 +258,7 @@ static bool train_film_make(struct train_film *f)
     f->cycles = f->stops ? 1 : f->cycles;
     f->duration = (double)events[count - 1].time;
     struct place last = place_at(f, (double)INFINITY);
-    double behind = f->pitch * f->r / (f->r - 1); /* the dominoes that lean on the first head */
+    double behind = f->pitch * f->r / (f->r - 1); /* length of the dominoes that lean on the first head */
     double whole = last.begun + f->duration * last.slower;
     f->whole.top = pow(f->r, f->cycles);
     f->whole.right = last.shift + last.scale * f->r * f->pitch + 0.1 * f->whole.top;

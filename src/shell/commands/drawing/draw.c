@@ -202,7 +202,7 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     if (what->train)
-        a->note = NULL; /* the note says that the answer is about the train, as the user requested */
+        a->note = NULL; /* no note that the picture shows the train, because the user asked for the train */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;

@@ -38,7 +38,7 @@ struct fit {
         domq_real gap, speed, error; /* in m and m/s; the error is 0 if it is not known */
     } * row;
     size_t count;
-    bool errors;            /* every speed has an error */
+    bool errors;            /* the errors of all speeds are known */
     enum dom_status status; /* the reason why speed_at last returned NaN */
 };
 
@@ -156,7 +156,7 @@ static double friction_find(struct fit *f)
         }
     }
     double low = fmax(best - step, 0), high = best + step;
-    if (isnan(best) || best == 0) { /* the minimum may be at 0 itself */
+    if (isnan(best) || best == 0) { /* the minimum may be exactly at 0 */
         if (isnan(best) || !(squares_at(step * 1e-6, f) < least))
             return best;
         best = step * 1e-6;
@@ -224,7 +224,7 @@ static void fit_answer(struct answer *a, struct fit *f, double mu, double uncert
     answer_say(a, "The largest residual is %.2g %%.", 100 * worst);
 }
 
-/* Finds the friction from the rows that have been read, and writes the answer. */
+/* Finds the friction from the measured rows of the file, and prints the answer. */
 static bool rows_fit(struct fit *f, struct answer *a, struct problem *problem)
 {
     if (!rows_check(f, problem))

@@ -15,7 +15,7 @@ struct probe {
     const struct parameter *parameter; /* NULL to leave all parameters as they are */
     bool verdict;                      /* the answer is the verdict of the command, as 1 or -1 */
     struct problem problem;            /* why the last evaluation gave no answer */
-    bool wrong;                        /* the question has an error that no value of the parameter avoids */
+    bool wrong;                        /* the question has an error at every value of the parameter */
     struct quantity unit;              /* the unit of the last answer */
 };
 
@@ -44,14 +44,14 @@ struct scan {
     struct root {
         domq_real x, answer;
         const char *branch; /* "rising" or "falling", or on which side of x a verdict is true */
-    } root[ROOTS_MOST];     /* sorted by x */
+    } root[ROOTS_MOST];     /* the roots found so far; at the end they are sorted by x */
     int roots;
     domq_real jump; /* an x at which the answer jumps over the value */
     struct point {
-        domq_real x, f;                /* f is the answer minus the value, or NaN without an answer */
+        domq_real x, f;                /* f is the answer minus the value, or NaN if there is no answer */
     } most, least, point[SCAN_POINTS]; /* the highest and lowest point found, and the points of the grid */
     size_t answers;                    /* the number of points with an answer */
-    char no_answer[PROBLEM_TEXT / 2];  /* why the first point without an answer has none */
+    char no_answer[PROBLEM_TEXT / 2];  /* the reason at the first point that has no answer */
 };
 
 /* Searches the whole range. Returns false after an error or an interrupt, which the caller has to report with

@@ -39,7 +39,7 @@ static const char *form_of(const struct problem *problem)
                : "'solve d : rmax = 5/3', or with a range 'solve d 0.05 0.3 : rmax = 5/3'";
 }
 
-/* The arguments of 'solve' and 'watch' as they were parsed. Items that were not typed are zero. */
+/* The arguments of 'solve' and 'watch' as they were parsed. An item that the user did not type is zero. */
 struct solve_parsed {
     const struct parameter *parameter;
     const struct usual_range *usual;

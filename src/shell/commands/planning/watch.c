@@ -23,9 +23,9 @@ struct watch {
     const struct solve *solve;
     struct probe probe;
     double from, to;
-    double curve[STEPS / COARSE + 1]; /* NaN where there is no answer */
+    double curve[STEPS / COARSE + 1]; /* the answers along the curve; NaN if there is no answer */
     double x;                         /* the value of the parameter at the moving point */
-    int step;                         /* the nearest small step, 0 .. STEPS */
+    int step;                         /* number of the small step nearest to x, 0 .. STEPS */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;
 };
 
@@ -106,7 +106,7 @@ static void keys_take(struct watch *w, const char *key, ssize_t count)
     }
 }
 
-/* Handles keys until one of them, a signal or the end of the input ends the command. */
+/* Handles keys until a key, a signal or the end of the input ends the command. */
 static void watch_run(struct watch *w, FILE *out)
 {
     struct pollfd input = {.fd = STDIN_FILENO, .events = POLLIN};

@@ -21,7 +21,7 @@ static const char *least_names(const void *context, int k)
     return names[k];
 }
 
-/* The wishes as they were parsed. Items that were not typed are zero. */
+/* The wishes as they were parsed. An item that the user did not type is zero. */
 struct wishes_parsed {
     struct item value[MINIMISE];
     enum dom_least least;

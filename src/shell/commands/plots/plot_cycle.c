@@ -24,7 +24,7 @@ struct cycle {
     domq_real end; /* the largest tilt of the head in the chart */
 };
 
-/* The tilts of the first dominoes at one tilt of the head. */
+/* The tilts of the head and its first followers at one moment. */
 struct tilts {
     domq_real theta[LINES];
     int count;

@@ -28,7 +28,7 @@ struct plot_rows {
     char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
     struct plot_row {
         double number[ANSWER_COLUMNS]; /* NaN for a word or a missing number; angles in the session's unit */
-        char word[32];                 /* the first cell as csv would write it */
+        char word[32];                 /* the text of the first cell, as in csv */
     } * row;
     size_t count;
 };
@@ -62,7 +62,7 @@ struct plot {
     const char *keys; /* the keys of its columns, with blanks between them */
     const char *title;
     struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
-    struct plot_curve curve[PLOT_CURVES]; /* ends with a NULL title if there are fewer */
+    struct plot_curve curve[PLOT_CURVES]; /* if there are fewer, a NULL title ends the list */
     /* If not NULL, this function draws the rows, and the axes and curves above are not used. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);

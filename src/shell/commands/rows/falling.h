@@ -12,7 +12,7 @@
 struct row_run {
     struct scene_row scene; /* includes the report of the engine, if the engine runs the row */
     struct domq_verdict verdict;
-    struct domq_fall *fall; /* filled by row_run: one for each domino that was hit, in order */
+    struct domq_fall *fall; /* filled by row_run: an element for each domino that was hit, in order */
     size_t hits;
     bool timeless; /* a domino almost stops, so that the times after it cannot be computed */
 };
@@ -26,7 +26,8 @@ void row_run_free(struct row_run *run);
  * `timed` is true. If this fails, sets *problem and returns false; nothing needs to be freed then. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
-/* Returns true if k is 0 and the first domino is not pushed, but tipped until it falls by itself. */
+/* Returns true if domino k, counted from 0, is the first domino and starts the row without a push: it is
+ * tipped until it falls by itself. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
 /* ---- Words and numbers ---- */
@@ -46,7 +47,7 @@ struct words {
 /* Returns a phrase such as "96 % of the energy that it needs" or "12 times the energy that it needs". */
 struct words energy_words(domq_real share);
 
-/* Returns "All 8 fall", "Both fall" or "It falls". */
+/* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
 struct words all_fall_words(size_t count);
 
 /* Returns the energy of a domino just after it is hit, divided by the energy that it needs. Returns NaN if it
@@ -56,7 +57,7 @@ domq_real fall_share(const struct domq_fall *fall);
 /* Prints which domino has the least energy to spare, if this is known. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict);
 
-/* Sets *problem after a computation about the row of the scene that ended with a status other than DOM_OK.
+/* Reports why a computation about the row of the scene failed. `status` is its result, and is not DOM_OK.
  * Returns false. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 

@@ -118,7 +118,7 @@ static uint32_t scene_checksum(const struct domq_row *row, const struct domq_com
 /* The data of a worker thread. Only the status differs between workers. */
 struct blocks {
     const struct scene_row *scene;
-    const struct domq_placement *placement; /* the whole study */
+    const struct domq_placement *placement; /* the parameters of the whole study */
     char checksum[16];
     struct answer answer;
     enum dom_status status;
@@ -145,7 +145,7 @@ static bool block_write(void *own, size_t block, FILE *out)
     size_t *stops = calloc(count, sizeof *stops);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* because whole blocks are computed in parallel */
+    p.parallel = NULL; /* the rows of a block are not computed in parallel, because whole blocks are */
     b->status =
         stops ? domq_placement_study(&b->scene->row, &b->scene->compute, &p, &study, stops) : DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
@@ -169,7 +169,7 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
     snprintf(b.checksum, sizeof b.checksum, "x%08x", (unsigned)scene_checksum(&scene->row, &scene->compute));
     a->columns = block_columns;
     a->rows = true;
-    a->style.errors = false; /* counts are exact */
+    a->style.errors = false; /* counts are exact, and have no error bounds */
     answer_plan(a, NULL);
     b.answer = *a;
     const struct workers workers = {.points = (placement->rows + BLOCK_ROWS - 1) / BLOCK_ROWS,

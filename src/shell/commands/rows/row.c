@@ -35,7 +35,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     if (!has_leans)
         answer_leave_out(a, "lean");
     a->csv.units = true;
-    a->style.errors = false; /* 'effect row FILE' does not read columns of errors */
+    a->style.errors = false; /* 'effect row FILE' cannot read columns with error bounds */
     a->csv.extra = a->path ? query->scene->listed.others : NULL;
     for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
         for (size_t k = 0; k < scene.row.count && !answer_lost(a); k++) {

@@ -17,7 +17,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 /* The friction of the floor that keeps the foot of a domino from slipping while the head, often another
  * domino, falls or is hit. */
 struct slip {
-    domq_real needs;     /* infinite if the domino is lifted off the floor */
+    domq_real needs;     /* the friction; infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
 };
 

@@ -14,7 +14,8 @@ struct trials {
     struct task_pool pool;
 };
 
-/* Makes the row and its random errors. Returns false with a problem, and then nothing needs to be freed. */
+/* Makes the row and the parameters of its random errors. If this fails, sets *problem and returns false;
+ * nothing needs to be freed then. */
 static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
                         struct trials *t)
 {
@@ -47,7 +48,7 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     size_t *stops = calloc(count, sizeof *stops);
     enum dom_status status =
         stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
-    /* Within a sweep or an expression, an interrupted study has no answer. */
+    /* Within a sweep, an interrupted study has no answer. */
     bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->sink;
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
     if (status == DOM_OK || interrupted)

@@ -129,7 +129,7 @@ static struct domq_window readable(const struct domq_window *w)
     return r;
 }
 
-enum { DIGITS = 6, DIGITS_NOW = 4 /* nobody reads a tape measure more precisely */ };
+enum { DIGITS = 6, DIGITS_NOW = 4 /* a tape measure cannot be read more precisely */ };
 
 static struct measured length(domq_real value)
 {

@@ -99,7 +99,8 @@ static void row_write(struct sweeper *w, const struct cell *row, const char *rea
     reason_keep(w, reason);
     if (!w->to)
         return;
-    /* A table has no column for reasons; the other formats have one in every row. */
+    /* A table for people has no column for reasons. In the other formats every row has a reason, which may be
+     * "". */
     answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
     if (*w->to->late_reason)
         reason_keep(w, w->to->late_reason);
@@ -185,10 +186,10 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
     problem_begin(&w->problem, w->command);
     bool is_assigned = query_with(w->query, w->assigned, w->grid->axes, &state, &at, &w->problem);
     at.means = &w->means;
-    state.settings.threads = 1; /* because whole points are computed in parallel */
+    state.settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
     if (w->styled) {
         struct answer_style style = state_style(&state);
-        style.digits = a.style.digits; /* the width of a column must not change */
+        style.digits = a.style.digits; /* otherwise the width of a column would change */
         style.format = a.style.format; /* a plot chooses the format itself */
         a.style = style;
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The answers at one point of a sweep. */
+/* Computes the answers at the points of a sweep. */
 #ifndef SHELL_POINT_H
 #define SHELL_POINT_H
 
@@ -17,7 +17,7 @@ enum { SWEEP_REASON = 256 };
 /* The number of points that have no answer, and of points where a value is missing for a known reason. */
 struct tally {
     size_t without_answer, with_reason;
-    size_t first; /* the first point with a reason */
+    size_t first; /* index of the first point where a value is missing for a known reason */
     char reason[SWEEP_REASON];
 };
 
@@ -25,7 +25,8 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key of the column in the answer; NULL for a parameter of the grid */
-    char renamed[ASSIGNED_MAX][40];  /* names such as "rmax.s", if the answer has a column s, too */
+    char renamed[ASSIGNED_MAX]
+                [40]; /* names such as "rmax.s" for columns of the answer that are called like a parameter */
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
     char unit[ANSWER_COLUMNS][24];        /* the units of expressions in a list */
 };
@@ -34,19 +35,19 @@ struct sweep_columns {
 struct sweeper {
     const struct grid *grid;
     const struct point_question *question;
-    const struct query *query; /* each point changes a copy of its state */
+    const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the sweeping command, for messages */
     struct means means;        /* the means for each point, without a shard */
     bool styled;               /* the grid changes the number of digits */
     struct answer answer;      /* the answer of the sweep, from which its parts are made */
     struct sweep_columns columns;
-    struct cell sample[ANSWER_COLUMNS]; /* set by point_probe */
+    struct cell sample[ANSWER_COLUMNS]; /* a row of the sweep, set by point_probe */
     struct tally tally;
     /* The point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
     struct answer *to;         /* receives the rows; NULL to discard them */
-    bool answered;             /* the answer has at least one row */
+    bool answered;             /* the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
 };
