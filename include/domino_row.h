@@ -44,7 +44,7 @@ enum dom_design_limit {
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
     DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
-    DOM_DESIGN_FAILED  /* trains or rows could not be computed; `needs` is the s of one of them */
+    DOM_DESIGN_FAILED  /* trains or rows could not be computed; `needs` is the s of one train or row */
 };
 
 /* What dom_row_windows changes. */

@@ -13,7 +13,7 @@ struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_fuel fuel;
-    dom_real effect[DOM_DYNAMICS_COUNT]; /* values by enum dom_effect_name; 0 means off */
+    dom_real effect[DOM_DYNAMICS_COUNT]; /* indexed by enum dom_effect_name; 0 means off */
     enum dom_precision precision;
     enum dom_method method;
     bool errors;
