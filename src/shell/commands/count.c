@@ -77,7 +77,8 @@ static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-/* Calls kind_say for each kind of domino that has a name, and for the kind of the session if it has none. */
+/* Calls kind_say for each kind of domino that has a name. If the kind of the session has no name, calls
+ * kind_say for this kind, too. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height)
 {

@@ -272,8 +272,8 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
     struct topic topic;
     if (!people)
         topic_rows_begin(a);
-    for (int details = 0; details < 2;
-         details++) /* topics about the word come before those that only mention it */
+    /* Topics about the word come before those that only mention it in their details. */
+    for (int details = 0; details < 2; details++)
         for (int k = 0; topic_at(k, &topic); k++) {
             bool is_about = topic_mentions(&topic, word);
             if (details ? is_about || !topic_details_mention(&topic, word) : !is_about)

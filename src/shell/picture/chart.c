@@ -204,8 +204,8 @@ static void tick_add(struct ticks *t, double tick)
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
 {
-    static const double parts[3][3] = {
-        {1}, {1, 3}, {1, 2, 5}}; /* the ticks of a decade, in three degrees of fineness */
+    /* The ticks of a decade if there is room for few, some or many. */
+    static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;
     most = most < TICKS ? most : TICKS;

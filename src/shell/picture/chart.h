@@ -109,7 +109,7 @@ struct ticks {
     char text[TICKS][TICK_TEXT];
 };
 
-/* Returns the ticks of an axis, of which there are about `most` or fewer. */
+/* Returns the ticks of an axis. Their number is about `most` or less. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /*

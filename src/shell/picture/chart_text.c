@@ -6,12 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum {
-    CHART_TEXT = 192,
-    LEGEND_APART = 3,
-    ROWS_LEAST = 4,
-    AXIS_LEAST = 7 /* first guess of the columns left of the y axis */
-};
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 /* columns of the y axis */ };
 
 /* The part of the canvas between the axes, in cells; bottom is the row of the x axis. */
 struct frame {
@@ -322,9 +317,8 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
     f.bottom = canvas.height - 2 - label_rows;
     int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
-    f.bottom -= legend_rows < room ? legend_rows
-                : room > 0         ? room
-                                   : 0; /* rows that do not fit are left out */
+    /* Rows of the legend that do not fit are left out. */
+    f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0;
     const int rows = f.bottom - f.top;
     const struct ticks ticks = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3);
     f.left = ticks.widest + 3;

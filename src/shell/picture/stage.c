@@ -168,8 +168,8 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
     stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
-    stage->left =
-        stage->left > -1 ? -1 : stage->left; /* the head must be seen, even if the next domino is far away */
+    /* The head must be seen, even if the next domino is far away. */
+    stage->left = stage->left > -1 ? -1 : stage->left;
     train_add(&f, f.r, pitch, 0);
     enum dom_status status = domq_angles_find(train, compute, &angles);
     if (status == DOM_OK)

@@ -36,9 +36,9 @@ struct drawn {
     double height, thickness, theta;
     double foot;   /* position of the hinge, its lower front edge while it stands */
     double radius; /* radius of its rounded edges; 0 for sharp ones */
-    struct point
-        corner[CORNERS]; /* the corners as if edges were sharp: front foot, front top, back top, back foot */
-    bool touched;        /* its follower touches it at `contact`; otherwise `contact` is NaN */
+    /* The corners as if edges were sharp: front foot, front top, back top and back foot. */
+    struct point corner[CORNERS];
+    bool touched; /* its follower touches it at `contact`; otherwise `contact` is NaN */
     struct point contact;
     double force, of_own; /* push at the contact, in m g of the head and of this domino; NaN if unknown */
 };

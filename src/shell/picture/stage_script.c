@@ -111,8 +111,8 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
     while (up * unit.size > v->high - 10 * v->dot) /* even a low row needs a tic */
         up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
-    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up,
-                unit.size); /* the unit is written at 0 */
+    /* The y axis has no tic at 0, where its unit is written. */
+    tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size);
     fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
             (MARGIN_LEFT - 12) / v->width, 0.0, SMALL + 1);
     fprintf(script, "set arrow from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,

@@ -25,8 +25,8 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key of the column in the answer; NULL for a parameter of the grid */
-    char renamed[ASSIGNED_MAX]
-                [40]; /* names such as "rmax.s" for columns of the answer that are called like a parameter */
+    /* Names such as "rmax.s" for columns of the answer that have the name of a parameter. */
+    char renamed[ASSIGNED_MAX][40];
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
     char unit[ANSWER_COLUMNS][24];        /* the units of expressions in a list */
 };

@@ -126,8 +126,8 @@ static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        size_t step =
-            axis->list || axis->count < 3 ? 1 : axis->count - 1; /* without a list, the two ends are enough */
+        /* The two ends are enough if the values are not a list. */
+        size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_largest(a, axis->parameter->name, axis_value(axis, k));
     }
