@@ -193,8 +193,8 @@ static void say_top(const struct place *p)
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
-/* Returns h(theta), the potential energy of a domino relative to the floor at its foot, in units of m g h
- * / 2. */
+/* Returns h(theta) in units of m g h / 2: the potential energy of a domino relative to the floor at its foot.
+ */
 static domq_real height_of(const struct domq_train *train, domq_real theta)
 {
     const domq_real rho = train->rho, alpha = train->alpha, from_plumb = theta + alpha;

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 struct picture {
-    FILE *script; /* commands for gnuplot, of which the first has set its terminal */
+    FILE *script; /* commands for gnuplot; picture_begin has already set the terminal */
     FILE *out;    /* receives the picture */
     const volatile sig_atomic_t *interrupt;
 };

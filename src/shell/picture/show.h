@@ -18,7 +18,7 @@ enum ending_kind {
     ENDING_OTHER,   /* no format has this extension, which is an error */
     ENDING_TEXT,    /* .txt, which is the same as no extension */
     ENDING_DATA,    /* .csv, .json and every other format of answers */
-    ENDING_PICTURE, /* .svg, .png, .pdf */
+    ENDING_PICTURE, /* .svg, .png or .pdf */
 };
 
 /* A file extension and what it decides. */

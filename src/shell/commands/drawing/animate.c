@@ -25,8 +25,8 @@ struct film {
 };
 
 /* Makes the film. All frames have the size of the picture of `stage`, whose caption must have as many lines
- * as the captions of the frames. `watch` passes each frame to film_frame or adds it to film->answer. If it
- * fails, it sets film->problem and returns false. */
+ * as the captions of the frames. `watch` passes each frame to film_frame or adds it to film->answer. If
+ * `watch` fails, it sets film->problem and returns false. */
 static bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
 {
     if (!f->answer) {

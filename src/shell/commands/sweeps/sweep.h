@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parsing, binding and running a sweep, for 'sweep' and 'plot sweep'. */
+/* Functions that parse, bind and run a sweep, for the commands 'sweep' and 'plot sweep'. */
 #ifndef SHELL_SWEEP_H
 #define SHELL_SWEEP_H
 
