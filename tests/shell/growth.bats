@@ -89,3 +89,16 @@ END
     same 'fuel in use' "$(values fuel_paper <<<"$answer")" "$(values fuel <<<"$answer" | head -n 1)"
     same 'its word' paper "$(values value <<<"$answer")"
 }
+
+@test "rmax names both limits where a row needs less growth to start than a train to go on" {
+    answer=$("$DOMINO" -e 'set r 1.64; rmax')
+    for words in '1\.64423 times as large' 'just tips over falls up to growth 1\.59459' \
+        'With growth 1\.64 it needs a push of 6\.766 rad/s'; do
+        grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
+    done
+    "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'just tips over does not fall with any growth'
+    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls up to growth 1\.63'
+    # Both limits are the same where the reach ends them.
+    "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
+    ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is a train that moves'
+}

@@ -99,3 +99,12 @@ root=$BATS_TEST_DIRNAME/../..
         run ! "$root/tests/atlas" other.csv
     done
 }
+
+@test "prove count says what it computes without a proof: whether the row starts" {
+    answer=$(json 'set r 1.64; prove count 112')
+    same 'a train that moves' 'no start' "$(values result <<<"$answer")"
+    grep -q '"reason":"with a first domino that just tips over it ends at domino 2' <<<"$answer"
+    same 'with growth 1.5' 'goes on' "$(json 'prove count 112' | values result)"
+    "$DOMINO" -e 'prove count 112' | grep -q 'Computed, but not proved: .* the row starts'
+    run -1 "$DOMINO" -e 'set r 1.64; assert prove count 112'
+}

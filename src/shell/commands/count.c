@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command count: how many dominoes it takes to topple one of a given height. */
+#include "commands/start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include <string.h>
@@ -11,7 +12,11 @@ const struct column count_columns[] = {
     {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
     {"last_height", "m", "height of the toppled one, first_height r^n", 0},
-    {"feasible", "", "whether such a train can fall, with this s, d, q and r", 8},
+    {"feasible", "", "whether such a row falls when its first domino starts it", 8},
+    {"goes_on", "", "whether an endless train with this growth goes on once it moves", 7},
+    {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},
+    {"push", "rad/s", "the weakest push with which it would fall", 0},
+    {"r_start", "", "the largest growth with which such a row starts and goes on", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -41,31 +46,73 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
     return *why ? DOM_OK : status;
 }
 
-/* Prints whether a train of one kind of domino can fall with the growth train.r, and how many dominoes are
- * enough with the largest growth that this kind allows. */
+/* What is known about a row that would topple a domino of a given height. */
+struct tower {
+    struct domq_count count;
+    struct domq_limit limit; /* of the endless train */
+    const char *stops;       /* why the endless train stops, or NULL */
+    struct start start;      /* of the row, with the domino to topple as its last */
+    struct start_growths growths;
+    bool falls; /* The row falls. */
+};
+
+/* Finds whether a row of the train falls and how large its growth may be. Returns false with a problem. */
+static bool tower_find(const struct query *query, const struct domq_train *train, domq_real height,
+                       struct tower *t, struct problem *problem)
+{
+    const struct domq_compute *compute = &query->scene->compute;
+    enum dom_status status = domq_count_find(query->scene->scale.h, height, train->r, compute, &t->count);
+    if (status == DOM_OK)
+        status = count_feasible(train, compute, &t->stops);
+    if (status == DOM_OK)
+        status = domq_limit_rmax(train, compute, &t->limit);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    t->growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN};
+    if (!start_find(query, train, t->count.dominoes + 1, &t->start, problem) ||
+        (t->limit.ends != DOM_END_NONE &&
+         !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))
+        return false;
+    t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
+    return true;
+}
+
+/* Writes how many dominoes are enough with a growth: "16 dominoes". */
+static const char *enough_text(const struct query *query, domq_real height, domq_real r, char text[96])
+{
+    struct domq_count count;
+    char number[WIDE_TEXT];
+    if (domq_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK &&
+        isfinite(count.dominoes))
+        snprintf(text, 96, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
+                 count.dominoes == 1 ? "" : "es");
+    else
+        snprintf(text, 96, "no number of dominoes is enough");
+    return text;
+}
+
+/* Says for one kind of domino whether the row falls, and how few would be enough with its largest growths:
+ * with that of a train that moves, and with that of a row that has to start. */
 static bool kind_say(const struct query *query, struct answer *a, struct problem *problem,
                      struct domq_train train, domq_real height)
 {
-    const struct domq_compute *compute = &query->scene->compute;
-    struct domq_limit limit;
-    struct domq_count count;
-    char name[32], number[WIDE_TEXT], dominoes[96] = "no number of dominoes is enough";
-    const char *why;
-    enum dom_status status = count_feasible(&train, compute, &why);
-    if (status == DOM_OK)
-        status = domq_limit_rmax(&train, compute, &limit);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    if (limit.ends == DOM_END_NONE) {
-        answer_say(a, "  %-7s no; not even equal dominoes go on", mass_name(train.q, name));
+    struct tower t;
+    char name[32], moving[96], starting[96], starts[192] = "";
+    const char *kind = mass_name(train.q, name),
+               *by = query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself";
+    if (!tower_find(query, &train, height, &t, problem))
+        return false;
+    if (t.limit.ends == DOM_END_NONE) {
+        answer_say(a, "  %-7s no; not even equal dominoes go on", kind);
         return true;
     }
-    if (domq_count_find(query->scene->scale.h, height, limit.r_max, compute, &count) == DOM_OK &&
-        isfinite(count.dominoes))
-        snprintf(dominoes, sizeof dominoes, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
-                 count.dominoes == 1 ? "" : "es");
-    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s", mass_name(train.q, name),
-               why ? "no;" : "yes;", (double)limit.r_max, dominoes);
+    if (isnan(t.growths.r_max) && !t.start.engine)
+        snprintf(starts, sizeof starts, "; none starts %s", by);
+    else if (t.growths.r_max < t.limit.r_max)
+        snprintf(starts, sizeof starts, "; up to %.6g a row starts %s: %s", (double)t.growths.r_max, by,
+                 enough_text(query, height, t.growths.r_max, starting));
+    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind, t.falls ? "yes;" : "no;",
+               (double)t.limit.r_max, enough_text(query, height, t.limit.r_max, moving), starts);
     return true;
 }
 
@@ -111,10 +158,11 @@ static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
     return text;
 }
 
-/* Prints the answer to the quiz in three lines. */
-static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
-                      domq_real height, domq_real first, bool feasible)
+/* Answers the quiz in three lines. */
+static void count_say(struct answer *a, const struct domq_train *train, const struct tower *t,
+                      domq_real height, domq_real first)
 {
+    const struct domq_count *count = &t->count;
     char number[WIDE_TEXT], growth[WIDE_TEXT], nth[WIDE_TEXT + 16];
     if (count->dominoes == 0) {
         answer_say(a, "No domino is needed: the first is already %s tall.\n", measured(first, "m", 6).text);
@@ -123,13 +171,50 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
                quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
                growth_text(train->r, (int)a->style.digits, growth),
-               !feasible              ? "would be needed to topple"
+               !t->falls              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",
                measured(height, "m", 6).text);
     answer_say(a, "toppled: %s; %s is %s tall", measured(count->last, "m", 4).text,
                ordinal(count->dominoes, nth), measured(count->last / train->r, "m", 4).text);
-    answer_say(a, "can it fall? %s\n", feasible ? "yes" : "no");
+    answer_say(a, "can it fall? %s", t->falls ? "yes" : "no");
+}
+
+/* Says what the short answer leaves open: why a row does not fall, and whether it would go on once it moves.
+ */
+static void start_say(const struct query *query, struct answer *a, const struct tower *t)
+{
+    char ends[START_TEXT];
+    if (!t->start.falls) {
+        start_problem(query, &t->start, ends);
+        answer_say(a, "W%s.%s", ends + 1, t->stops ? "" : " A train that already moves goes on.");
+    } else if (t->stops) {
+        answer_say(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count, t->stops);
+    }
+    if (t->start.engine)
+        answer_say(a, "The rigid-body engine ran the row, since %s.", t->start.engine);
+    answer_say(a, "%s", "");
+}
+
+/* Writes why the row does not topple a domino of this height. Returns NULL if it does, or if people have read
+ * the reason already. */
+static const char *count_reason(const struct query *query, const struct answer *a, const struct tower *t,
+                                const struct domq_train *train, char reason[START_TEXT])
+{
+    char name[32];
+    if (!isfinite(t->count.dominoes))
+        snprintf(reason, START_TEXT, "r = 1: the dominoes do not grow, no number of them is enough");
+    else if (t->falls)
+        return NULL;
+    else if (t->stops)
+        snprintf(reason, START_TEXT, "not possible at s = %.6g with %s%s: %s", (double)train->s,
+                 mass_name(train->q, name), parameter_word(parameter_find("q"), train->q) ? " dominoes" : "",
+                 t->stops);
+    else if (answer_for_people(a))
+        return NULL;
+    else
+        start_problem(query, &t->start, reason);
+    return reason;
 }
 
 bool run_count(const struct query *query, struct answer *a, struct problem *problem)
@@ -138,30 +223,27 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     domq_real height = query->given->number[0], first = query->scene->scale.h;
     struct domq_train train = query->scene->train;
     struct domq_count count;
-    const char *why;
-    char reason[160], name[32];
+    struct tower t;
+    char reason[START_TEXT];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
         return problem_no_answer(
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
             domq_arithmetic(compute.precision)->name);
-    enum dom_status status = count_feasible(&train, &query->scene->compute, &why);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    bool feasible = !why, is_enough = isfinite(count.dominoes);
-    if (why)
-        snprintf(reason, sizeof reason, "not possible at s = %.6g with %s%s: %s", (double)train.s,
-                 mass_name(train.q, name), parameter_word(parameter_find("q"), train.q) ? " dominoes" : "",
-                 why);
-    else if (!is_enough)
-        snprintf(reason, sizeof reason, "r = 1: the dominoes do not grow, no number of them is enough");
-    if (is_enough)
-        count_say(a, &train, &count, height, first, feasible);
-    answer_holds(a, feasible && is_enough);
+    if (!tower_find(query, &train, height, &t, problem))
+        return false;
+    bool is_enough = isfinite(count.dominoes), good = t.falls && is_enough;
+    if (is_enough) {
+        count_say(a, &train, &t, height, first);
+        start_say(query, a, &t);
+    }
+    answer_holds(a, good);
     answer_row(a,
                ROW(cell_real(height), cell_real(train.r), cell_count(count.dominoes), CELL_OF(count, exact),
-                   cell_real(first), CELL_OF(count, last), cell_flag(feasible)),
-               feasible && is_enough ? NULL : reason);
+                   cell_real(first), CELL_OF(count, last), cell_flag(t.falls), cell_flag(!t.stops),
+                   t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
+                   cell_unbounded(t.start.push), cell_unbounded(t.growths.r_max)),
+               count_reason(query, a, &t, &train, reason));
     return !answer_for_people(a) || kinds_say(query, a, problem, &train, height);
 }

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
+#include "commands/start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"
+#include <math.h>
 
 /* Returns argument i, or the fallback if the call has no such argument. */
 static domq_real argument_or(const struct arguments *call, int i, domq_real fallback)
@@ -74,6 +76,38 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
+/* If a row that has to start needs less growth than a train that moves, says up to which growth it starts,
+ * and which push it needs with the session's growth. */
+static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
+                           const struct domq_train *train, const struct domq_limit *used)
+{
+    struct start_growths growths;
+    struct start start;
+    char words[START_WORDS], push[96] = "";
+    if (used->ends == DOM_END_NONE)
+        return true;
+    if (!start_growths_find(query, train, used->r_max, &growths, problem))
+        return false;
+    bool starts = !isnan(growths.r_max);
+    if (scene_has_engine(query->scene) || !(growths.r_max < used->r_max || !starts))
+        return true;
+    if (train->r <= used->r_max && !(train->r <= growths.r_max)) {
+        if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
+            return false;
+        if (isfinite(start.push))
+            snprintf(push, sizeof push, " With growth %.6g it needs a push of %.4g rad/s.", (double)train->r,
+                     (double)start.push);
+    }
+    start_words(query, words);
+    if (starts)
+        answer_say(a, "This is a train that moves. A row that starts %s falls up to growth %.6g.%s", words,
+                   (double)growths.r_max, push);
+    else
+        answer_say(a, "This is a train that moves. A row that starts %s does not fall with any growth.%s",
+                   words, push);
+    return true;
+}
+
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct domq_compute compute = query_compute(query);
@@ -90,7 +124,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
                    CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
                no_growth(used));
     rmax_fuels_say(a, &train, &used, &exact, &paper);
-    return true;
+    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used);
 }
 
 static const struct column pair_columns[] = {
@@ -223,9 +257,11 @@ const struct command limit_commands[] = {
      .equation = "(26; c8)",
      .help = "r increases from 1 until a domino has less energy than it needs to topple the next one, or "
              "until it reaches 1/s (less with rounded edges), where a domino falls past the next one without "
-             "touching it.",
+             "touching it. This is the limit of a train that already moves. If a row that starts with a "
+             "first domino that just tips over, or with the push of the session, needs a smaller growth, the "
+             "answer names that limit as well; 'count.r_start' is its value.",
      .example = "set q hollow; rmax 0.3",
-     .see = "best curve pair count",
+     .see = "best curve pair count rowmax",
      .echo = "s",
      .principal = "r_max",
      ANSWER(rmax)},
@@ -264,13 +300,19 @@ const struct command limit_commands[] = {
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
      .summary = "how many dominoes topple one H tall, with growth R (or r)",
-     .help = "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
-             "one that is at least H tall. The n-th domino is smaller than H, and topples the next one.",
+     .help =
+         "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
+         "one that is at least H tall. The n-th domino is smaller than H, and topples the next one. The row "
+         "starts with a first domino that just tips over, or with the push of the session, and 'feasible' "
+         "says whether it falls. If it does not, 'stops_at' is where it ends, and 'push' the weakest push "
+         "with which it would fall. 'goes_on' is about an endless train that already moves, and 'r_start' "
+         "is the largest growth with which a row starts and goes on. The row has the gaps of 's', even if "
+         "the session has another row; the engine runs it if one of the engine's effects is on.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",
      .principal = "dominoes",
-     .holds = "the growth is possible, and enough",
+     .holds = "such a row falls, and grows enough",
      ANSWER(count)},
     {.name = NULL},
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command prove, which computes rigorous bounds of an answer. */
+#include "commands/start.h"
 #include "commands/tables.h"
 #include "domino_proof.h"
 #include "language/quad.h"
@@ -168,6 +169,8 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     struct dom_train train = proof_train(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
+    struct start start;
+    char ends[START_TEXT], words[START_WORDS];
     double least, most;
     enum dom_status status = dom_prove_count((double)query->scene->scale.h, height, train.r, &least, &most);
     if (status == DOM_OK)
@@ -176,19 +179,27 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
         return problem_status(problem, query->scene, status);
     bool is_known = least == most, is_enough = is_known && isfinite(least),
          goes_on = proof.verdict == DOM_PROVED_GOES_ON;
-    answer_holds(a, is_enough && goes_on);
+    if (!start_find(query, &query->scene->train, (domq_real)most + 1, &start, problem))
+        return false;
+    if (!start.falls)
+        start_problem(query, &start, ends);
+    answer_holds(a, is_enough && goes_on && start.falls);
     prove_row(a, train.s, PROVE_COUNT, cell_count(least), cell_count(most),
               !is_known || proof.verdict == DOM_PROVED_NOTHING ? "not proved"
-              : goes_on                                        ? "goes on"
-                                                               : "does not",
+              : !goes_on                                       ? "does not"
+              : start.falls                                    ? "goes on"
+                                                               : "no start",
               proof.work,
-              !is_known    ? "not proved: the last digit of a height or of r decides"
-              : !is_enough ? "r = 1: the dominoes do not grow, no number of them is enough"
-                           : NULL);
+              !is_known                 ? "not proved: the last digit of a height or of r decides"
+              : !is_enough              ? "r = 1: the dominoes do not grow, no number of them is enough"
+              : goes_on && !start.falls ? ends
+                                        : NULL);
     if (is_enough)
         answer_say(a, "Proved: %.0f dominoes are as many as it takes at growth %.12g, and no fewer.", least,
                    train.r);
     say_cycle(query, a, &proof);
+    answer_say(a, "Computed, but not proved: %s %s.", start_words(query, words),
+               start.falls ? "the row starts" : "the row does not start");
     return true;
 }
 
@@ -223,7 +234,7 @@ const struct command prove_commands[] = {
      .help = "'prove rmax S' and 'prove pair S' find two decimals that enclose the largest growth, 'tol' "
              "apart: for every growth up to the first the train goes on, and at the second it stops. 'prove "
              "barrier' and 'prove verdict' are about the growth r, and 'prove count H' is about the number "
-             "of dominoes. The proof covers all tilts, and all growths in between; domino-model(7) explains "
+             "of dominoes; whether such a row also starts is computed, not proved. The proof covers all tilts, and all growths in between; domino-model(7) explains "
              "it. If it fails or is interrupted, the answer is 'not proved', with what has been proved so "
              "far. There are no proofs for friction and slopes.",
      .equation = "(26; c8), section 'A general domino train'",

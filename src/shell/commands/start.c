@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/start.h"
+#include "commands/rows/falling.h"
+#include "language/quad.h"
+#include <stdlib.h>
+
+/*
+ * The number of dominoes that are run to find whether a row starts. A row forgets its start: the energy of
+ * each cycle depends linearly on that of the cycle before it, with a slope below 1, so that it approaches the
+ * energy of the endless train from one side. If this many dominoes fall, and the train goes on, all fall.
+ */
+enum { START_DOMINOES = 64, START_SEARCHED = 24 };
+
+/* A growth is searched to this relative tolerance, and rounded down to START_DIGITS digits. */
+#define START_TOL ((domq_real)1e-9)
+enum { START_DIGITS = 9 };
+
+/* At the largest growth of a train its margin is 0, so that rounding decides whether a row falls there. A
+ * growth that is smaller by less than this share counts as the same. */
+#define START_SAME ((domq_real)1e-8)
+
+/* Makes a copy of the session's scene that has a row of the train's dominoes. The copy borrows its memory. */
+static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
+{
+    struct scene scene = *query->scene;
+    scene.train = *train;
+    effect_put(&scene, DOM_EFFECT_row, (domq_real)count);
+    return scene;
+}
+
+/* Returns true if the size or the mass of a domino is out of range. */
+static bool is_beyond_range(enum dom_status status)
+{
+    return status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS;
+}
+
+/* Returns the push in rad/s that lifts the first domino off the floor: its centre, h/2 above the hinge, then
+ * needs more than the weight of the domino to stay on its circle. */
+static domq_real push_lifting(const struct domq_row *row)
+{
+    return quad(sqrt)(2 * row->g / row->domino[0].height);
+}
+
+bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                struct start *start, struct problem *problem)
+{
+    struct scene_row made;
+    struct domq_verdict verdict;
+    *start = (struct start){.count = dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES,
+                            .push = DOMQ_NAN};
+    struct scene scene = start_scene(query, train, start->count);
+    if (!scene_row_make(&scene, &made, problem))
+        return false;
+    made.row.floor = false;
+    start->engine = made.row.engine ? scene_engine_why(&scene) : NULL;
+    enum dom_status status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
+    /* Dominoes beyond the range of the precision are far behind the start. */
+    while (is_beyond_range(status) && made.row.count > 2) {
+        start->count = made.row.count /= 2;
+        status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
+    }
+    start->falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
+    if (status == DOM_OK && !start->falls) {
+        start->end = verdict.end;
+        start->stops_at = verdict.domino;
+        if (!start->engine)
+            status = domq_row_push(&made.row, &made.compute, push_lifting(&made.row), &start->push);
+    }
+    free(made.domino);
+    return status == DOM_OK || row_status(query, problem, status);
+}
+
+static void start_row(domq_real r, struct domq_domino *domino, size_t count, void *context)
+{
+    struct scene scene = *(const struct scene *)context;
+    scene.train.r = r;
+    scene_row_fill(&scene, domino, count);
+}
+
+bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
+                        struct start_growths *growths, struct problem *problem)
+{
+    struct scene scene = start_scene(query, train, START_SEARCHED);
+    struct scene_row made;
+    struct domq_row_growth found;
+    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN};
+    scene.train.r = 1;
+    if (scene_has_engine(&scene))
+        return true;
+    if (!scene_row_make(&scene, &made, problem))
+        return false;
+    made.row.floor = false;
+    made.compute.tol = quad_larger(made.compute.tol, START_TOL);
+    enum dom_status status = domq_row_rmax(&made.row, &made.compute, highest, start_row, &scene, &found);
+    while (is_beyond_range(status) && made.row.count > 2) {
+        made.row.count /= 2;
+        status = domq_row_rmax(&made.row, &made.compute, highest, start_row, &scene, &found);
+    }
+    free(made.domino);
+    if (status != DOM_OK)
+        return row_status(query, problem, status);
+    *growths = (struct start_growths){
+        found.r_min, found.r_max < highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
+                         ? round_digits(found.r_max, START_DIGITS, false)
+                         : highest};
+    if (isnan(found.r_max))
+        growths->r_max = DOMQ_NAN;
+    return true;
+}
+
+const char *start_words(const struct query *query, char words[START_WORDS])
+{
+    const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
+    if (push->on)
+        snprintf(words, START_WORDS, "with a push of %.4g rad/s", (double)push->value[0]);
+    else
+        snprintf(words, START_WORDS, "with a first domino that just tips over");
+    return words;
+}
+
+const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT])
+{
+    char push[80] = "", words[START_WORDS];
+    if (isfinite(start->push))
+        snprintf(push, sizeof push, "; a push of %.4g rad/s is enough", (double)start->push);
+    else if (!start->engine && start->end != DOM_ROW_MISSES)
+        snprintf(push, sizeof push, "; no push is enough that leaves the first domino on the floor");
+    snprintf(text, START_TEXT, "%s it ends at domino %zu: %s%s", start_words(query, words), start->stops_at,
+             start->end == DOM_ROW_LEANS ? "the first touches the second before it tips over"
+                                         : dom_row_end_text(start->end),
+             push);
+    return text;
+}

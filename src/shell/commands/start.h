@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How a row of the dominoes of a train starts from its standing first domino. A train that moves already may
+ * grow more than a row that has to be started. */
+#ifndef SHELL_START_H
+#define SHELL_START_H
+
+#include "interpreter/command.h"
+
+/* A row whose first domino just tips over, or gets the push of the session. */
+struct start {
+    size_t count; /* the dominoes that were run, START_DOMINOES at most */
+    bool falls;   /* all of them fall */
+    enum dom_row_end end;
+    size_t stops_at;    /* the domino at which the row ends, from 1 */
+    bool has_push;      /* the session pushes the first domino */
+    domq_real push;     /* rad/s, the weakest push with which all of them fall; NaN if none is enough */
+    const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
+};
+
+/* Runs a row of `dominoes` dominoes of the train, or its first dominoes if there are more than matter for the
+ * start. If they do not fall, also finds the weakest push with which they do. Returns false with a problem.
+ */
+bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
+                struct start *start, struct problem *problem);
+
+/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. Both are NaN if there is
+ * no such growth, or if the engine runs rows, which would take too long. Returns false with a problem. */
+struct start_growths {
+    domq_real r_min, r_max;
+};
+bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
+                        struct start_growths *growths, struct problem *problem);
+
+/* Writes "with a first domino that just tips over", or "with a push of 3 rad/s". */
+enum { START_WORDS = 64 };
+const char *start_words(const struct query *query, char words[START_WORDS]);
+
+/* Writes why a row does not fall: "with a push of 3 rad/s it ends at domino 2: its energy is not enough to
+ * tip it over; a push of 6.8 rad/s is enough". */
+enum { START_TEXT = 280 };
+const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
+
+#endif
