@@ -234,7 +234,8 @@ const struct command prove_commands[] = {
      .help = "'prove rmax S' and 'prove pair S' find two decimals that enclose the largest growth, 'tol' "
              "apart: for every growth up to the first the train goes on, and at the second it stops. 'prove "
              "barrier' and 'prove verdict' are about the growth r, and 'prove count H' is about the number "
-             "of dominoes; whether such a row also starts is computed, not proved. The proof covers all tilts, and all growths in between; domino-model(7) explains "
+             "of dominoes; whether such a row also starts is computed, not proved. The proof covers all "
+             "tilts, and all growths in between; domino-model(7) explains "
              "it. If it fails or is interrupted, the answer is 'not proved', with what has been proved so "
              "far. There are no proofs for friction and slopes.",
      .equation = "(26; c8), section 'A general domino train'",
