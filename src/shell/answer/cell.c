@@ -3,6 +3,7 @@
 #include "language/quad.h"
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct cell cell_real(domq_real value)
 {
@@ -159,11 +160,16 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* Most numbers need few digits, and the others need nearly all digits. */
-    for (int n = all < 15 ? all - 2 : 15; n < all; n = n < all - 2 ? all - 2 : n + 1)
-        if (read_back(style, quad_text(cell.number, n, text)) == cell.number)
-            return text;
-    return quad_text(cell.number, all, text);
+    /* Half of the computed numbers need all digits, and most others one less. If the text of that is shorter,
+     * printf has left out zeros at its end, and no digit is too many. */
+    if (read_back(style, quad_text(cell.number, all - 1, text)) != cell.number)
+        return quad_text(cell.number, all, text);
+    char fewer[CELL_TEXT];
+    for (int n = all < 15 ? all - 2 : 15; n < all - 1 && strlen(text) + 1 >= (size_t)all;
+         n = n < all - 2 ? all - 2 : all)
+        if (read_back(style, quad_text(cell.number, n, fewer)) == cell.number)
+            return strcpy(text, fewer);
+    return text;
 }
 
 const char *cell_plain_bound(const struct answer_style *style, struct cell cell, const char *none,

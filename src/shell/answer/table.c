@@ -287,7 +287,9 @@ static void table_sentence(struct answer *a, const char *format, va_list argumen
     text[length - below] = '\0';
     escape_text(text + above, shown, sizeof shown);
     int indent = (int)strspn(shown, " ");
-    fprintf(a->out, "%s%*s", above ? "\n" : "", indent, "");
+    if (above)
+        putc('\n', a->out);
+    field(a->out, "", indent);
     write_wrapped(a->out, pretty(a, shown + indent, line), indent, a->layout.width);
     fputs(below ? "\n\n" : "\n", a->out);
 }

@@ -2,23 +2,31 @@
 #include "interpreter/command.h"
 #include "language/quad.h"
 #include "session/parameters.h"
+#include <limits.h>
 #include <string.h>
 
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands of all groups, in one array. */
+/* All commands of all groups, and for each first letter the commands that begin with it, as 1 + their index
+ * in `every`: first[letter], then next[index] of each. 0 ends such a list. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
+static unsigned char first[UCHAR_MAX + 1], next[COMMANDS_MOST];
 
 void command_registry(const struct command_group *all)
 {
     groups = all;
     every_count = 0;
+    memset(first, 0, sizeof first);
     for (const struct command_group *g = groups; g->title; g++)
-        for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++)
-            every[every_count++] = c;
+        for (const struct command *c = g->commands; c->name && every_count < COMMANDS_MOST; c++) {
+            unsigned char *letter = &first[(unsigned char)*c->name];
+            every[every_count] = c;
+            next[every_count++] = *letter;
+            *letter = (unsigned char)every_count;
+        }
 }
 
 const struct command_group *command_groups(void)
@@ -100,10 +108,10 @@ const char *command_keys(const void *command, int k)
 
 const struct command *command_find(const char *name)
 {
-    for (int k = 0; k < every_count; k++)
-        if (every[k]->name[0] == name[0] && strcmp(every[k]->name, name) == 0)
-            return every[k];
-    return NULL;
+    int k = first[(unsigned char)*name];
+    while (k > 0 && strcmp(every[k - 1]->name, name) != 0)
+        k = next[k - 1];
+    return k > 0 ? every[k - 1] : NULL;
 }
 
 int command_principal(const struct command *c)

@@ -10,17 +10,19 @@ struct lookup {
     struct problem *problem;         /* gets the reason if a command has no answer */
 };
 
-static bool cell_quantity(struct evaluation *e, const char *name, const struct command *c, int i,
-                          const struct cell *cells, struct quantity *result)
+/* Returns the cell that the tree names, in a row of the command to which the tree refers. */
+static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
+                          struct quantity *result)
 {
-    if (cells[i].kind == CELL_WORD)
-        return evaluation_fail(e, "%s.%s is the word '%s', not a number", name, c->columns[i].key,
-                               cells[i].word);
-    if (cells[i].kind == CELL_NONE)
-        return evaluation_no_value(e, "%s.%s does not exist here: '%s' says why", name, c->columns[i].key,
-                                   c->name);
-    *result = expression_unit(c->columns[i].unit);
-    result->value *= cells[i].number;
+    const struct command *c = t->refers;
+    const struct cell cell = cells[t->index];
+    const char *key = c->columns[t->index].key;
+    if (cell.kind == CELL_WORD)
+        return evaluation_fail(e, "%s.%s is the word '%s', not a number", t->name, key, cell.word);
+    if (cell.kind == CELL_NONE)
+        return evaluation_no_value(e, "%s.%s does not exist here: '%s' says why", t->name, key, c->name);
+    *result = t->value;
+    result->value *= cell.number;
     return true;
 }
 
@@ -41,8 +43,7 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
             return false;
     query.given = &given;
     query.next = NULL;
-    return command_keep(&query, c, cells, lookup->problem) &&
-           cell_quantity(e, t->name, c, t->index, cells, result);
+    return command_keep(&query, c, cells, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
 /* Evaluates a function defined by 'let'. The body of the function sees its own arguments, but not those of a
@@ -109,21 +110,20 @@ static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const 
 static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
     const struct lookup *lookup = e->context;
-    const struct parameter *p = t->refers;
     const struct ans *ans = lookup->query->ans;
     const struct tree *child = t->child;
     struct quantity argument[EXPRESSION_ARGUMENTS];
     switch ((enum symbol)t->symbol) {
     case SYMBOL_PARAMETER:
-        *result = expression_unit(p->value->unit);
-        result->value *= parameter_get(lookup->query->state, p);
+        *result = t->value;
+        result->value *= parameter_get(lookup->query->state, t->refers);
         return true;
     case SYMBOL_ARGUMENT:
         *result = lookup->argument[t->index];
         return true;
     case SYMBOL_ANS:
         *result = ans->value;
-        return !t->refers || cell_quantity(e, t->name, t->refers, t->index, ans->cells, result);
+        return !t->refers || cell_quantity(e, t, ans->cells, result);
     case SYMBOL_WITH:
         return with_quantity(e, t, result);
     case SYMBOL_ROUTINE:

@@ -98,15 +98,16 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 /* ---- Commands and their keys ---- */
 
 /* Returns the index of the column of the key in "ans.margin" or "rmax.r", or of the principal column if the
- * name has no key. Returns -1 after an error. */
-static int column_resolve(struct resolver *r, const struct tree *t, const struct command *c)
+ * name has no key, and sets the tree's unit to that of the column. Returns -1 after an error. */
+static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];
-    if (!t->key)
-        return command_principal(c);
     snprintf(what, sizeof what, "key of %s", c->name);
-    int index = names_find(command_keys, c, what, t->key, message);
-    return index < 0 ? fail(r, t, "%s", message) : index;
+    int index = t->key ? names_find(command_keys, c, what, t->key, message) : command_principal(c);
+    if (index < 0)
+        return fail(r, t, "%s", message);
+    t->value = expression_unit(c->columns[index].unit);
+    return index;
 }
 
 static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
@@ -172,8 +173,10 @@ static int name_resolve(struct resolver *r, struct tree *t)
         return 0;
     }
     const struct parameter *p = is_bare ? parameter_find(t->name) : NULL;
-    if (p && parameter_is_number(p))
+    if (p && parameter_is_number(p)) {
+        t->value = expression_unit(p->value->unit);
         return symbol(t, SYMBOL_PARAMETER, p, 0);
+    }
     if (t->count == 0 && strcmp(t->name, "ans") == 0)
         return ans_resolve(r, t);
     const struct command *c = command_find(t->name);

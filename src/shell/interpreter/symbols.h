@@ -25,7 +25,8 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* What a tree of kind TREE_SYMBOL stands for, and what its member `refers` points to. */
+/* What a tree of kind TREE_SYMBOL stands for, and what its member `refers` points to. For a parameter, a
+ * command and a column of the last answer, the member `value` is the unit. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */

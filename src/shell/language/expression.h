@@ -51,7 +51,7 @@ struct tree {
     enum tree_operator op;     /* for an operand of a chain: the operator before it */
     const char *op_at;         /* the position that errors of `op` report; for '^' that of the exponent */
     const char *at;            /* the position that errors of this node report */
-    struct quantity value;     /* TREE_NUMBER: the number */
+    struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: arguments in parentheses follow the name */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */

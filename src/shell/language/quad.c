@@ -19,14 +19,12 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
     if (near >= 1 && near < 1e15 && (domq_real)(long)near == value &&
         snprintf(text, WIDE_TEXT, "%ld", (long)near) <= digits)
         return text;
-    if ((domq_real)near == value) {
-        snprintf(text, WIDE_TEXT, "%.*g", digits, near);
-        return text;
-    }
 #if defined DOMQ_REAL_FLOAT128
-    char format[16];
-    snprintf(format, sizeof format, "%%.%dg", digits);
-    strfromf128(text, WIDE_TEXT, format, value);
+    const char format[] = {'%', '.', (char)('0' + digits / 10), (char)('0' + digits % 10), 'g', '\0'};
+    if ((domq_real)near == value)
+        strfromd(text, WIDE_TEXT, format, near);
+    else
+        strfromf128(text, WIDE_TEXT, format, value);
 #else
     snprintf(text, WIDE_TEXT, "%.*Lg", digits, value);
 #endif

@@ -36,11 +36,18 @@ bool text_make(struct text *text, const char *typed, size_t length)
     int column = 0;
     for (size_t i = 0; i < length; i++)
         size += (unsigned char)typed[i] >= 0x80 ? PLAIN_MOST : 0;
-    *text =
-        (struct text){.typed = typed, .line = malloc(size), .origin = malloc(size * sizeof *text->origin)};
-    if (!text->line || !text->origin) {
+    bool is_ascii = size == length + 1;
+    *text = (struct text){.typed = typed,
+                          .line = malloc(size),
+                          .origin = is_ascii ? NULL : malloc(size * sizeof *text->origin)};
+    if (!text->line || (!text->origin && !is_ascii)) {
         text_free(text);
         return false;
+    }
+    if (is_ascii) {
+        memcpy(text->line, typed, length);
+        text->line[length] = '\0';
+        return true;
     }
     for (size_t i = 0; i < length; i += taken) {
         char byte[2];
@@ -125,10 +132,10 @@ bool text_continues(char *line)
 
 int text_column(const struct text *text, const char *place)
 {
-    return text->origin[place - text->line].column;
+    return text->origin ? text->origin[place - text->line].column : (int)(place - text->line) + 1;
 }
 
 const char *text_typed(const struct text *text, const char *place)
 {
-    return text->typed + text->origin[place - text->line].offset;
+    return text->typed + (text->origin ? text->origin[place - text->line].offset : place - text->line);
 }

@@ -18,7 +18,7 @@ struct text {
     struct origin {
         int column; /* the column of the character in `typed`, from 1 */
         int offset; /* the offset of the character in `typed`, in bytes */
-    } * origin;     /* for each byte of `line` and for its terminating NUL byte: where it comes from */
+    } * origin; /* where each byte of `line` and its terminating NUL byte come from; NULL if all are ASCII */
 };
 
 enum { TEXT_MOST = 4 << 20 }; /* the maximum length of a line in bytes */

@@ -174,7 +174,7 @@ static const struct unit *unit_at(const char *c, size_t length, bool first)
     if (!first && length == 1 && (*c == 'g' || *c == 't')) /* after the first factor, g is gravity */
         return NULL;
     for (const struct unit *u = units; u->name; u++)
-        if (strlen(u->name) == length && strncmp(u->name, c, length) == 0)
+        if (*u->name == *c && strlen(u->name) == length && strncmp(u->name, c, length) == 0)
             return u;
     const char *name = word_unit(c, length);
     return name ? unit_at(name, strlen(name), true) : NULL;
