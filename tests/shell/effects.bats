@@ -135,6 +135,10 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; effect push 3; effect row off' "'effect push' needs the row; first enter 'effect push off'"
     wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
     wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'effect friction off'"
+    wrong 'effect friction 0.2; rmax with fuel paper' "'fuel paper' cannot be combined with friction"
+    same 'both in one with' "$(csv 'set fuel paper; rmax')" "$(csv 'effect friction 0.2; rmax with fuel paper friction off')"
+    same 'swept' "paper,,,,,,'fuel paper' cannot be combined with friction; first enter 'effect friction off'" \
+        "$(csv 'effect friction 0.2; sweep fuel exact, paper : rmax' | tail -n 1)"
     wrong 'fall' "there is no row; first enter 'effect row N' or 'effect row FILE'"
     wrong 'effect row 4; placement' "first enter 'effect placement 1 mm'"
     wrong 'effect row 4; effect placement 1 mm; budget 2' 'P = 2 is out of range; P is a probability'

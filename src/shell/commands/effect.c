@@ -90,15 +90,16 @@ static double scene_price(const struct scene *scene)
 static double price_with(const struct query *query, int name, bool on)
 {
     struct scene scene = *query->scene; /* the copy shares the row with the original */
-    effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF);
+    effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF,
+               NULL);
     if (name >= DOM_EFFECT_COUNT)
-        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
+        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
         bool wanted = k == name ? on : (effect_at(name)->needs >> k & 1) != 0;
         bool without = !on && (k == name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
-            effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual);
+            effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
     }
     return scene_price(&scene);
 }

@@ -24,7 +24,7 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
 {
     struct scene scene = *query->scene;
     scene.train = *train;
-    effect_put(&scene, DOM_EFFECT_row, (domq_real)count);
+    effect_put(&scene, DOM_EFFECT_row, (domq_real)count, NULL);
     return scene;
 }
 

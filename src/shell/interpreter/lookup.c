@@ -93,7 +93,7 @@ static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const 
     int count = 0;
     for (const struct assignment *a = t->refers; a; a = a->next, count++) {
         struct quantity value;
-        assigned[count] = (struct assigned){a->parameter, a->item.number};
+        assigned[count] = (struct assigned){a->parameter, a->item.number, NULL};
         if (a->item.value &&
             (!expression_evaluate(e, a->item.value, &value) ||
              !argument_check(outer, a->item.argument, value, &assigned[count].value, lookup->problem)))

@@ -15,7 +15,7 @@ static bool with_bind(const struct question *q, const struct query *query, struc
     struct assigned assigned[ASSIGNED_MAX];
     int count = 0;
     for (const struct assignment *a = q->with; a; a = a->next) {
-        assigned[count].parameter = a->parameter;
+        assigned[count] = (struct assigned){.parameter = a->parameter};
         if (!item_bind(&a->item, q->text, query, NULL, &assigned[count++].value, problem))
             return false;
     }

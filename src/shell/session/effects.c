@@ -111,60 +111,39 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem)
                                  effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
                                  effect_at(k)->argument[0].name);
     return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || scene->train.fuel != DOM_FUEL_PAPER ||
-           problem_error(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
-                         effect_at(name)->name);
+           problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
+                             effect_at(name)->name);
 }
 
-/* Stores the values of an effect, and returns true. The new values of the effect 'row' replace a row from a
- * file. */
-static bool effect_store(struct scene *scene, int name, struct effect_state state)
-{
-    if (name == DOM_EFFECT_row)
-        listed_free(&scene->listed);
-    scene->effect[name] = state;
-    effects_apply(scene);
-    return true;
-}
-
-static bool turn_on(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem)
+bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
+                     domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem)
 {
     const struct domq_effect *e = effect_at(name);
-    struct effect_state state = {.on = true};
     char usual_value[WIDE_TEXT];
-    bool usual = given > 0 && value[0] == EFFECT_ON;
-    for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
-        if (i >= given && !e->argument[i].optional && !usual)
+    bool off = given > 0 && value[0] == EFFECT_OFF, usual = off || (given > 0 && value[0] == EFFECT_ON);
+    for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
+        if (e->argument[i].name && i >= given && !e->argument[i].optional && !usual)
             return problem_error(problem, "%s, the %s, is missing; for example 'effect %s %s%s%s'",
                                  e->argument[i].name, e->argument[i].meaning, e->name,
                                  quad_text(e->argument[i].usual, 4, usual_value),
                                  *e->argument[i].unit ? " " : "", e->argument[i].unit);
-        state.value[i] = i < given && !usual ? value[i] : e->argument[i].usual;
+        all[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
-    return effect_needs(scene, name, problem) && effect_store(scene, name, state);
-}
-
-static bool turn_off(struct scene *scene, int name, struct problem *problem)
-{
+    if (!off)
+        return true;
+    all[0] = EFFECT_OFF;
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (scene->effect[k].on && needs(k, name))
             return problem_error(problem, "'effect %s' needs the %s; first enter 'effect %s off'",
-                                 effect_at(k)->name, effect_at(name)->name, effect_at(k)->name);
-    return effect_store(scene, name, (struct effect_state){.on = false});
+                                 effect_at(k)->name, e->name, effect_at(k)->name);
+    return true;
 }
 
-bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem)
-{
-    if (given > 0 && value[0] == EFFECT_OFF)
-        return turn_off(scene, name, problem);
-    bool stays = given > 0 && value[0] == EFFECT_ON && scene->effect[name].on;
-    return stays || turn_on(scene, name, value, given, problem);
-}
-
-void effect_put(struct scene *scene, int name, domq_real value)
+void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others)
 {
     struct effect_state *state = &scene->effect[name];
-    for (int i = 1; !state->on && i < DOM_EFFECT_ARGUMENTS; i++)
-        state->value[i] = effect_at(name)->argument[i].usual;
+    for (int i = 1; (others || !state->on) && i < DOM_EFFECT_ARGUMENTS; i++)
+        state->value[i] = others ? others[i - 1] : effect_at(name)->argument[i].usual;
     state->on = value != EFFECT_OFF;
     state->value[0] = value;
     if (name == DOM_EFFECT_row)

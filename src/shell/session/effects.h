@@ -14,13 +14,20 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
 /* Returns the path of the file that replaces the first value of an effect, or NULL. */
 const char *effect_file(const struct scene *scene, int name);
 
-/* Turns an effect on or off. `given` is the number of values; the usual values are used for the others.
- * Returns false with a problem, and then nothing has changed. */
-bool effect_turn(struct scene *scene, int name, const domq_real *value, int given, struct problem *problem);
+/*
+ * Completes the values that a user gives to an effect: `given` values, of which the first may be EFFECT_OFF
+ * or EFFECT_ON. The usual values are used for the others. Returns false with a problem if a value is missing
+ * that has no usual one, or if the effect is turned off while another effect needs it.
+ */
+bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
+                     domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
-/* Sets the first value of an effect, which may be EFFECT_OFF. The scene must be a copy that borrows the
- * memory of its row from the original, since the memory is not freed. */
-void effect_put(struct scene *scene, int name, domq_real value);
+/*
+ * Sets the values of an effect. The first may be EFFECT_OFF. If `others` is NULL, an effect that is on keeps
+ * its other values, and an effect that is off gets the usual ones. The scene must be a copy that borrows the
+ * memory of its row from the original, since the memory is not freed.
+ */
+void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 
 /* Returns true if all effects that an effect needs are on, and if the effect can be combined with the fuel.
  * Otherwise reports the problem. */

@@ -132,51 +132,61 @@ static domq_real parameter_lowest(const struct state *state, const struct parame
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
 }
 
-static void parameter_put(struct state *state, const struct parameter *p, domq_real value)
+static void parameter_put(struct state *state, const struct assigned *a)
 {
+    const struct parameter *p = a->parameter;
     char *place = (char *)state + p->offset;
     if (p->before)
-        p->before(state, value);
+        p->before(state, a->value);
     if (p->effect)
-        effect_put(&state->scene, p->which, value);
+        effect_put(&state->scene, p->which, a->value, a->others);
     else if (p->words_only)
-        *(unsigned *)(void *)place = (unsigned)value;
+        *(unsigned *)(void *)place = (unsigned)a->value;
     else
-        *(domq_real *)(void *)place = value;
+        *(domq_real *)(void *)place = a->value;
 }
 
 _Static_assert(sizeof(enum dom_fuel) == sizeof(unsigned) && sizeof(enum angle) == sizeof(unsigned) &&
                    sizeof(enum dom_precision) == sizeof(unsigned),
                "parameter_get reads an enum as an unsigned");
 
-bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
-                   struct problem *problem)
-{
-    if (p->effect)
-        return effect_turn(&state->scene, p->which, value, given, problem);
-    if (p->check && !p->check(state, value[0], problem))
-        return false;
-    parameter_put(state, p, value[0]);
-    return true;
-}
-
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem)
 {
     for (int words = 1; words >= 0; words--)
         for (int i = 0; i < count; i++) {
-            const struct parameter *p = assigned[i].parameter;
-            domq_real value = assigned[i].value;
+            const struct assigned *a = &assigned[i];
+            const struct parameter *p = a->parameter;
             if (p->words_only != (words == 1))
                 continue;
-            if (!p->words_only && value != EFFECT_OFF && !parameter_check(state, p, 0, value, problem))
+            if (!p->words_only && a->value != EFFECT_OFF && !parameter_check(state, p, 0, a->value, problem))
                 return false;
-            parameter_put(state, p, value);
+            parameter_put(state, a);
         }
     for (int i = 0; i < count; i++) {
         const struct parameter *p = assigned[i].parameter;
         if (p->effect && state->scene.effect[p->which].on && !effect_needs(&state->scene, p->which, problem))
             return false;
+        if (p->check && !p->check(state, assigned[i].value, problem))
+            return false;
     }
+    return true;
+}
+
+bool parameter_set(struct state *state, const struct parameter *p, const domq_real *value, int given,
+                   struct problem *problem)
+{
+    struct state next = *state;
+    domq_real all[DOM_EFFECT_ARGUMENTS];
+    if (p->effect && given > 0 && value[0] == EFFECT_ON && state->scene.effect[p->which].on)
+        return true; /* the effect keeps its values */
+    if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
+        return false;
+    const struct assigned assigned = {p, p->effect ? all[0] : value[0], p->effect ? all + 1 : NULL};
+    if (!state_assign(&next, &assigned, 1, problem))
+        return false;
+    if (p->effect && p->which == DOM_EFFECT_row)
+        listed_free(&state->scene.listed);
+    *state = next;
     return true;
 }
 

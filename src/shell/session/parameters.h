@@ -66,25 +66,26 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 
-/* Sets a parameter to `given` values, which must be in their ranges; only effects take more than one. Returns
- * false with a problem, and then nothing has changed. */
-bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
-                   struct problem *problem);
-
 /* A parameter and its new value, which may be EFFECT_OFF. */
 struct assigned {
     const struct parameter *parameter;
     domq_real value;
+    const domq_real *others; /* the other values of an effect, or NULL: see effect_put */
 };
 enum { ASSIGNED_MAX = 8 };
 
 /*
  * Sets parameters in a copy of a state. The copy borrows the memory of the original, and must not be closed.
  * Parameters with words, such as the precision, are set first, because the range of tol depends on the
- * precision. Returns false with a problem if a value is out of its range, or if an effect needs another
- * effect that is off.
+ * precision. Returns false with a problem if a value is out of its range, if an effect needs another effect
+ * that is off, or if values exclude each other.
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
+
+/* Sets a parameter of a state that owns its memory to `given` values; only effects take more than one.
+ * Returns false with a problem, and then nothing has changed. */
+bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
+                   struct problem *problem);
 
 /*
  * Lists the parameters, with NULL after the last one, in an order in which 'set' and 'effect' can restore the

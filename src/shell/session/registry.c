@@ -61,8 +61,8 @@ static bool fuel_check(const struct state *state, domq_real fuel, struct problem
 {
     const struct domq_effect *effect = domq_dynamics(&state->scene.train);
     return fuel != DOM_FUEL_PAPER || !effect ||
-           problem_error(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
-                         effect->name, effect->name);
+           problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'effect %s off'",
+                             effect->name, effect->name);
 }
 
 static bool precision_check(const struct state *state, domq_real precision, struct problem *problem)
