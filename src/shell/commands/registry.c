@@ -6,6 +6,7 @@ const struct command_group all_commands[] = {
     {"The cycle, step by step", walk_commands},
     {"How far it can grow", limit_commands},
     {"Answers with a proof", prove_commands},
+    {"Where a number comes from", explain_commands},
     {"The train in pictures", draw_commands},
     {"Curves", plot_commands},
     {"Any answer over a grid", sweep_commands},

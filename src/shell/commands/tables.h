@@ -11,7 +11,8 @@ extern const struct command_group all_commands[];
 
 extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
     session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
-    study_commands[], sweep_commands[], design_commands[], prove_commands[], script_commands[];
+    study_commands[], sweep_commands[], design_commands[], prove_commands[], explain_commands[],
+    script_commands[];
 
 /* Initialises the columns and the function of a command that prints an answer. Both are named after the
  * command. */

@@ -95,6 +95,7 @@ struct command {
     const char *echo;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* The answer is about the endless train. */
+    bool documents;      /* The answer can be written for a lesson, into a .md or .tex file. */
     bool draws;          /* The answer is a picture; in formats for programs it is the data of the picture. */
     /* For a command that decides something: the statement that is true if the answer is yes. See
      * answer_holds. */

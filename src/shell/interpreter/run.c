@@ -123,6 +123,11 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     names_shown(path, shown);
     switch (ending_of(path)->kind) {
     case ENDING_PICTURE:
+        if (c->documents)
+            return problem_error(
+                problem,
+                "'%s' would be a picture; '%s > FILE.tex' writes a text of which pdflatex makes a .pdf file",
+                shown, c->name);
         return c->draws || c->picture ||
                problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do", shown,
                              c->name);
@@ -131,9 +136,14 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                problem_error(problem,
                              "'%s' is a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);
+    case ENDING_DOCUMENT:
+        return c->documents ||
+               problem_error(problem, "'%s' is a document, but '%s' has no text for one; 'explain' has",
+                             shown, c->name);
     case ENDING_OTHER:
         return problem_error(problem, "the ending of '%s' means no format; use %s", shown,
-                             c->draws     ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
+                             c->documents ? ".md, .tex or .txt, or .csv or .json for its data"
+                             : c->draws   ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
                              : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
                              : c->columns || c->runs ? ".csv, .json or .txt"
                                                      : ".txt");
@@ -154,7 +164,9 @@ static bool run_into(struct session *session, const struct command *c, const str
     bool done = !wrong;
     if (done) {
         /* A picture is drawn even after 'set output csv'. */
-        session->output->format = ending->kind == ENDING_PICTURE ? &format_table : ending->format;
+        session->output->format = ending->kind == ENDING_PICTURE || ending->kind == ENDING_DOCUMENT
+                                      ? &format_table
+                                      : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);
         wrong = output_pop(&session->output, done);

@@ -66,6 +66,11 @@ const struct function *function_find(const char *name, int *arguments)
     return f->name ? f : NULL;
 }
 
+const char *function_name(const struct function *f)
+{
+    return f->name;
+}
+
 const char *expression_names(const void *context, int k)
 {
     static const char *const more[] = {"if", "pi", NULL}; /* the parser handles these names itself */

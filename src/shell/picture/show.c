@@ -26,6 +26,8 @@ static const struct ending endings[] = {
     {".svg", ENDING_PICTURE, NULL, SVG},
     {".png", ENDING_PICTURE, NULL, PNG},
     {".pdf", ENDING_PICTURE, NULL, PDF},
+    {".md", ENDING_DOCUMENT, NULL, NULL},
+    {".tex", ENDING_DOCUMENT, NULL, NULL},
 };
 
 const struct ending *ending_of(const char *path)

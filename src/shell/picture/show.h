@@ -14,11 +14,12 @@
 #include <signal.h>
 
 enum ending_kind {
-    ENDING_NONE,    /* the name has no extension, so the session's settings decide */
-    ENDING_OTHER,   /* no format has this extension, which is an error */
-    ENDING_TEXT,    /* .txt, which is the same as no extension */
-    ENDING_DATA,    /* .csv, .json and every other format of answers */
-    ENDING_PICTURE, /* .svg, .png or .pdf */
+    ENDING_NONE,     /* the name has no extension, so the session's settings decide */
+    ENDING_OTHER,    /* no format has this extension, which is an error */
+    ENDING_TEXT,     /* .txt, which is the same as no extension */
+    ENDING_DATA,     /* .csv, .json and every other format of answers */
+    ENDING_PICTURE,  /* .svg, .png or .pdf */
+    ENDING_DOCUMENT, /* .md or .tex */
 };
 
 /* A file extension and what it decides. */

@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Makes derivations: finds the quantities that an answer needs, their numbers, and the values of their
+ * equations. */
+#include "commands/explain/explain.h"
+#include "language/quad.h"
+#include "session/effects.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The numbers of the library ---- */
+
+/* Replaces '@' in a text by a number. */
+static void fill_in(const char *text, domq_real number, char *filled, size_t size)
+{
+    char digits[WIDE_TEXT];
+    size_t n = 0;
+    quad_exact(number, digits);
+    for (; *text && n + 1 < size; text++)
+        n += (size_t)(*text == '@' ? snprintf(filled + n, size - n, "(%s)", digits)
+                                   : snprintf(filled + n, size - n, "%c", *text));
+}
+
+/* Computes the number of the library. A number that does not exist is NaN. Returns false with a problem. */
+static bool library_value(struct derivation *d, const char *expression, domq_real *value)
+{
+    char text[256];
+    const struct ans none = {.command = NULL};
+    fill_in(expression, isnan(d->height) ? d->theta : d->height, text, sizeof text);
+    struct parse parse = {.text = text, .arena = &d->arena};
+    struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena};
+    struct evaluation evaluation = {.context = NULL};
+    struct quantity result;
+    struct tree *tree = expression_parse(&parse);
+    if (!tree || !resolve(&resolver, tree))
+        return problem_error(d->problem, "%s: %s", expression, tree ? resolver.message : parse.message);
+    *value = DOMQ_NAN;
+    if (query_evaluate(&d->query, &evaluation, tree, &result, d->problem))
+        *value = result.value;
+    else if (!evaluation.message[0])
+        return false;
+    return true;
+}
+
+/* ---- Names in equations ---- */
+
+static const struct derived *derived_find(unsigned has, const char *name)
+{
+    for (const struct derived *q = derived_list; q->names.text[0]; q++)
+        if (strcmp(q->names.text[0], name) == 0 && (q->with & has) == q->with && !(q->without & has))
+            return q;
+    return NULL;
+}
+
+static const struct given *given_find(const char *name)
+{
+    const struct given *g = given_list;
+    while (g->names.text[0] && strcmp(g->names.text[0], name) != 0)
+        g++;
+    return g;
+}
+
+static domq_real given_value(const struct derivation *d, const struct given *g)
+{
+    const char *name = g->names.text[0];
+    const size_t i = d->i;
+    if (g->parameter) {
+        domq_real value = parameter_get(d->state, parameter_find(g->parameter));
+        return value == EFFECT_OFF ? 0 : value;
+    }
+    if (strcmp(name, "theta") == 0)
+        return d->theta;
+    if (strcmp(name, "H") == 0)
+        return d->height;
+    return strcmp(name, "i") == 0         ? (domq_real)i
+           : strcmp(name, "theta_i") == 0 ? d->at.theta[i]
+           : strcmp(name, "slope_i") == 0 ? d->at.slope[i]
+           : strcmp(name, "next_i") == 0  ? d->launch.theta[i + 1]
+                                          : d->launch.theta[i];
+}
+
+/* Returns true for a name whose value differs from term to term of a sum. */
+static bool is_of_term(const struct given *g)
+{
+    const char *name = g->names.text[0];
+    size_t length = strlen(name);
+    return strcmp(name, "i") == 0 || (length > 2 && strcmp(name + length - 2, "_i") == 0);
+}
+
+/* ---- Chains ---- */
+
+struct chain_room {
+    struct chain *chain;
+    size_t room;
+    bool full; /* There is no memory. */
+};
+
+static bool chain_link(const struct domq_link *link, void *context)
+{
+    struct chain_room *r = context;
+    struct chain *c = r->chain;
+    if (c->count + 2 > r->room) {
+        r->room = 2 * r->room + 64;
+        domq_real *theta = realloc(c->theta, r->room * sizeof *theta);
+        c->theta = theta ? theta : c->theta;
+        domq_real *slope = realloc(c->slope, r->room * sizeof *slope);
+        c->slope = slope ? slope : c->slope;
+        r->full = !theta || !slope;
+    }
+    if (r->full)
+        return false;
+    c->theta[c->count] = link->theta;
+    c->slope[c->count++] = link->slope;
+    return true;
+}
+
+/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt, and then,
+ * up to `least` and two more, with dominoes that have detached or lie at the end of the train. */
+static bool chain_fill(struct derivation *d, struct chain *chain, domq_real theta, size_t least)
+{
+    struct chain_room room = {.chain = chain};
+    struct domq_angles angles;
+    chain->count = 0;
+    const struct domq_train *train = &d->state->scene.train;
+    enum dom_status status = domq_angles_find(train, &d->state->scene.compute, &angles);
+    if (status == DOM_OK)
+        status = domq_chain_walk(train, &d->state->scene.compute, theta, chain_link, &room);
+    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
+    const size_t walked = chain->count;
+    while (status == DOM_OK && !room.full && chain->count < (walked > least ? walked : least) + 2)
+        (void)chain_link(&rest, &room);
+    if (status == DOM_OK && room.full)
+        status = DOM_NO_MEMORY;
+    return status == DOM_OK || problem_status(d->problem, &d->state->scene, status);
+}
+
+static void chain_free(struct chain *chain)
+{
+    free(chain->theta);
+    free(chain->slope);
+    *chain = (struct chain){.theta = NULL};
+}
+
+/* ---- Steps ---- */
+
+static bool name_value(struct evaluation *e, const struct tree *t, struct quantity *result)
+{
+    const struct derivation *d = e->context;
+    const struct step *step = t->refers;
+    *result = (struct quantity){.value = step->given && is_of_term(step->given) ? given_value(d, step->given)
+                                                                                : step->value};
+    return true;
+}
+
+static domq_real equation_value(struct derivation *d, const struct tree *tree)
+{
+    struct evaluation e = {.symbol = name_value, .context = d, .angle = 1};
+    struct quantity result;
+    return expression_evaluate(&e, tree, &result) ? result.value : DOMQ_NAN;
+}
+
+/* Adds up the terms of a sum. */
+static bool sum_value(struct derivation *d, struct step *s)
+{
+    const enum sum sum = s->derived->sum;
+    domq_real tilt = d->theta;
+    if (sum == SUM_TOP && !library_value(d, "barrier.theta_m", &tilt))
+        return false;
+    tilt = sum == SUM_LAUNCH ? 0 : tilt;
+    if (isnan(tilt))
+        return true;
+    if (!chain_fill(d, &d->at, tilt, 0) || !chain_fill(d, &d->launch, 0, d->at.count) ||
+        !chain_fill(d, &d->at, tilt, d->launch.count))
+        return false;
+    s->terms = d->launch.count - 1;
+    s->term = malloc(s->terms * sizeof *s->term);
+    if (!s->term)
+        return problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
+    s->computed = 0;
+    for (d->i = s->terms; d->i-- > 0;) /* the smallest terms first */
+        s->computed += s->term[d->i] = equation_value(d, s->tree);
+    while (s->terms > 1 && s->term[s->terms - 1] == 0)
+        s->terms--;
+    return true;
+}
+
+static struct step *step_add(struct derivation *d, const char *name, int depth);
+
+/* Makes the steps of all names in a tree, and lets the names refer to them. */
+static bool names_add(struct derivation *d, struct step *s, struct tree *t)
+{
+    if (t->kind == TREE_NAME) {
+        struct step *needed = step_add(d, t->name, s->depth + 1);
+        t->kind = TREE_SYMBOL;
+        t->refers = needed;
+        bool is_new = needed != NULL;
+        for (int k = 0; k < s->count; k++)
+            is_new = is_new && s->needs[k] != needed;
+        if (is_new && s->count < NEEDS_MOST)
+            s->needs[s->count++] = needed;
+        return needed;
+    }
+    for (struct tree *child = t->child; child; child = child->next)
+        if (!names_add(d, s, child))
+            return false;
+    return true;
+}
+
+static struct step *step_begin(struct derivation *d, const char *name, int depth)
+{
+    if (d->count == STEPS_MOST) {
+        problem_error(d->problem, "a derivation has at most %d quantities", STEPS_MOST);
+        return NULL;
+    }
+    struct step *s = &d->step[d->count++];
+    *s = (struct step){.derived = derived_find(d->has, name), .computed = DOMQ_NAN, .value = DOMQ_NAN};
+    s->depth = depth;
+    s->given = s->derived ? NULL : given_find(name);
+    if (!s->derived && !s->given->names.text[0]) {
+        problem_error(d->problem, "there is no equation of %s for this train", name);
+        return NULL;
+    }
+    return s;
+}
+
+/* Returns the step of a quantity, with its number. Returns NULL with a problem. */
+static struct step *step_add(struct derivation *d, const char *name, int depth)
+{
+    for (int k = 0; k < d->count; k++) {
+        const struct step *known = &d->step[k];
+        const char *known_name = (known->derived ? known->derived->names : known->given->names).text[0];
+        if (strcmp(known_name, name) == 0)
+            return &d->step[k];
+    }
+    struct step *s = step_begin(d, name, depth);
+    if (!s)
+        return NULL;
+    if (s->given) {
+        s->value = is_of_term(s->given) ? DOMQ_NAN : given_value(d, s->given);
+        return s;
+    }
+    if (!library_value(d, s->derived->library, &s->value))
+        return NULL;
+    if (!s->derived->equation)
+        return s;
+    struct parse parse = {.text = s->derived->equation, .arena = &d->arena};
+    struct tree *tree = expression_parse(&parse);
+    if (!tree) {
+        problem_error(d->problem, "%s: %s", s->derived->equation, parse.message);
+        return NULL;
+    }
+    s->tree = tree;
+    if (!names_add(d, s, tree))
+        return NULL;
+    if (s->derived->sum)
+        return sum_value(d, s) ? s : NULL;
+    s->computed = equation_value(d, tree);
+    return s;
+}
+
+/* ---- Derivations ---- */
+
+static unsigned conditions(const struct domq_train *train, bool detached, bool reach)
+{
+    return (train->alpha != 0 ? HAS_SLOPE : 0u) | (train->mu != 0 ? HAS_FRICTION : 0u) |
+           (train->rho != 0 ? HAS_EDGES : 0u) | (train->walls != 0 ? HAS_WALLS : 0u) |
+           (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
+           (reach ? HAS_REACH : 0u);
+}
+
+/* Sets the separation of the question, and the growth to the largest one if the question is about that. */
+static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
+{
+    struct domq_train *train = &d->state->scene.train;
+    struct domq_limit limit;
+    if (!e->value || strcmp(e->value, "s") != 0)
+        return true;
+    train->s = isnan(value) ? train->s : value;
+    enum dom_status status = domq_limit_rmax(train, &d->state->scene.compute, &limit);
+    if (status != DOM_OK)
+        return problem_status(d->problem, &d->state->scene, status);
+    if (limit.ends == DOM_END_NONE)
+        return problem_no_answer(d->problem, "no growth is possible here: 'rmax' says why");
+    train->r = limit.r_max;
+    *reach = limit.ends == DOM_END_REACH;
+    return true;
+}
+
+bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
+                     domq_real value, struct state *state, struct problem *problem)
+{
+    struct domq_angles angles;
+    bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
+    *state = *query->state;
+    state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
+    state->settings.style.angle = ANGLE_RAD;
+    *d = (struct derivation){.query = *query, .state = state, .problem = problem};
+    d->query.state = state;
+    d->query.scene = &state->scene;
+    d->query.next = NULL;
+    d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
+    d->height = of_height ? value : DOMQ_NAN;
+    if (!train_set(d, e, value, &reach))
+        return false;
+    enum dom_status status = domq_angles_find(&state->scene.train, &state->scene.compute, &angles);
+    if (status != DOM_OK)
+        return problem_status(problem, query->scene, status);
+    d->has = conditions(&state->scene.train, angles.detaches, reach) |
+             (angles.detaches && d->theta > angles.theta_leave ? HAS_LEFT : 0u);
+    char name[32];
+    for (const char *c = e->roots; *c; c += strspn(c, " ")) {
+        size_t n = strcspn(c, " ");
+        snprintf(name, sizeof name, "%.*s", (int)n, c);
+        c += n;
+        if (!step_add(d, name, 0))
+            return false;
+    }
+    return true;
+}
+
+void derivation_end(struct derivation *d)
+{
+    for (int k = 0; k < d->count; k++)
+        free(d->step[k].term);
+    chain_free(&d->launch);
+    chain_free(&d->at);
+    arena_free(&d->arena);
+}

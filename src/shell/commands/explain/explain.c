@@ -1,0 +1,185 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command explain: where a number comes from. */
+#include "commands/explain/explain.h"
+#include "commands/tables.h"
+#include "interpreter/question.h"
+#include "language/quad.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const struct column explain_columns[] = {
+    {"quantity", "", "the quantity", 9},
+    {"equation", "", "its equation, as expressions are typed; 'sum' stands for the sum over all dominoes i",
+     40},
+    {"numbers", "", "the same with numbers; of a sum, its first terms and the sum of the others", 40},
+    {"value", "", "the number that the program computes", 0},
+    {"unit", "", "its unit: h is the height of the head, mgh/2 its energy, tau its unit of time", 6},
+    {"needs", "", "the quantities from which it comes", 16},
+    {"reference", "", "the number and the label of the equation in the paper", 9},
+    {"depth", "", "how many equations lie between this quantity and the answer", 5},
+    {"meaning", "", "what the quantity is, and where no equation exists, why", 40},
+    {NULL, NULL, NULL, 0},
+};
+
+/* ---- Arguments ---- */
+
+struct explain_parsed {
+    struct item value;
+    bool deep;
+};
+
+static const char *deep_names(const void *context, int k)
+{
+    (void)context;
+    return k == 0 ? "deep" : NULL;
+}
+
+static const struct argument *value_argument(const struct explained *e)
+{
+    static const struct argument tilt = {.name = "VALUE", .kind = ARGUMENT_TILT},
+                                 separation = {.name = "VALUE", .kind = ARGUMENT_OF, .of = "s"},
+                                 height = {.name = "VALUE", .kind = ARGUMENT_HEIGHT};
+    return !e->value                        ? NULL
+           : strcmp(e->value, "theta") == 0 ? &tilt
+           : strcmp(e->value, "s") == 0     ? &separation
+                                            : &height;
+}
+
+static bool explain_parse(struct reader *r, struct question *q)
+{
+    static const struct argument deep = {.name = "deep", .of = "word", .choices = deep_names};
+    const struct explained *e = &explained_list[(int)q->item[0].number];
+    struct explain_parsed *p = q->parsed = arena_take(r->arena, sizeof *p);
+    struct item word;
+    if (!p)
+        return problem_error(r->problem, "out of memory");
+    offer_names(r, deep_names, NULL);
+    if (e->value && !reader_ends(r) && !word_is_next(r, "deep")) {
+        r->last = false;
+        if (!item_parse(r, value_argument(e), &p->value))
+            return false;
+    }
+    reader_place(r, r->at);
+    if (reader_ends(r))
+        return true;
+    p->deep = true;
+    return item_parse_choice(r, &deep, &word);
+}
+
+static bool explain_bind(const struct question *q, const struct query *query, struct arguments *given,
+                         struct problem *problem)
+{
+    const struct explain_parsed *parsed = q->parsed;
+    struct explain_bound *b = arguments_take(given, sizeof *b, query, problem);
+    if (!b)
+        return false;
+    b->deep = parsed->deep;
+    b->value = DOMQ_NAN;
+    return !parsed->value.argument || item_bind(&parsed->value, q->text, query, NULL, &b->value, problem);
+}
+
+/* ---- Rows ---- */
+
+/* Writes text with a function into memory. Returns NULL if there is no memory. */
+static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
+{
+    char *text = NULL;
+    size_t size;
+    const int digits = d->query.scene->compute.precision == DOM_QUAD ? WIDE_DIGITS : 17;
+    struct formula f = {.out = open_memstream(&text, &size)};
+    if (!f.out)
+        return NULL;
+    if (s->derived->sum && !numbers)
+        fprintf(f.out, "sum(%s)", s->derived->equation);
+    else if (numbers)
+        step_numbers(d, s, &f, digits);
+    else
+        fputs(s->derived->equation, f.out);
+    return fclose(f.out) == 0 ? text : NULL;
+}
+
+static void step_row(struct answer *a, const struct derivation *d, const struct step *s)
+{
+    char needs[256] = "";
+    int n = 0;
+    char *equation = s->tree ? text_of(d, s, false) : NULL, *numbers = s->tree ? text_of(d, s, true) : NULL;
+    for (int k = 0; k < s->count && n < (int)sizeof needs; k++)
+        n += snprintf(
+            needs + n, sizeof needs - (size_t)n, "%s%s", k ? " " : "",
+            (s->needs[k]->derived ? s->needs[k]->derived->names : s->needs[k]->given->names).text[0]);
+    struct cell none = cell_real(DOMQ_NAN);
+    answer_row(a,
+               ROW(cell_word((s->derived ? s->derived->names : s->given->names).text[0]),
+                   equation ? cell_word(equation) : none, numbers ? cell_word(numbers) : none,
+                   cell_unbounded(s->value), cell_word(step_unit(s)), cell_word(needs),
+                   cell_word(s->derived ? s->derived->number : ""), cell_count(s->depth),
+                   cell_word(step_words(s))),
+               NULL);
+    free(equation);
+    free(numbers);
+}
+
+/* ---- The command ---- */
+
+static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct explained *e = &explained_list[(int)query->given->number[0]];
+    const struct explain_bound *bound = query->given->bound, none = {.value = DOMQ_NAN};
+    struct derivation *d = calloc(1, sizeof *d);
+    struct state *state = malloc(sizeof *state);
+    bool done = d && state;
+    bound = bound ? bound : &none;
+    if (!done)
+        problem_status(problem, query->scene, DOM_NO_MEMORY);
+    else if (e->value && strcmp(e->value, "s") != 0 && isnan(bound->value))
+        done = problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
+                             e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
+    else
+        done = derivation_make(d, query, e, bound->value, state, problem);
+    if (done && answer_for_people(a))
+        explain_write(a, d, e, bound);
+    for (int k = 0; done && !answer_for_people(a) && k < d->count; k++)
+        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1) &&
+            isfinite(d->step[k].value + 0 * d->step[k].value))
+            step_row(a, d, &d->step[k]);
+    if (d)
+        derivation_end(d);
+    free(state);
+    free(d);
+    return done;
+}
+
+const struct command explain_commands[] = {
+    {.name = "explain",
+     .synonyms = "derive derivation equation formula show steps proof lesson teacher",
+     .train = true,
+     .argument = {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "question", .choices = explained_names},
+                  {.name = "MORE",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .parse = explain_parse,
+                   .bind = explain_bind,
+                   .choices = deep_names}},
+     .summary = "where a number comes from: its equations, with the numbers in them",
+     .help = "WHAT is a command, such as barrier. For each quantity of its answer, shows its equation in "
+             "symbols, the same with numbers, the "
+             "value, and "
+             "the quantities from which it comes. With 'deep', these are explained as well, down to the "
+             "parameters. "
+             "The values are those that the other commands compute. MORE begins with a tilt after theta1, "
+             "energy and "
+             "omega, "
+             "a separation after rmax, and a height after count. Where no equation in closed form exists, as "
+             "with "
+             "friction or rounded edges, or where a search finds a maximum, the derivation says so and ends. "
+             "'explain ... > lesson.md' and '> lesson.tex' write formulas for a lesson; json gives the tree: "
+             "'needs' "
+             "names the quantities below each one.",
+     .example = "explain theta1 0.2; explain barrier deep",
+     .see = "why theta1 barrier launch paper recipe",
+     .unswept = "it explains one train",
+     .rows = true,
+     .documents = true,
+     ANSWER(explain)},
+    {.name = NULL},
+};

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Derivations: where a number comes from. A derivation is data. Each quantity has its equation as a text that
+ * the parser of expressions reads, and another text for the number of the library, which is what the program
+ * shows. The parser evaluates the equations as well, so that a test can compare the two.
+ */
+#ifndef SHELL_EXPLAIN_H
+#define SHELL_EXPLAIN_H
+
+#include "interpreter/symbols.h"
+#include "language/formula.h"
+
+/* What a train has that decides which equation holds for it, as bits. */
+enum {
+    HAS_SLOPE = 1,
+    HAS_FRICTION = 2,
+    HAS_EDGES = 4,
+    HAS_WALLS = 8,
+    HAS_PAPER = 16,    /* the fuel is that of the paper */
+    HAS_DETACHED = 32, /* followers detach */
+    HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
+    HAS_REACH = 64,    /* the largest growth ends by the reach */
+};
+
+/* The sum over all dominoes i that an equation is a term of. */
+enum sum {
+    SUM_NONE,
+    SUM_LAUNCH, /* at the tilt 0 of the head */
+    SUM_TILT,   /* at the tilt theta */
+    SUM_TOP,    /* at the tilt theta_m */
+};
+
+/* A name in equations: in the form that is typed, with the letters of the field, and in TeX. */
+struct symbol_names {
+    const char *text[FORMULA_STYLES];
+};
+
+/* A quantity, and how it follows from others. Several rows may have the same name: the first one whose
+ * conditions the train fulfils is used. */
+struct derived {
+    struct symbol_names names;
+    unsigned with, without; /* conditions, as bits */
+    enum sum sum;
+    const char *equation; /* NULL where no equation in closed form exists, so that the derivation ends */
+    const char
+        *library; /* the number of the library, as an expression; '@' stands for the value of the question */
+    const char *unit;
+    const char *number; /* the number and the label of the equation in the paper, or "" */
+    const char *words;  /* what the quantity is; where the derivation ends, also why */
+};
+extern const struct derived derived_list[];
+
+/* A number that is given rather than derived. */
+struct given {
+    struct symbol_names names;
+    const char *parameter; /* the parameter or effect whose value it is, or NULL */
+    const char *unit, *words;
+};
+extern const struct given given_list[];
+
+/* A question, and the quantities that answer it. */
+struct explained {
+    const char *name;
+    const char *value; /* what the value after the question is: "theta", "s" or "H"; NULL if there is none */
+    const char *roots; /* names of quantities, with blanks between them */
+};
+extern const struct explained explained_list[];
+
+/* The names of the questions, and after them those of the quantities, for names.h. */
+const char *explained_names(const void *context, int k);
+
+/* ---- A derivation ---- */
+
+enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
+
+/* One number in a derivation. */
+struct step {
+    const struct derived *derived; /* NULL for a number that is given, and for a term of a sum */
+    const struct given *given;
+    const struct tree *tree; /* of the equation, or NULL */
+    const struct step *needs[NEEDS_MOST];
+    int count;       /* of `needs` */
+    domq_real value; /* the number of the library; NaN if there is none */
+    domq_real *term; /* of a sum: the values of its terms */
+    size_t terms;
+    domq_real computed; /* the value of the equation */
+    int depth;          /* 0 for an answer to the question */
+};
+
+struct derivation {
+    struct query query;  /* of the changed state below */
+    struct state *state; /* borrows the memory of the session's */
+    struct problem *problem;
+    struct arena arena;
+    unsigned has; /* the conditions that the train fulfils */
+    domq_real theta, height;
+    struct step step[STEPS_MOST];
+    int count;
+    /* The tilts of the dominoes and their slopes at the tilt of the sum that is computed, and at launch. */
+    struct chain {
+        domq_real *theta, *slope;
+        size_t count;
+    } launch, at;
+    size_t i; /* the domino of the term that is computed */
+};
+
+/* Makes the steps of a question. Returns false with a problem. Call derivation_end in both cases. */
+bool derivation_make(struct derivation *derivation, const struct query *query,
+                     const struct explained *explained, domq_real value, struct state *state,
+                     struct problem *problem);
+void derivation_end(struct derivation *derivation);
+
+const char *step_unit(const struct step *step);
+const char *step_words(const struct step *step);
+
+/* Writes the equation of a step with numbers in place of the names. Of a sum, writes the first terms, and the
+ * sum of the others as one number. */
+void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
+                  int digits);
+
+/* What follows the question. */
+struct explain_bound {
+    domq_real value; /* NaN without a value */
+    bool deep;
+};
+
+/* Writes the answer for people, or for a lesson into the file of the answer. */
+void explain_write(struct answer *answer, const struct derivation *derivation,
+                   const struct explained *explained, const struct explain_bound *bound);
+
+#endif

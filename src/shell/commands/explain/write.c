@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writes derivations for people, and for lessons. */
+#include "commands/explain/explain.h"
+#include "language/quad.h"
+#include "picture/show.h"
+#include <string.h>
+#include <strings.h>
+
+/* What formula->context points to while a step is written. */
+struct writing {
+    const struct derivation *derivation; /* NULL to write names rather than numbers */
+    int digits;
+};
+
+static const struct symbol_names *names_of(const struct step *s)
+{
+    return s->derived ? &s->derived->names : &s->given->names;
+}
+
+static void name_write(const struct formula *f, const struct tree *t)
+{
+    const struct step *s = t->refers;
+    const struct writing *w = f->context;
+    const bool is_number = w->derivation && isfinite(s->value);
+    if (is_number && s->value < 0)
+        putc('(', f->out);
+    if (is_number)
+        formula_number(f, s->value, w->digits);
+    else
+        fputs(names_of(s)->text[f->style], f->out);
+    if (is_number && s->value < 0)
+        putc(')', f->out);
+}
+
+static void step_name(const struct step *s, const struct formula *formula)
+{
+    fputs(names_of(s)->text[formula->style], formula->out);
+}
+
+static void step_symbols(const struct step *s, const struct formula *formula)
+{
+    static const char *const sums[FORMULA_STYLES] = {"sum over i of ", "Σ ", "\\sum_i "};
+    struct formula f = *formula;
+    struct writing w = {.derivation = NULL};
+    f.name = name_write;
+    f.context = &w;
+    if (s->derived->sum)
+        fputs(sums[f.style], f.out);
+    formula_write(&f, s->tree);
+}
+
+/* Writes the first terms of a sum, and the sum of the others as one number. */
+static void terms_write(const struct step *s, const struct formula *f, int digits, size_t shown)
+{
+    domq_real rest = 0;
+    for (size_t i = s->terms; i-- > shown;)
+        rest += s->term[i];
+    for (size_t i = 0; i < s->terms && i < shown; i++) {
+        fputs(i == 0 && s->term[i] >= 0 ? "" : s->term[i] < 0 ? (i ? " - " : "-") : " + ", f->out);
+        formula_number(f, quad(fabs)(s->term[i]), digits);
+    }
+    if (s->terms > shown) {
+        fputs(rest < 0 ? " - " : " + ", f->out);
+        formula_number(f, quad(fabs)(rest), digits);
+    }
+}
+
+void step_numbers(const struct derivation *d, const struct step *s, const struct formula *formula, int digits)
+{
+    struct formula f = *formula;
+    struct writing w = {.derivation = d, .digits = digits};
+    f.name = name_write;
+    f.context = &w;
+    if (s->derived->sum)
+        terms_write(s, &f, digits, TERMS_SHOWN);
+    else
+        formula_write(&f, s->tree);
+}
+
+const char *step_unit(const struct step *s)
+{
+    return s->derived ? s->derived->unit : s->given->unit;
+}
+
+const char *step_words(const struct step *s)
+{
+    return s->derived ? s->derived->words : s->given->words;
+}
+
+/* ---- The whole derivation ---- */
+
+/* How a derivation is written. */
+struct writer {
+    const struct derivation *derivation;
+    struct formula formula;
+    int digits;
+    bool tex, markdown;
+    domq_real value; /* of the question, or NaN */
+};
+
+/* Writes the words of a quantity. TeX would take '^' and '_' for signs of its own. */
+static void words_write(const struct writer *w, const struct step *s)
+{
+    for (const char *c = step_words(s); *c; c++)
+        fprintf(w->formula.out, w->tex && !w->markdown && (*c == '^' || *c == '_') ? "\\%c{}" : "%c", *c);
+}
+
+/* Writes a value with its unit, which TeX sets in upright letters. */
+static void value_write(const struct writer *w, const struct step *s)
+{
+    const char *unit = step_unit(s);
+    if (isfinite(s->value))
+        formula_number(&w->formula, s->value, w->digits);
+    else
+        fputs(w->tex ? "\\text{no value}" : "no value", w->formula.out);
+    if (*unit && isfinite(s->value))
+        fprintf(w->formula.out, w->tex ? "\\,\\mathrm{%s}" : " %s", unit);
+}
+
+/* Writes one quantity: its words, its equation, the numbers and the value, one below the other. */
+static void step_write(const struct writer *w, const struct step *s)
+{
+    FILE *out = w->formula.out;
+    const char *open = w->markdown ? "$$\n\\begin{aligned}\n" : "\\[\n\\begin{aligned}\n",
+               *close = w->markdown ? "\\end{aligned}\n$$\n" : "\\end{aligned}\n\\]\n";
+    const char *number = s->derived->number;
+    words_write(w, s);
+    fputs(w->tex ? "" : ":\n", out);
+    if (w->tex && *number)
+        fprintf(out, " (%s)", number);
+    fputs(w->tex ? ":\n\n" : "", out);
+    fputs(w->tex ? open : "    ", out);
+    step_name(s, &w->formula);
+    if (s->tree) {
+        fputs(w->tex ? " &= " : " = ", out);
+        step_symbols(s, &w->formula);
+        fprintf(out, !w->tex && *number ? "    (%s)\n" : "%s", w->tex ? " \\\\\n" : *number ? number : "\n");
+        fputs(w->tex ? "&= " : "      = ", out);
+        step_numbers(w->derivation, s, &w->formula, w->digits);
+        fputs(w->tex ? " \\\\\n" : "\n     ", out);
+    }
+    fputs(w->tex ? "&= " : " = ", out);
+    value_write(w, s);
+    putc('\n', out);
+    fputs(w->tex ? close : "", out);
+}
+
+/* Writes the quantities that a shallow answer names but does not derive. */
+static void needs_write(const struct writer *w, const struct step *s)
+{
+    FILE *out = w->formula.out;
+    for (int k = 0; k < s->count; k++) {
+        const struct step *need = s->needs[k];
+        if (!isfinite(need->value))
+            continue;
+        fputs(!w->tex ? "    " : w->markdown ? "- $" : "\\item $", out);
+        step_name(need, &w->formula);
+        fputs(" = ", out);
+        value_write(w, need);
+        fputs(w->tex ? "$: " : ": ", out);
+        words_write(w, need);
+        putc('\n', out);
+    }
+}
+
+static void derivation_write(const struct writer *w, const struct explained *e, bool deep)
+{
+    FILE *out = w->formula.out;
+    bool more = false;
+    for (int k = 0; k < w->derivation->count; k++) {
+        const struct step *s = &w->derivation->step[k];
+        if (!s->derived || (s->depth > 0 && !deep))
+            continue;
+        step_write(w, s);
+        if (!deep && s->count > 0) {
+            fputs(w->tex ? "\nfrom\n\n" : "  from\n", out);
+            if (w->tex && !w->markdown)
+                fputs("\\begin{itemize}\n", out);
+            needs_write(w, s);
+            if (w->tex && !w->markdown)
+                fputs("\\end{itemize}\n", out);
+        }
+        putc('\n', out);
+        for (int i = 0; i < s->count; i++)
+            more = more || (s->needs[i]->derived && !deep);
+    }
+    if (more && !w->tex)
+        fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
+                isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_shown(w->value).text);
+    if (!deep)
+        return;
+    fputs(w->tex ? "Given:\n\n" : "given:\n", out);
+    if (w->tex && !w->markdown)
+        fputs("\\begin{itemize}\n", out);
+    for (int k = 0; k < w->derivation->count; k++) {
+        const struct step *s = &w->derivation->step[k];
+        const struct step list = {.needs = {s}, .count = 1};
+        if (s->given)
+            needs_write(w, &list);
+    }
+    if (w->tex && !w->markdown)
+        fputs("\\end{itemize}\n", out);
+}
+
+/* Writes a file for a lesson. */
+static void document_write(const struct writer *w, const struct explained *e, bool deep)
+{
+    FILE *out = w->formula.out;
+    if (w->markdown)
+        fprintf(out, "# Where %s comes from\n\n", e->name);
+    else
+        fprintf(out,
+                "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n\\section*{Where "
+                "%s comes from}\n\n",
+                e->name);
+    derivation_write(w, e, deep);
+    if (!w->markdown)
+        fputs("\\end{document}\n", out);
+}
+
+void explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
+                   const struct explain_bound *bound)
+{
+    const struct ending *ending = a->path ? ending_of(a->path) : NULL;
+    bool is_document = ending && ending->kind == ENDING_DOCUMENT;
+    answer_plan(a, NULL);
+    struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
+    w.tex = is_document;
+    w.markdown = is_document && strcasecmp(ending->text, ".md") == 0;
+    w.formula = (struct formula){.out = a->out,
+                                 .style = w.tex               ? FORMULA_TEX
+                                          : a->layout.letters ? FORMULA_LETTERS
+                                                              : FORMULA_PLAIN};
+    if (is_document)
+        document_write(&w, e, bound->deep);
+    else {
+        answer_say(a, "%s", "");
+        derivation_write(&w, e, bound->deep);
+    }
+}

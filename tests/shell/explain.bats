@@ -1,0 +1,78 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Where a number comes from: explain.
+# shellcheck disable=SC2154 # 'run' and 'load' set variables
+
+load common
+
+check=$root/tests/derivations/check.py
+
+python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 "$@"; fi; }
+
+@test "the texts of 1,000 derivations give the library's numbers, evaluated elsewhere" {
+    cd "$BATS_TEST_TMPDIR"
+    python "$check" commands 20121 1000 >scenes.dom
+    "$DOMINO" --keep-going <scenes.dom >answers.json 2>errors || true
+    run python "$check" check <answers.json
+    [ "$status" -eq 0 ] || { echo "$output" && false; }
+    read -r scenes lines ended <<<"$output"
+    echo "$output"
+    [ "$scenes" -gt 950 ] && [ "$lines" -gt 3500 ] && [ "$ended" -gt 300 ]
+    # A number that is off by a billionth is found.
+    sed -E '0,/("quantity":"K".*"value":)([0-9.]*)/s//\11.00000001/' answers.json >wrong.json
+    run -1 python "$check" check <wrong.json
+}
+
+@test "explain shows symbols, numbers and the result, one below the other" {
+    answer=$("$DOMINO" -e 'explain theta1 0.2')
+    for words in '^    theta_1 = theta \+ asin\(X\)    \(12; b8\)$' '^      = 0\.2 \+ asin\(0\.58368\)$' '^      = 0\.823253 rad$' \
+        '^    X = 0\.58368: sine of the angle' '^    slope_1 = a/b    \(14; b10\)$' "'explain theta1 0.2 deep' goes on"; do
+        grep -qE "$words" <<<"$answer" || same theta1 "$words" "$answer"
+    done
+    ! grep -q 'sqrt(1 - X^2)' <<<"$answer"
+    answer=$("$DOMINO" -e 'explain theta1 0.2 deep')
+    for words in '^    Y = sqrt\(1 - X\^2\)' '^    X = r\*\(L\*cos\(theta\) - d\)' '^    r = 1\.5: growth'; do
+        grep -qE "$words" <<<"$answer" || same deep "$words" "$answer"
+    done
+    same 'the numbers' "$(json 'theta1 0.2' | values theta_1)" "$(json 'explain theta1 0.2' | grep '"quantity":"theta_1"' | values value)"
+    same tree 'K B' "$(json 'explain why' | grep '"quantity":"margin"' | values needs)"
+    # At the largest growth nothing is to spare, and r is that growth.
+    close r "$(json 'rmax 0.3' | values r_max)" "$(json 'explain rmax 0.3 deep' | grep '"quantity":"r",' | values value)"
+    close margin 0 "$(json 'explain rmax 0.3' | grep '"quantity":"margin"' | values value)" 1e-9
+    # A variable of the same name does not hide a quantity.
+    same 'let' "$(json 'explain why' | head -n 1)" "$(json 'let K = 3; explain why' | head -n 1)"
+}
+
+@test "where equations end, explain says so, and effects have equations of their own" {
+    "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction no energy is conserved and the motion is integrated: 'help friction'"
+    "$DOMINO" -e 'effect edges 0.01; explain theta1 0.2' | grep -q "with rounded edges the contact is found by iteration"
+    "$DOMINO" -e 'effect slope 1 deg; explain fuel' | grep -q 'cos(start_i + alpha)'
+    "$DOMINO" -e 'effect slope 1 deg; explain thetac' | grep -q 'theta_u = asin(d/sqrt(1 + d^2)) - alpha    (4; b1)'
+    "$DOMINO" -e 'set fuel paper; explain fuel' | grep -q 'P = 1 - cos(theta_f) - d\*sin(theta_f)    (25; c7)'
+    "$DOMINO" -e 'set s 0.6; set r 1.6; set q hollow; explain theta1 0.9' | grep -q 'slid off the head'
+    "$DOMINO" -e 'explain barrier' | grep -q 'found by a search over all tilts'
+}
+
+@test "explain writes lessons, and refuses what it cannot write" {
+    cd "$BATS_TEST_TMPDIR"
+    "$DOMINO" -e 'explain launch deep > a.md; explain launch deep > a.tex; explain launch > a.txt; explain launch > a.csv'
+    grep -qF '\omega(0) &= \frac{\sqrt{w(0)}}{\tau}' a.md
+    grep -qF '\begin{aligned}' a.tex && grep -qF '\end{document}' a.tex && grep -q 'omega_0 = sqrt(w_0)/tau' a.txt
+    same brackets "$(tr -cd '{' <a.tex | wc -c)" "$(tr -cd '}' <a.tex | wc -c)"
+    same begins "$(grep -c '^\\begin' a.tex)" "$(grep -c '^\\end' a.tex)"
+    same head quantity "$(head -n 1 a.csv | cut -d, -f1)"
+    if command -v pdflatex >/dev/null; then pdflatex -interaction=nonstopmode -halt-on-error a.tex >tex.log; fi
+    while IFS='|' read -r command message; do
+        run -1 "$DOMINO" -e "$command"
+        grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
+    done <<END
+explain foo|unknown question 'foo'; use one of: thetac, theta1
+explain theta1|'explain theta1' needs a value, for example 'explain theta1 0.2'
+explain theta1 3|outside the cycle
+explain why depp|did you mean 'deep'
+explain why > a.pdf|'explain > FILE.tex' writes a text of which pdflatex makes a .pdf file
+rmax > a.md|'rmax' has no text for one
+set s 0.001; explain rmax|no growth is possible here
+set r 3; explain why|falls past the next domino
+END
+}
