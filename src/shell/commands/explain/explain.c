@@ -176,7 +176,7 @@ const struct command explain_commands[] = {
              "'needs' "
              "names the quantities below each one.",
      .example = "explain theta1 0.2; explain barrier deep",
-     .see = "why theta1 barrier launch paper recipe",
+     .see = "why theta1 barrier launch",
      .unswept = "it explains one train",
      .rows = true,
      .documents = true,
