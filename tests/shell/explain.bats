@@ -76,3 +76,50 @@ set s 0.001; explain rmax|no growth is possible here
 set r 3; explain why|falls past the next domino
 END
 }
+
+@test "recipe: each step of the paper with its numbers, and where the program parts from it" {
+    answer=$(json 'set q hollow; recipe')
+    at() { grep "\"quantity\":\"$1" <<<"$answer" | values "$2"; }
+    close 'J(0)' "$(json 'set q hollow; launch' | values J0)" "$(at 'J(0) (20' program)"
+    close 'J(0), printed' "$(json 'print 1 + 1.5^-4' | values value)" "$(at 'J(0) as' paper)"
+    close 'P' "$(json 'set q hollow; fuel' | values fuel_exact)" "$(at P program)"
+    close 'P of the paper' "$(json 'set q hollow; fuel' | values fuel_paper)" "$(at P paper)" 1e-6
+    close 'r_max' 2.06377177 "$(at 'r_max' program)" 1e-7
+    close 'r_max of the paper' 2.1686 "$(at 'r_max' paper)" 1e-4
+    close 'best s' 0.432413 "$(at 's of' paper)" 1e-6
+    close 'best s' 0.443615 "$(at 's of' program)" 1e-6
+    # The paper's search for the highest point ends at the first maximum, which here is at theta = 0.
+    answer=$(json 'set q hollow; set s 0.54; set r 1.8518; set tol 1e-8; recipe')
+    close 'first maximum' 0 "$(at 'H(theta_m)' paper)"
+    close 'largest maximum' "$(json 'set q hollow; set s 0.54; set r 1.8518; barrier' | values barrier)" "$(at 'H(theta_m)' program)"
+    grep -q 'takes the first maximum of H, and the program the largest' <<<"$answer"
+    run -1 "$DOMINO" -e 'effect friction 0.1; recipe'
+    grep -q "does not include friction; first enter 'effect friction off'" <<<"$output"
+    run -1 "$DOMINO" -e 'set r 1; recipe'
+    grep -q 'the recipe needs r > 1' <<<"$output"
+}
+
+@test "paper: its figures, limits and relations, recomputed with both fuels" {
+    answer=$(json 'set d 0.2; set q 3.5; paper') # the scene does not matter
+    row() { grep "\"what\":\"$1[^\"]*\",\"q\":$2,\"s\":$3," <<<"$answer"; }
+    while IFS='|' read -r what q s paper exact; do
+        close "$what $q $s" "$paper" "$(row "$what" "$q" "$s" | values paper)" 1e-4
+        close "$what $q $s" "$exact" "$(row "$what" "$q" "$s" | values exact)" 1e-4
+    done <<END
+largest growth|3|0.1|1.7050|1.2532
+largest growth|3|0.2|1.9130|1.5548
+largest growth|3|0.3|2.0471|1.8135
+largest growth|3|0.4|2.1686|2.0638
+its maximum: the separation|3|null|0.432413|0.443615
+its maximum: the growth|3|null|2.202558|2.172869
+its maximum: the separation|4|null|0.520419|0.533651
+its maximum: the growth|4|null|1.831348|1.810436
+the drop-off|3|null|0.53929|0.53929
+the drop-off|4|null|0.61901|0.61901
+growth of a pair|3|0.4|2.04654|2.04654
+dominoes to 112 m, r = 1.5|4|null|20|20
+END
+    same differences 'weights r^(-q i) left out in (25; c7)' "$(row 'largest growth' 3 0.2 | values why)"
+    same 'no difference' '0' "$(row 'largest growth: the reach' 3 0.8 | values difference)"
+    "$DOMINO" -e paper | grep -q 'A rigid-body engine agrees with the exact values'
+}

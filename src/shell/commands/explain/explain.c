@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command explain: where a number comes from. */
 #include "commands/explain/explain.h"
+#include "commands/explain/recipe.h"
 #include "commands/tables.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
@@ -176,10 +177,38 @@ const struct command explain_commands[] = {
              "'needs' "
              "names the quantities below each one.",
      .example = "explain theta1 0.2; explain barrier deep",
-     .see = "why theta1 barrier launch",
+     .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",
      .rows = true,
      .documents = true,
      ANSWER(explain)},
+    {.name = "recipe",
+     .synonyms = "paper method algorithm steps compare",
+     .train = true,
+     .summary = "the paper's recipe for the largest growth, beside this program",
+     .help =
+         "The section 'A general domino train' ends with five steps 'to find the maximum r'. Shows the "
+         "number that "
+         "each step gives at the session's s and r, by the steps and the fuel of the paper and by this "
+         "program, "
+         "and says where the two part and why. With friction, a slope or rounded edges there is no recipe.",
+     .example = "set q hollow; recipe",
+     .see = "paper explain rmax best fuel",
+     .unswept = "it compares the steps for one train",
+     .rows = true,
+     ANSWER(recipe)},
+    {.name = "paper",
+     .synonyms = "figures table compare reproduce van Leeuwen magnification",
+     .summary = "all that the paper states or draws, recomputed with both fuels",
+     .help = "A table of the paper's figures by points, its limits and its optimum, its printed relations "
+             "and the "
+             "quiz: each with the paper's closed form of the fuel and with that of the balance of energy, "
+             "and why "
+             "they differ. The rows are about the paper's own dominoes and do not depend on the scene.",
+     .example = "paper",
+     .see = "recipe explain curve plot",
+     .unswept = "it does not depend on the scene",
+     .rows = true,
+     ANSWER(paper)},
     {.name = NULL},
 };

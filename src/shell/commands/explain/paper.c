@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command paper: all that the paper states or draws and that can be recomputed. */
+#include "commands/explain/recipe.h"
+#include "language/quad.h"
+
+const struct column paper_columns[] = {
+    {"where", "", "the figure, the equation or the section of the paper", 13},
+    {"what", "", "what it states or draws", 34},
+    {"q", "", "mass exponent: 3 for hollow dominoes, 4 for massive ones", 4},
+    {"s", "h", "separation", 0},
+    {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
+    {"exact", "", "with the fuel from the balance of energy", 0},
+    {"difference", "share", "paper / exact - 1", 0},
+    {"why", "", "why the two differ", 30},
+    {NULL, NULL, NULL, 0},
+};
+
+/* What all rows share: the train of the paper, whose d is 7/48, and how to compute. */
+struct table {
+    struct answer *answer;
+    struct domq_train train;
+    struct domq_compute compute;
+    enum dom_status status;
+};
+
+static const char weights[] = "weights r^(-q i) left out in (25; c7)";
+
+/* Writes a row unless an earlier one has failed. */
+static void paper_row(struct table *t, const char *where, const char *what, domq_real s, domq_real paper,
+                      domq_real exact, const char *why)
+{
+    domq_real difference = paper / exact - 1;
+    bool differs = quad(fabs)(difference) > (domq_real)1e-9;
+    if (t->status == DOM_OK && !answer_lost(t->answer))
+        answer_row(t->answer,
+                   ROW(cell_word(where), cell_word(what), cell_real(t->train.q), cell_real(s),
+                       cell_unbounded(paper), cell_unbounded(exact), cell_unbounded(differs ? difference : 0),
+                       cell_word(differs ? why : "")),
+                   NULL);
+}
+
+/* Returns r_max with one of the fuels at a separation, and what ends it. */
+static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fuel)
+{
+    struct domq_limit limit = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE};
+    t->train.s = s;
+    t->train.fuel = fuel;
+    if (t->status == DOM_OK)
+        t->status = domq_limit_rmax(&t->train, &t->compute, &limit);
+    return limit;
+}
+
+/* Finds the separation beyond which the reach, r = 1/s, ends the growth. */
+static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
+{
+    domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;
+    while (high - low > high * quad_larger(t->compute.tol, (domq_real)1e-9) && t->status == DOM_OK) {
+        domq_real middle = (low + high) / 2;
+        *(limit_at(t, middle, fuel).ends == DOM_END_REACH ? &high : &low) = middle;
+    }
+    return high;
+}
+
+/* The figure of the growth as a function of the separation, by points, with its optimum and its drop-off. */
+static void growth_rows(struct table *t)
+{
+    struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
+    for (int k = 1; k <= 9; k++) {
+        const domq_real s = (domq_real)k / 10;
+        const struct domq_limit paper = limit_at(t, s, DOM_FUEL_PAPER),
+                                exact = limit_at(t, s, DOM_FUEL_EXACT);
+        paper_row(t, "Fig. growth",
+                  paper.ends == DOM_END_REACH ? "largest growth: the reach 1/s" : "largest growth", s,
+                  paper.r_max, exact.r_max, weights);
+    }
+    for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
+        t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        t->status = domq_limit_best(&t->train, &t->compute, &best[fuel]);
+    }
+    paper_row(t, "Fig. growth", "its maximum: the growth", DOMQ_NAN, best[0].r_max, best[1].r_max, weights);
+    paper_row(t, "Fig. growth", "its maximum: the separation", DOMQ_NAN, best[0].s, best[1].s, weights);
+    const domq_real paper = crossing_find(t, DOM_FUEL_PAPER), exact = crossing_find(t, DOM_FUEL_EXACT);
+    paper_row(t, "Fig. growth", "the drop-off r = 1/s begins at s", DOMQ_NAN, paper, exact, weights);
+}
+
+/* The figure of two dominoes, in which no fuel occurs. */
+static void pair_rows(struct table *t)
+{
+    for (int k = 2; k <= 9; k++) {
+        struct domq_limit pair = {.r_max = DOMQ_NAN};
+        t->train.s = (domq_real)k / 10;
+        if (t->status == DOM_OK)
+            t->status = domq_limit_pair(&t->train, &t->compute, &pair);
+        paper_row(t, "Fig. marginal",
+                  pair.ends == DOM_END_REACH ? "growth of a pair: the reach 1/s" : "growth of a pair",
+                  t->train.s, pair.r_max, pair.r_max, "");
+    }
+}
+
+/* What the paper prints about one train. */
+static void cycle_rows(struct table *t)
+{
+    struct domq_fuels fuels = {.exact = DOMQ_NAN};
+    struct domq_launch launch = {.J0 = DOMQ_NAN};
+    t->train.s = (domq_real)4 / 10;
+    t->train.r = (domq_real)3 / 2;
+    t->train.fuel = DOM_FUEL_EXACT;
+    if (t->status == DOM_OK)
+        t->status = domq_fuel_find(&t->train, &t->compute, &fuels);
+    if (t->status == DOM_OK)
+        t->status = domq_launch_find(&t->train, &t->compute, &launch);
+    paper_row(t, "(25; c7)", "the fuel P for r = 1.5", t->train.s, fuels.paper, fuels.exact, weights);
+    paper_row(t, "(50; d8)", "J(0) for r = 1.5, as printed", t->train.s,
+              1 + quad(pow)(t->train.r, -(t->train.q + 1)), launch.J0,
+              "the factor J(theta_c) was lost in print");
+}
+
+/* The quiz: how many dominoes topple the Domtoren, with the growth that the paper quotes and with the
+ * largest. */
+static void quiz_rows(struct table *t)
+{
+    const struct domq_scale scale = domq_scale_default();
+    struct domq_count count = {.dominoes = DOMQ_NAN};
+    struct domq_count most[2] = {{.dominoes = DOMQ_NAN}, {.dominoes = DOMQ_NAN}};
+    if (t->status == DOM_OK)
+        t->status = domq_count_find(scale.h, 112, (domq_real)3 / 2, &t->compute, &count);
+    paper_row(t, "Introduction", "dominoes to 112 m, r = 1.5", DOMQ_NAN, count.dominoes, count.dominoes, "");
+    for (int fuel = 0; fuel < 2 && t->status == DOM_OK; fuel++) {
+        struct domq_best best;
+        t->train.fuel = fuel == 0 ? DOM_FUEL_PAPER : DOM_FUEL_EXACT;
+        t->status = domq_limit_best(&t->train, &t->compute, &best);
+        if (t->status == DOM_OK)
+            t->status = domq_count_find(scale.h, 112, best.r_max, &t->compute, &most[fuel]);
+    }
+    paper_row(t, "Introduction", "dominoes to 112 m, largest growth", DOMQ_NAN, most[0].dominoes,
+              most[1].dominoes, weights);
+}
+
+bool run_paper(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct table t = {.answer = a, .train = domq_train_default(), .compute = query->scene->compute};
+    answer_largest(a, "difference", 1);
+    if (answer_for_people(a))
+        answer_leave_out(a, "why");
+    for (int q = 3; q <= 4; q++) {
+        t.train.q = q;
+        growth_rows(&t);
+        cycle_rows(&t);
+        quiz_rows(&t);
+        if (q == 3)
+            pair_rows(&t);
+    }
+    if (t.status != DOM_OK)
+        return problem_status(problem, query->scene, t.status);
+    answer_say(
+        a,
+        "Where they differ: the second equality of (25; c7), the closed form of the fuel, leaves out the "
+        "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
+        "in print. A rigid-body engine agrees with the exact values. The two fuels agree at the reach, "
+        "where the fuel does not matter.");
+    answer_say(
+        a,
+        "All rows are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the steps for "
+        "those of the session.");
+    return true;
+}
