@@ -121,3 +121,19 @@ END
             "$PWD/script"
     done
 }
+
+@test "animate: a long row is shown faster, in at most 10 s and 300 frames, unless a speed is given" {
+    "$DOMINO" -e 'effect row 20; animate a.gif'
+    read -r _ _ frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
+    same 'one delay' '4 ' "$delay $rest"
+    [ "$frames" -gt 200 ] && [ "$frames" -le 250 ] # 10 s
+    # The frames still reach from the first hit to the end.
+    csv 'effect row 20; animate a.gif' >data
+    close 'the end' "$(json 'effect row 20; verdict' | values seconds)" "$(tail -n 1 data | cut -d, -f 1)"
+    awk -F, 'NR == 4 { step = $1 - before } NR > 4 && NR < 200 { d = $1 - before - step; if (d > 1e-9 || d < -1e-9) exit 1 } { before = $1 }' data
+    same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
+        "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
+            'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
+    same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \
+        "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif speed 1')"
+}

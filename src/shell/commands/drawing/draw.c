@@ -274,8 +274,10 @@ const struct command draw_commands[] = {
      .summary = "a film of the row or the train in time, in FILE",
      .help =
          "'animate row.gif' shows the row from the push until the last domino lies, or until the row stops, "
-         "in real time and with a clock. 'speed 0.5' shows it half as fast, and 'rate 20' takes 20 frames "
-         "for each second. Where the largest domino is more than 30 times as tall as the smallest, the view "
+         "with a clock: in real time, or faster if that would take more than 9 s. 'speed 0.5' shows it half "
+         "as "
+         "fast as in real time, and 'rate 20' takes 20 frames for each second of the film. Where the largest "
+         "domino is more than 30 times as tall as the smallest, the view "
          "follows the front and grows with it. Without a row, or with 'animate train.gif train', the film "
          "shows cycles of the endless train, and 'animate train.gif train 4' four of them. Each cycle lasts "
          "sqrt(r) times as long as the one before, and is r times larger, so that at most 9 can be seen "

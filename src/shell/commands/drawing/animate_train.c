@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A film of several cycles of the train, each r times larger than the one before. */
+#include "commands/drawing/film.h"
+#include "commands/tables.h"
+#include "commands/walk.h"
+#include "language/quad.h"
+#include <math.h>
+
+enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
+/* The largest domino of a film may be this many times as tall as the first head, which would otherwise look
+ * like a dot. */
+#define GROWN_MOST 40
+#define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than an eye can see */
+
+/* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
+ * units of its tau. */
+struct train_film {
+    struct film film;
+    struct domq_train train;
+    struct domq_compute compute;
+    int cycles;
+    /* The growth, the pitch and duration of the first cycle, and the time between two frames. */
+    double r, pitch, duration, step;
+    double tau; /* tau of the first head, in s */
+    bool stops;
+    struct stage whole; /* a stage as large as that of the frames, without dominoes */
+    char ruler[96];
+};
+
+/* The cycle that runs at some time of the film: its number, from 0, and the time when it began. It lasts
+ * `slower` times as long as the first cycle, and its head is `scale` times as large as the first one and
+ * stands at `shift`. */
+struct place {
+    int cycle;
+    double begun, slower, scale, shift;
+};
+
+static struct place place_at(const struct train_film *f, double time)
+{
+    struct place p = {.slower = 1, .scale = 1};
+    while (p.cycle + 1 < f->cycles && time >= p.begun + f->duration * p.slower) {
+        p.begun += f->duration * p.slower;
+        p.shift += f->pitch * f->r * p.scale;
+        p.scale *= f->r;
+        p.slower *= sqrt(f->r);
+        p.cycle++;
+    }
+    return p;
+}
+
+/* Returns the largest number of cycles n with r^n <= grown_most, but at least 1 and at most `most`. The
+ * domino that the last head hits is r^n times as large as the first head. */
+static int cycles_within(double r, double grown_most, int most)
+{
+    int n = 1;
+    for (double grown = r * r; grown <= grown_most && n < most; grown *= r)
+        n++;
+    return n;
+}
+
+static bool cycles_count(struct train_film *f)
+{
+    const struct draw_what *what = f->film.what;
+    domq_real cycles = what->value[DRAW_CYCLES];
+    int most = cycles_within(f->r, GROWN_MOST, CYCLES_MOST);
+    bool good = cycles >= 1 && cycles <= most && cycles == quad(floor)(cycles);
+    f->cycles = good ? (int)cycles : cycles_within(f->r, 4, 5);
+    if (good || !what->has[DRAW_CYCLES])
+        return true;
+    f->film.problem->place = what->column;
+    return problem_no_answer(f->film.problem,
+                             "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
+                             "picture can show at this r",
+                             quad_shown(cycles).text, most);
+}
+
+static bool train_film_make(struct train_film *f)
+{
+    struct domq_event events[DOM_EVENTS_MAX];
+    int count = 0;
+    struct problem *problem = f->film.problem;
+    const struct scene *scene = f->film.query->scene;
+    f->train = scene->train;
+    f->compute = scene->compute;
+    f->compute.precision = DOM_DOUBLE;
+    f->compute.tol = FILM_TOL;
+    f->r = (double)f->train.r;
+    f->pitch = (double)(f->train.s + f->train.d);
+    f->tau = (double)domq_scale_tau(&scene->scale, &f->train);
+    f->film.delay = FRAMES_DELAY;
+    if (!cycles_count(f))
+        return false;
+    enum dom_status status = domq_cycle_events(&f->train, &f->compute, events, &count);
+    if (status == DOM_NO_MARGIN)
+        return problem_error(
+            problem, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
+    if (status == DOM_NO_FUEL)
+        return train_comes_to(f->film.query, problem, 0);
+    if (status != DOM_OK && status != DOM_STOPS)
+        return problem_status(problem, scene, status);
+    f->stops = status == DOM_STOPS;
+    f->cycles = f->stops ? 1 : f->cycles;
+    f->duration = (double)events[count - 1].time;
+    struct place last = place_at(f, (double)INFINITY);
+    double behind = f->pitch * f->r / (f->r - 1); /* length of the dominoes that lean on the first head */
+    double whole = last.begun + f->duration * last.slower;
+    f->whole.top = pow(f->r, f->cycles);
+    f->whole.right = last.shift + last.scale * f->r * f->pitch + 0.1 * f->whole.top;
+    f->whole.left = behind < 1.8 ? -1.05 * behind : -1.8;
+    f->film.frames = (size_t)ceil(FRAMES_FIRST * whole / f->duration) + 1;
+    f->step = whole / (double)(f->film.frames - 1);
+    snprintf(f->whole.caption, CAPTION, "1");
+    snprintf(f->ruler, sizeof f->ruler, "x in heights of the first head, %.4g mm; 0: the head",
+             (double)(1000 * scene->scale.h));
+    return true;
+}
+
+/* Scales and shifts the dominoes of a cycle to the size and position of its head, and adds those that stand
+ * beyond the next domino. */
+static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
+{
+    const struct drawn next = stage->domino[0];
+    double height = next.height, foot = next.foot;
+    for (int k = p.cycle + 2; k <= f->cycles; k++) {
+        struct drawn *waits = &stage->domino[stage->count++];
+        height *= f->r;
+        foot += f->pitch * height;
+        *waits = next;
+        waits->touched = false;
+        waits->height = height;
+        waits->thickness = (double)f->train.d * height;
+        waits->radius = (double)f->train.rho * height;
+        waits->foot = foot;
+    }
+    for (size_t k = 0; k < stage->count; k++) {
+        struct drawn *d = &stage->domino[k];
+        d->number = d->number == 0 ? 0 : NUMBER_NONE;
+        d->height *= p.scale;
+        d->thickness *= p.scale;
+        d->radius *= p.scale;
+        d->foot = p.shift + p.scale * d->foot;
+        d->contact = (struct point){p.shift + p.scale * d->contact.x, p.scale * d->contact.y};
+        drawn_stand(d);
+    }
+}
+
+static enum dom_status train_frame(struct train_film *f, size_t frame)
+{
+    struct stage stage;
+    domq_real theta;
+    struct answer *a = f->film.answer;
+    double time = f->step * (double)frame;
+    struct place p = place_at(f, time);
+    enum dom_status status = domq_cycle_tilt(
+        &f->train, &f->compute, (domq_real)fmin((time - p.begun) / p.slower, f->duration), &theta);
+    if (status == DOM_OK && a)
+        answer_cells(a, cell_real((domq_real)f->step * f->tau * (domq_real)frame), cell_count(p.cycle + 1),
+                     cell_real(theta));
+    if (status != DOM_OK || a)
+        return status;
+    status = stage_train(&stage, &f->train, &f->compute, theta, (p.shift - f->whole.left) / p.scale + 0.1);
+    if (status == DOM_OK) {
+        char cycle[48];
+        snprintf(cycle, sizeof cycle, "cycle %d of %d", p.cycle + 1, f->cycles);
+        snprintf(stage.caption, CAPTION, "t = %.1f ms, slowed down %.3g times: %s", 1e3 * f->tau * time,
+                 FRAMES_DELAY / 100.0 / (f->step * f->tau),
+                 !f->stops                     ? cycle
+                 : frame + 1 == f->film.frames ? "the train stops"
+                                               : "the train does not get over its barrier");
+        stage.ruler = f->ruler;
+        stage_place(&stage, f, p);
+        film_frame(&f->film, &stage);
+    }
+    stage_free(&stage);
+    return status;
+}
+
+static bool train_watch(struct film *film)
+{
+    enum dom_status status = DOM_OK;
+    for (size_t frame = 0; frame < film->frames && status == DOM_OK; frame++)
+        status = train_frame((struct train_film *)film, frame);
+    return status == DOM_OK || problem_status(film->problem, film->query->scene, status);
+}
+
+bool animate_train(const struct film *film)
+{
+    struct train_film f = {.film = *film};
+    return train_film_make(&f) && film_make(&f.film, &f.whole, train_watch);
+}
