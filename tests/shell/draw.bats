@@ -356,3 +356,29 @@ END
         [[ $output == *'Domino 2 (X) stops the row'* ]] || same "lean $lean" 'domino 2 stops the row' "$output"
     done
 }
+
+@test "draw tower: the row of the last count, a tower as tall as that at its end, and the small end enlarged" {
+    cd "$BATS_TEST_TMPDIR"
+    answer=$("$DOMINO" -e 'count 112 m; draw tower' | sed -n '/^20 dominoes, 4/,$p')
+    for words in '^20 dominoes, 4.8 cm to 106 m tall' 'Behind the last domino: a tower of 112 m' \
+        'Above the row, [0-9.]* times larger: dominoes 1 to 9\.' '^domino .* 19 *20 *tower$'; do
+        grep -q "$words" <<<"$answer" || same 'draw tower' "$words" "$answer"
+    done
+    # The spire is narrower than the foot, and the tower as tall as the picture.
+    awk '/##/ { n = match($0, /#+$/); if (n && !top) top = length($0) - n; if (n) low = length($0) - n } END { exit !(top < low) }' <<<"$answer"
+    # The data are those of the row with the growth of the count, not of the session.
+    same data "$(csv 'set r 1.6; effect row 17; draw')" "$(csv 'count 112 m 1.6; draw tower' | sed 1,2d)"
+    "$DOMINO" -e 'count 112 m; draw tower > a.svg; draw tower > a.png; set r 1.2; count 60 m; draw tower > b.svg'
+    grep -q '>tower<' a.svg && grep -q 'times larger: dominoes 1 to' b.svg
+    # What is drawn changes nothing in the session.
+    same scene "$(json 'show')" "$(json 'count 112 m 1.6; draw tower' >/dev/null; json show)"
+    while IFS='|' read -r command message; do
+        run -1 "$DOMINO" -e "$command"
+        grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
+    done <<END
+draw tower|shows the row of the last answer, if that was a count; first enter 'count 112 m'
+count 1 cm; draw tower|the last 'count' needs no dominoes
+count 112 m 1; draw tower|the last 'count' needs too many dominoes
+count 112 m; draw tower 3|one argument too many
+END
+}

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/stage.h"
 #include "language/quad.h"
+#include <math.h>
 #include <stdlib.h>
 
 enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and extra room for the caller */
@@ -26,8 +27,39 @@ void drawn_stand(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
+/* The right half of a tower with two square storeys and a lantern, from the ground up: half of its width over
+ * the width of the tower, and the height over that of the tower. */
+static const struct point silhouette[] = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
+                                          {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}};
+enum { SILHOUETTE = sizeof silhouette / sizeof *silhouette };
+_Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "an outline has room for a tower");
+
+static int tower_outline(const struct drawn *k, struct point outline[OUTLINE])
+{
+    double middle = (k->corner[0].x + k->corner[3].x) / 2;
+    int n = 0;
+    for (int i = 0; i < SILHOUETTE; i++)
+        outline[n++] = (struct point){middle + silhouette[i].x * k->thickness,
+                                      k->corner[0].y + silhouette[i].y * k->height};
+    for (int i = SILHOUETTE - 1; i-- > 0;)
+        outline[n++] = (struct point){2 * middle - outline[i].x, outline[i].y};
+    return n;
+}
+
+bool drawn_covers(const struct drawn *k, double up, double back)
+{
+    int i = 1;
+    while (i < SILHOUETTE - 1 && up > silhouette[i].y)
+        i++;
+    double part = (up - silhouette[i - 1].y) / (silhouette[i].y - silhouette[i - 1].y);
+    double half = silhouette[i - 1].x + part * (silhouette[i].x - silhouette[i - 1].x);
+    return k->number != NUMBER_TOWER || fabs(back - 0.5) <= half;
+}
+
 int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
 {
+    if (k->number == NUMBER_TOWER)
+        return tower_outline(k, outline);
     struct point up = direction(k->theta);
     /* At each corner the outline turns from one of these directions to the next. */
     const struct point side[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
@@ -60,7 +92,10 @@ static struct point touch(const struct drawn *follower, const struct drawn *lead
 int drawn_name(const struct drawn *k, char name[DRAWN_NAME])
 {
     return k->number >= 0 ? snprintf(name, DRAWN_NAME, "%d", k->number)
-                          : snprintf(name, DRAWN_NAME, k->number == NUMBER_NEXT ? "next" : "");
+                          : snprintf(name, DRAWN_NAME,
+                                     k->number == NUMBER_NEXT    ? "next"
+                                     : k->number == NUMBER_TOWER ? "tower"
+                                                                 : "");
 }
 
 bool drawn_locked(const struct drawn *k)

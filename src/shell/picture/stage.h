@@ -27,7 +27,8 @@ enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
 /* The values of drawn.number for the dominoes in front of the head: the next one, and those beyond it, which
  * have no label. */
-enum { NUMBER_NEXT = -1, NUMBER_NONE = -2 };
+/* NUMBER_TOWER makes a domino the silhouette of a tower, as tall as the domino. */
+enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3 };
 
 /* A domino on a stage. */
 struct drawn {
@@ -76,7 +77,11 @@ void drawn_stand(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Writes the text below a domino: its number, "next" or nothing. Returns the length of the text. */
+/* Returns true if a tower covers a point: `up` is its height over that of the tower, and `back` its distance
+ * from the front over the width of the tower. Every other domino covers all points of its rectangle. */
+bool drawn_covers(const struct drawn *domino, double up, double back);
+
+/* Writes the text below a domino: its number, "next", "tower" or nothing. Returns the length of the text. */
 enum { DRAWN_NAME = 16 };
 int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 

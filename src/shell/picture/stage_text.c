@@ -58,7 +58,7 @@ static void domino_fill(struct grid *g, const struct stage *stage, const struct 
             double x = p[0].x + up * (p[1].x - p[0].x) + back * (p[3].x - p[0].x);
             double y = p[0].y + up * (p[1].y - p[0].y) + back * (p[3].y - p[0].y);
             int column = column_of(g, x), row = g->ground - 1 - (int)floor(y / (2 * g->unit));
-            if (column >= LEFT && row < g->ground)
+            if (column >= LEFT && row < g->ground && drawn_covers(k, up, back))
                 canvas_text(&g->canvas, column, row, mark, ink_of(k));
         }
 }
@@ -68,14 +68,18 @@ static void domino_outline(struct grid *g, const struct drawn *k)
 {
     struct canvas *c = &g->canvas;
     bool filled = drawn_marked(k);
-    double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[CORNERS], y[CORNERS];
-    int phase = 0;
-    for (int i = 0; i < CORNERS; i++) {
-        x[i] = round((k->corner[i].x - g->left) / dot);
-        y[i] = bottom - round(k->corner[i].y / dot);
+    double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[OUTLINE], y[OUTLINE];
+    struct point outline[OUTLINE];
+    /* The rounding of edges is too small to be seen. */
+    bool is_tower = k->number == NUMBER_TOWER;
+    int phase = 0, count = is_tower ? drawn_outline(k, outline) : CORNERS;
+    for (int i = 0; i < count; i++) {
+        const struct point *p = is_tower ? &outline[i] : &k->corner[i];
+        x[i] = round((p->x - g->left) / dot);
+        y[i] = bottom - round(p->y / dot);
     }
-    for (int i = 0; i < CORNERS; i++)
-        canvas_line(c, x[i], y[i], x[(i + 1) % CORNERS], y[(i + 1) % CORNERS], ink_of(k), 0, &phase);
+    for (int i = 0; i < count; i++)
+        canvas_line(c, x[i], y[i], x[(i + 1) % count], y[(i + 1) % count], ink_of(k), 0, &phase);
     int steps = filled ? 2 * (int)(k->thickness / dot) + 1 : 0;
     for (int i = 1; i < steps; i++) {
         double part = (double)i / steps;

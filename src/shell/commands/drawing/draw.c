@@ -2,6 +2,7 @@
 /* The command draw, which draws the row or the train to scale, at one moment. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
+#include "commands/drawing/tower.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
@@ -127,8 +128,9 @@ static bool moment_show(const struct domq_moment *moment, void *context)
     return true;
 }
 
+/* Draws the row, beside a tower if its height is > 0. */
 static bool draw_row(const struct query *query, struct answer *a, struct problem *problem,
-                     const struct draw_what *what)
+                     const struct draw_what *what, double tower)
 {
     struct falling_row row;
     domq_real time = 0;
@@ -140,6 +142,8 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
     if (good && draw_at(what))
         status = falling_row_watch(&row, &time, 1, moment_show, &row);
     problem->place = 0;
+    if (good && tower > 0 && answer_for_people(a) && !tower_add(&row, tower))
+        status = DOM_NO_MEMORY;
     if (status != DOM_OK) {
         good = row_status(query, problem, status);
     } else if (good && answer_for_people(a)) {
@@ -238,7 +242,14 @@ static bool run_draw(const struct query *query, struct answer *a, struct problem
     }
     if (!picture_ready(a, problem))
         return false;
-    return row && !train ? draw_row(query, a, problem, what) : draw_train(query, a, problem, what);
+    if (what->tower) {
+        struct state state;
+        struct query changed;
+        double height;
+        return tower_query(query, &state, &changed, &height, problem) &&
+               draw_row(&changed, a, problem, what, height);
+    }
+    return row && !train ? draw_row(query, a, problem, what, 0) : draw_train(query, a, problem, what);
 }
 
 const struct command draw_commands[] = {
@@ -254,7 +265,9 @@ const struct command draw_commands[] = {
          "falls; a domino that has detached is shown as it was when it detached. Without a row, or with "
          "'draw train', the endless train is drawn: at the tilt that you give, as in 'draw 0.3', or where "
          "'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw forces' add the contact "
-         "forces. "
+         "forces. 'draw tower' after 'count 112 m' shows the row of that answer with a tower of 112 m at its "
+         "end, "
+         "and its smallest dominoes once more, enlarged. "
          "In the terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
          ".svg, .png or .pdf (with gnuplot), or .txt. csv and json have the corners, in m for a row, and "
          "the contacts and forces of a train.",

@@ -21,7 +21,7 @@ static const struct argument arguments[DRAW_VALUES] = {
 };
 
 static const char draw_usage[] =
-    "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces";
+    "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower";
 static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
 
@@ -88,6 +88,11 @@ bool draw_parse(struct reader *r, struct question *q)
     struct draw_parsed *p = parsed_make(r, q);
     if (!p || reader_takes(r, "at"))
         return p && moment_parse(r, p);
+    p->what.tower = reader_takes(r, "tower");
+    if (p->what.tower) {
+        reader_place(r, r->at);
+        return reader_ends(r) || wrong_word(r, true, draw_usage);
+    }
     p->what.train = reader_takes(r, "train");
     while (!reader_ends(r)) {
         bool full = p->what.forces || p->what.has[DRAW_TILT];

@@ -17,6 +17,7 @@ enum draw_value {
 
 struct draw_what {
     bool train;            /* draw the endless train, even if there is a row */
+    bool tower;            /* draw the row of the last 'count' beside a tower */
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* whether the user gave each of the values */
     domq_real value[DRAW_VALUES];

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/drawing/tower.h"
+#include "language/quad.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TOWER_WIDTH 0.2   /* of the tower, over its height */
+#define TOO_SMALL   0.012 /* a domino that is smaller, over the height of the tower, is drawn again */
+#define ZOOM_WIDE   0.36  /* the part of the picture that the larger copy takes */
+#define ZOOM_HIGH   0.4
+#define ZOOM_ABOVE  0.52 /* where the copy stands, over the height of the tower */
+#define ZOOM_LEAST  2    /* a copy that is not at least this many times larger shows nothing new */
+
+bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
+                 struct problem *problem)
+{
+    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES }; /* the first columns of 'count' */
+    const struct ans *ans = query->ans;
+    if (!ans->command || strcmp(ans->command->name, "count") != 0)
+        return problem_error(problem,
+                             "'draw tower' shows the row of the last answer, if that was a count; first "
+                             "enter 'count 112 m'");
+    const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
+                    most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
+    if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
+        return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s dominoes",
+                                 dominoes == 0 ? "no" : "too many");
+    *state = *query->state;
+    *changed = *query;
+    changed->state = state;
+    changed->scene = &state->scene;
+    changed->next = NULL;
+    state->scene.train.r = ans->cells[COUNT_GROWTH].number;
+    effect_put(&state->scene, DOM_EFFECT_row, dominoes, NULL);
+    *height = (double)ans->cells[COUNT_HEIGHT].number;
+    return true;
+}
+
+/* Adds a larger copy of the first dominoes. */
+static void zoom_add(struct stage *stage, size_t count, double height)
+{
+    const double left = stage->domino[0].foot - stage->domino[0].thickness;
+    size_t small = 0;
+    while (small < count && stage->domino[small].height < TOO_SMALL * height)
+        small++;
+    if (small == 0)
+        return;
+    const struct drawn *last = &stage->domino[small - 1];
+    double room = ZOOM_WIDE * (stage->right - stage->left);
+    for (size_t k = count; k-- > 0;) /* up to the first domino that reaches as high as the copy stands */
+        if (stage->domino[k].height > (ZOOM_ABOVE - 0.02) * height)
+            room = fmin(room, stage->domino[k].foot - 1.5 * stage->domino[k].thickness - left);
+    double wide = room / (last->foot - left), high = ZOOM_HIGH * height / last->height,
+           scale = fmin(wide, high);
+    if (scale < ZOOM_LEAST)
+        return;
+    for (size_t k = 0; k < small; k++) {
+        struct drawn *d = &stage->domino[stage->count++];
+        *d = stage->domino[k];
+        d->number = NUMBER_NONE;
+        d->height *= scale;
+        d->thickness *= scale;
+        d->radius *= scale;
+        d->foot = left + scale * (d->foot - left);
+        drawn_stand(d);
+        for (int i = 0; i < CORNERS; i++)
+            d->corner[i].y += ZOOM_ABOVE * height;
+    }
+    size_t at = strlen(stage->caption);
+    snprintf(stage->caption + at, CAPTION - at, "\nAbove the row, %.3g times larger: domino%s 1%s%.0d.",
+             scale, small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
+}
+
+bool tower_add(struct falling_row *row, double height)
+{
+    struct stage *stage = &row->stage;
+    const size_t count = stage->count;
+    struct drawn *more = realloc(stage->domino, (2 * count + 1) * sizeof *more);
+    if (!more)
+        return false;
+    stage->domino = more;
+    stage->row = NULL; /* the sizes would not fit */
+    struct drawn *tower = &more[stage->count++];
+    const struct drawn *last = tower - 1;
+    *tower = *last;
+    tower->number = NUMBER_TOWER;
+    tower->part = STANDS;
+    tower->height = height;
+    tower->thickness = TOWER_WIDTH * height;
+    tower->radius = tower->theta = 0;
+    tower->foot = last->foot + (last->foot - (last - (count > 1))->foot) * 1.2 + tower->thickness;
+    drawn_stand(tower);
+    stage->top = fmax(stage->top, height);
+    stage->right = fmax(stage->right, tower->foot);
+    size_t at = strlen(stage->caption);
+    snprintf(stage->caption + at, CAPTION - at, "\nBehind the last domino: a tower of %s.",
+             measured((domq_real)height, "m", 4).text);
+    zoom_add(stage, count, height);
+    return true;
+}

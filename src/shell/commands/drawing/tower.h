@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* 'draw tower': the row of the last 'count', with the silhouette of a tower at its end. */
+#ifndef SHELL_TOWER_H
+#define SHELL_TOWER_H
+
+#include "commands/drawing/falling_row.h"
+
+/* Makes the query about the row of the last 'count', in a copy of the state that borrows its memory, and
+ * finds the height of the tower. Returns false with a problem if there is no such answer. */
+bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
+                 struct problem *problem);
+
+/* Adds the tower behind the last domino and, above the small end of the row, a larger copy of the dominoes
+ * that are too small to be seen. Returns false if there is no memory. */
+bool tower_add(struct falling_row *row, double height);
+
+#endif
