@@ -123,3 +123,26 @@ END
     same 'no difference' '0' "$(row 'largest growth: the reach' 3 0.8 | values difference)"
     "$DOMINO" -e paper | grep -q 'A rigid-body engine agrees with the exact values'
 }
+
+@test "explain verdict of a row: the domino that decides it, with the energies of its run" {
+    while IFS='|' read -r scene domino unit; do
+        answer=$("$DOMINO" -e "$scene; explain verdict deep")
+        grep -q "k = $domino is " <<<"$answer" || same "$scene" "k = $domino" "$answer"
+        grep -Eq "^ *= [-0-9.e]+ $unit\$" <<<"$answer" || same "$scene" "$unit" "$answer"
+        for key in kinetic barrier margin; do
+            name=$(sed 's/kinetic/K_k/; s/barrier/B_k/; s/margin/margin_k/' <<<"$key")
+            close "$scene: $key" "$(csv "$scene; fall" | awk -F, -v k="$domino" -v key="$key" \
+                '/^domino/ { for (i = 1; i <= NF; i++) if ($i == key) c = i } $1 == k && c { print $c }')" \
+                "$(json "$scene; explain verdict deep" | grep "\"quantity\":\"$name\"" | values value)"
+        done
+    done <<END
+effect row 16; set r 1.64|2|mgh/2
+effect row 6; effect friction 0.2|2|mgh/2
+effect row "$root/examples/record.csv"; effect push 3|8|J
+END
+    run -1 "$DOMINO" -e 'set q hollow; set s 0.1; set r 1.2; effect row 5; explain verdict'
+    grep -q 'no energy decides how this row ends, at domino 1: it touches the next' <<<"$output"
+    ! "$DOMINO" -e 'effect row 6; explain verdict' | grep -q 'This is the endless train'
+    # Without a row the verdict is that of the train.
+    same train "$(json 'explain why')" "$(json 'explain verdict')"
+}

@@ -20,11 +20,25 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
                                    : snprintf(filled + n, size - n, "%c", *text));
 }
 
+/* Returns a number of the domino of a row. */
+static domq_real fall_value(const struct domq_fall *fall, const char *name)
+{
+    return strcmp(name, "margin") == 0    ? fall->margin
+           : strcmp(name, "kinetic") == 0 ? fall->kinetic
+           : strcmp(name, "barrier") == 0 ? fall->barrier
+           : strcmp(name, "lost") == 0    ? fall->lost
+                                          : fall->kinetic + fall->lost;
+}
+
 /* Computes the number of the library. A number that does not exist is NaN. Returns false with a problem. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
     const struct ans none = {.command = NULL};
+    if (*expression == '#') {
+        *value = fall_value(d->fall, expression + 1);
+        return true;
+    }
     fill_in(expression, isnan(d->height) ? d->theta : d->height, text, sizeof text);
     struct parse parse = {.text = text, .arena = &d->arena};
     struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena};
@@ -84,60 +98,6 @@ static bool is_of_term(const struct given *g)
     const char *name = g->names.text[0];
     size_t length = strlen(name);
     return strcmp(name, "i") == 0 || (length > 2 && strcmp(name + length - 2, "_i") == 0);
-}
-
-/* ---- Chains ---- */
-
-struct chain_room {
-    struct chain *chain;
-    size_t room;
-    bool full; /* There is no memory. */
-};
-
-static bool chain_link(const struct domq_link *link, void *context)
-{
-    struct chain_room *r = context;
-    struct chain *c = r->chain;
-    if (c->count + 2 > r->room) {
-        r->room = 2 * r->room + 64;
-        domq_real *theta = realloc(c->theta, r->room * sizeof *theta);
-        c->theta = theta ? theta : c->theta;
-        domq_real *slope = realloc(c->slope, r->room * sizeof *slope);
-        c->slope = slope ? slope : c->slope;
-        r->full = !theta || !slope;
-    }
-    if (r->full)
-        return false;
-    c->theta[c->count] = link->theta;
-    c->slope[c->count++] = link->slope;
-    return true;
-}
-
-/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt, and then,
- * up to `least` and two more, with dominoes that have detached or lie at the end of the train. */
-static bool chain_fill(struct derivation *d, struct chain *chain, domq_real theta, size_t least)
-{
-    struct chain_room room = {.chain = chain};
-    struct domq_angles angles;
-    chain->count = 0;
-    const struct domq_train *train = &d->state->scene.train;
-    enum dom_status status = domq_angles_find(train, &d->state->scene.compute, &angles);
-    if (status == DOM_OK)
-        status = domq_chain_walk(train, &d->state->scene.compute, theta, chain_link, &room);
-    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
-    const size_t walked = chain->count;
-    while (status == DOM_OK && !room.full && chain->count < (walked > least ? walked : least) + 2)
-        (void)chain_link(&rest, &room);
-    if (status == DOM_OK && room.full)
-        status = DOM_NO_MEMORY;
-    return status == DOM_OK || problem_status(d->problem, &d->state->scene, status);
-}
-
-static void chain_free(struct chain *chain)
-{
-    free(chain->theta);
-    free(chain->slope);
-    *chain = (struct chain){.theta = NULL};
 }
 
 /* ---- Steps ---- */
@@ -215,6 +175,9 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     *s = (struct step){.derived = derived_find(d->has, name), .computed = DOMQ_NAN, .value = DOMQ_NAN};
     s->depth = depth;
     s->given = s->derived ? NULL : given_find(name);
+    s->unit = s->derived ? s->derived->unit : s->given->unit;
+    if (d->fall && strcmp(s->unit, "mgh/2") == 0)
+        s->unit = d->energy_unit;
     if (!s->derived && !s->given->names.text[0]) {
         problem_error(d->problem, "there is no equation of %s for this train", name);
         return NULL;
@@ -285,27 +248,38 @@ static bool train_set(struct derivation *d, const struct explained *e, domq_real
     return true;
 }
 
-bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
-                     domq_real value, struct state *state, struct problem *problem)
+/* Finds out which equations hold. */
+static bool conditions_find(struct derivation *d, bool reach)
 {
     struct domq_angles angles;
+    const struct scene *scene = &d->state->scene;
+    if (d->fall)
+        return true; /* the sizes of a row need not be those of a train */
+    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    if (status != DOM_OK)
+        return problem_status(d->problem, scene, status);
+    d->has = conditions(&scene->train, angles.detaches, reach) |
+             (angles.detaches && d->theta > angles.theta_leave ? HAS_LEFT : 0u);
+    return true;
+}
+
+bool derivation_make(struct derivation *d, const struct query *query, const struct explained *e,
+                     domq_real value, const struct domq_fall *fall, struct state *state,
+                     struct problem *problem)
+{
     bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
     *state = *query->state;
     state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
     state->settings.style.angle = ANGLE_RAD;
-    *d = (struct derivation){.query = *query, .state = state, .problem = problem};
+    *d = (struct derivation){.query = *query, .state = state, .problem = problem, .fall = fall};
+    d->energy_unit = scene_has_masses(&state->scene) ? "J" : "mgh/2";
     d->query.state = state;
     d->query.scene = &state->scene;
     d->query.next = NULL;
     d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
     d->height = of_height ? value : DOMQ_NAN;
-    if (!train_set(d, e, value, &reach))
+    if (!train_set(d, e, value, &reach) || !conditions_find(d, reach))
         return false;
-    enum dom_status status = domq_angles_find(&state->scene.train, &state->scene.compute, &angles);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
-    d->has = conditions(&state->scene.train, angles.detaches, reach) |
-             (angles.detaches && d->theta > angles.theta_leave ? HAS_LEFT : 0u);
     char name[32];
     for (const char *c = e->roots; *c; c += strspn(c, " ")) {
         size_t n = strcspn(c, " ");

@@ -2,6 +2,7 @@
 /* The command explain: where a number comes from. */
 #include "commands/explain/explain.h"
 #include "commands/explain/recipe.h"
+#include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
@@ -112,7 +113,7 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
     answer_row(a,
                ROW(cell_word((s->derived ? s->derived->names : s->given->names).text[0]),
                    equation ? cell_word(equation) : none, numbers ? cell_word(numbers) : none,
-                   cell_unbounded(s->value), cell_word(step_unit(s)), cell_word(needs),
+                   cell_unbounded(s->value), cell_word(s->unit), cell_word(needs),
                    cell_word(s->derived ? s->derived->number : ""), cell_count(s->depth),
                    cell_word(step_words(s))),
                NULL);
@@ -122,27 +123,71 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
+static const struct explained of_row = {"verdict", NULL, "margin_k"};
+
+/* Runs the row, and finds the domino that decides its verdict: the one at which it stops, or the weakest.
+ * Returns false with a problem if no energy decides. */
+static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
+                          struct problem *problem)
+{
+    struct row_run run;
+    if (scene_has_engine(query->scene))
+        return problem_no_answer(problem,
+                                 "the rigid-body engine runs the row, since %s, and has no equations; 'fall' "
+                                 "shows its run",
+                                 scene_engine_why(query->scene));
+    if (!row_run(query, problem, false, &run))
+        return false;
+    const struct domq_verdict v = run.verdict;
+    const size_t count = run.scene.row.count, k = v.end == DOM_ROW_STOPS ? v.domino : v.weakest;
+    bool by_energy = (v.end == DOM_ROW_STOPS || v.end == DOM_ROW_FALLS) && k > 0;
+    if (by_energy)
+        *fall = run.fall[k - 1];
+    row_run_free(&run);
+    if (!by_energy)
+        return problem_no_answer(problem,
+                                 v.end == DOM_ROW_FALLS ? "all fall, and none of them has anything to climb"
+                                                        : "no energy decides how this row ends, at domino "
+                                                          "%zu: %s",
+                                 v.domino, dom_row_end_text(v.end));
+    a->note = NULL; /* the note says that the answer is about the train */
+    answer_say(a,
+               v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
+                                      : "Of %zu dominoes, k = %zu is the one at which the row stops.",
+               count, k);
+    return true;
+}
+
+/* Writes the derivation in the form that the output needs. */
+static void explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
+                           const struct explain_bound *bound)
+{
+    if (answer_for_people(a))
+        explain_write(a, d, e, bound);
+    for (int k = 0; !answer_for_people(a) && k < d->count; k++)
+        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1) && isfinite(d->step[k].value))
+            step_row(a, d, &d->step[k]);
+}
+
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct explained *e = &explained_list[(int)query->given->number[0]];
     const struct explain_bound *bound = query->given->bound, none = {.value = DOMQ_NAN};
+    const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
+    struct domq_fall fall;
+    if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
+        return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
+                             e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
+    if (row && !deciding_find(query, a, &fall, problem))
+        return false;
+    e = row ? &of_row : e;
+    bound = bound ? bound : &none;
     struct derivation *d = calloc(1, sizeof *d);
     struct state *state = malloc(sizeof *state);
-    bool done = d && state;
-    bound = bound ? bound : &none;
-    if (!done)
-        problem_status(problem, query->scene, DOM_NO_MEMORY);
-    else if (e->value && strcmp(e->value, "s") != 0 && isnan(bound->value))
-        done = problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
-                             e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
-    else
-        done = derivation_make(d, query, e, bound->value, state, problem);
-    if (done && answer_for_people(a))
-        explain_write(a, d, e, bound);
-    for (int k = 0; done && !answer_for_people(a) && k < d->count; k++)
-        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1) &&
-            isfinite(d->step[k].value + 0 * d->step[k].value))
-            step_row(a, d, &d->step[k]);
+    bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
+                           : problem_status(problem, query->scene, DOM_NO_MEMORY);
+    if (done)
+        explain_answer(a, d, e, bound);
     if (d)
         derivation_end(d);
     free(state);
@@ -170,7 +215,8 @@ const struct command explain_commands[] = {
              "The values are those that the other commands compute. MORE begins with a tilt after theta1, "
              "energy and "
              "omega, "
-             "a separation after rmax, and a height after count. Where no equation in closed form exists, as "
+             "a separation after rmax, and a height after count. With a row, verdict is about the domino "
+             "that decides it. Where no equation in closed form exists, as "
              "with "
              "friction or rounded edges, or where a search finds a maximum, the derivation says so and ends. "
              "'explain ... > lesson.md' and '> lesson.tex' write formulas for a lesson; json gives the tree: "

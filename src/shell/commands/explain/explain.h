@@ -77,6 +77,7 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 struct step {
     const struct derived *derived; /* NULL for a number that is given, and for a term of a sum */
     const struct given *given;
+    const char *unit;
     const struct tree *tree; /* of the equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
@@ -94,6 +95,8 @@ struct derivation {
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
+    const struct domq_fall *fall; /* the domino of a row that is explained, or NULL */
+    const char *energy_unit;      /* the unit of the energies of that row */
     struct step step[STEPS_MOST];
     int count;
     /* The tilts of the dominoes and their slopes at the tilt of the sum that is computed, and at launch. */
@@ -104,13 +107,18 @@ struct derivation {
     size_t i; /* the domino of the term that is computed */
 };
 
-/* Makes the steps of a question. Returns false with a problem. Call derivation_end in both cases. */
+/* Makes the steps of a question, about a domino of a row if `fall` is not NULL. Returns false with a problem.
+ * Call derivation_end in both cases. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
-                     const struct explained *explained, domq_real value, struct state *state,
-                     struct problem *problem);
+                     const struct explained *explained, domq_real value, const struct domq_fall *fall,
+                     struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-const char *step_unit(const struct step *step);
+/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt, and then,
+ * up to `least` and two more, with dominoes that have detached or lie at the end of the train. */
+bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta, size_t least);
+void chain_free(struct chain *chain);
+
 const char *step_words(const struct step *step);
 
 /* Writes the equation of a step with numbers in place of the names. Of a sum, writes the first terms, and the

@@ -164,6 +164,18 @@ const struct derived derived_list[] = {
       "the number of dominoes that topple one of the height H"),
     Q("H_n", "H_n", "H_n", 0, 0, SUM_NONE, "h*r^n", "count(@).last_height", "m", "",
       "height of the domino that n dominoes topple"),
+    /* Of a row. '#' begins the name of a member of struct domq_fall. */
+    Q("margin_k", "margin_k", "\\mathrm{margin}_k", 0, 0, SUM_NONE, "K_k - B_k", "#margin", "mgh/2", "26; c8",
+      "what is left at the highest point: the row goes on from domino k if it is at least 0"),
+    Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",
+      "kinetic energy of all moving dominoes just after domino k was hit"),
+    Q("E_k", "E_k", "E_k", 0, 0, SUM_NONE, NULL, "#before", "mgh/2", "21; c3",
+      "their kinetic energy just before that hit, of a run of dominoes 1 to k - 1: 'fall' lists it domino by "
+      "domino"),
+    Q("D_k", "D_k", "D_k", 0, 0, SUM_NONE, NULL, "#lost", "mgh/2", "22; c4",
+      "lost in the hit: the dominoes stay together, so that the collision is fully inelastic"),
+    Q("B_k", "B_k", "B_k", 0, 0, SUM_NONE, NULL, "#barrier", "mgh/2", "26; c8",
+      "barrier: how high the row climbs before domino k tips over, found by a search over all of its tilts"),
     {{{NULL, NULL, NULL}}, 0, 0, SUM_NONE, NULL, NULL, NULL, NULL, NULL},
 };
 

@@ -77,11 +77,6 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
         formula_write(&f, s->tree);
 }
 
-const char *step_unit(const struct step *s)
-{
-    return s->derived ? s->derived->unit : s->given->unit;
-}
-
 const char *step_words(const struct step *s)
 {
     return s->derived ? s->derived->words : s->given->words;
@@ -108,7 +103,7 @@ static void words_write(const struct writer *w, const struct step *s)
 /* Writes a value with its unit, which TeX sets in upright letters. */
 static void value_write(const struct writer *w, const struct step *s)
 {
-    const char *unit = step_unit(s);
+    const char *unit = s->unit;
     if (isfinite(s->value))
         formula_number(&w->formula, s->value, w->digits);
     else
@@ -187,7 +182,10 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     if (more && !w->tex)
         fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_shown(w->value).text);
-    if (!deep)
+    bool has_given = false;
+    for (int k = 0; k < w->derivation->count; k++)
+        has_given = has_given || w->derivation->step[k].given;
+    if (!deep || !has_given)
         return;
     fputs(w->tex ? "Given:\n\n" : "given:\n", out);
     if (w->tex && !w->markdown)
