@@ -92,7 +92,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line "'forces' is one argument too many; usage: draw" 'draw forces forces'
     one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
-    one_line 'use .svg, .png, .pdf or .txt' 'draw 0.1 > a.jpg'
+    one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
     one_line 'use the ending .gif, .webm or .mp4' 'animate a.png'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'

@@ -202,9 +202,9 @@ END
 @test "an ending that does not fit is one line, before anything is computed, and no file is left" {
     for name in a.jpg a.gif a.xlsx a.foo v.dat; do
         wrong "rmax > $name" "the ending of '$name' means no format; use .csv, .json or .txt"
-        wrong "draw > $name" "the ending of '$name' means no format; use .svg, .png, .pdf or .txt"
+        wrong "draw > $name" "the ending of '$name' means no format; use .svg, .png, .pdf, .gp or .txt"
     done
-    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf or .txt, or .csv or .json for its data"
+    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
     for what in 'set s 0.3' reset; do
         wrong "$what > a.csv" "'a.csv' is a data file, but '${what%% *}' has no data"
     done

@@ -260,3 +260,29 @@ END
     [[ $output == *'a safe session cannot read or write files'* ]]
     same 'nothing is left' '(nothing)' "$(ls)"
 }
+
+@test "plot > FILE.gp: gnuplot's script with its data, which draws the picture by itself" {
+    mkdir "$BATS_TEST_TMPDIR/scripts" && cd "$BATS_TEST_TMPDIR/scripts"
+    "$DOMINO" -e "plot growth > growth.gp; draw 0.3 forces > forces.gp; plot sweep s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel > \"it's.gp\"
+        sweep s 0.1 0.5 9 q 3, 4 : rmax > sweep.gp; effect row 7; draw > row.gp; plot growth > growth.pdf"
+    # The script alone is enough: it needs no other file, and draws one.
+    mkdir alone
+    for script in *.gp; do
+        cp "$script" alone
+        (cd alone && gnuplot "$script") || same "$script" 'a script' 'an error'
+        same "$script" '%PDF' "$(head -c 4 "alone/${script%.gp}.pdf")"
+    done
+    # The curves of the script are those of the data.
+    close 'r_max of solid dominoes' "$(csv 'plot growth' | awk -F, 'NR == 11 { print $2 }')" \
+        "$(sed -n '/^\$curve0/,/^END/p' growth.gp | awk 'NR == 11 { print $2 }')" 1e-8
+    grep -q "^set output 'it''s.pdf'" "it's.gp"
+    run -1 "$DOMINO" -e 'plot growth >> growth.gp'
+    grep -q 'holds one picture' <<<"$output"
+    # Other commands have no picture.
+    run -1 "$DOMINO" -e 'rmax > a.gp'
+    grep -q "is a picture, but 'rmax' draws none" <<<"$output"
+    # The script is written where gnuplot is not installed, too.
+    mkdir bin && ln -s "$(command -v env)" bin
+    PATH=$PWD/bin "$DOMINO" -e 'plot growth > again.gp'
+    sed 's/again/growth/g' again.gp | diff growth.gp -
+}

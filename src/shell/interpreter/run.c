@@ -143,8 +143,8 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     case ENDING_OTHER:
         return problem_error(problem, "the ending of '%s' means no format; use %s", shown,
                              c->documents ? ".md, .tex or .txt, or .csv or .json for its data"
-                             : c->draws   ? ".svg, .png, .pdf or .txt, or .csv or .json for its data"
-                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png or .pdf"
+                             : c->draws   ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf or .gp"
                              : c->columns || c->runs ? ".csv, .json or .txt"
                                                      : ".txt");
     case ENDING_NONE:

@@ -20,14 +20,15 @@ enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* least and largest height of a s
 #define PNG "pngcairo size 960,720 font 'sans,17'"
 #define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
 
-#define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, NULL},
+#define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, false, NULL},
 static const struct ending endings[] = {
-    FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, NULL},
-    {".svg", ENDING_PICTURE, NULL, SVG},
-    {".png", ENDING_PICTURE, NULL, PNG},
-    {".pdf", ENDING_PICTURE, NULL, PDF},
-    {".md", ENDING_DOCUMENT, NULL, NULL},
-    {".tex", ENDING_DOCUMENT, NULL, NULL},
+    FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, false, NULL},
+    {".svg", ENDING_PICTURE, NULL, false, SVG},
+    {".png", ENDING_PICTURE, NULL, false, PNG},
+    {".pdf", ENDING_PICTURE, NULL, false, PDF},
+    {".gp", ENDING_PICTURE, NULL, true, PDF},
+    {".md", ENDING_DOCUMENT, NULL, false, NULL},
+    {".tex", ENDING_DOCUMENT, NULL, false, NULL},
 };
 
 const struct ending *ending_of(const char *path)
@@ -73,7 +74,7 @@ bool picture_ready(const struct answer *a, struct problem *problem)
     if (is_filed(a) && a->appended)
         return problem_error(problem, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
                              names_shown(a->path, shown));
-    return !is_filed(a) || gnuplot_ready(problem);
+    return !is_filed(a) || ending_of(a->path)->is_script || gnuplot_ready(problem);
 }
 
 struct marks picture_marks(const struct answer *a)
@@ -94,6 +95,33 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than 79 columns are wide */
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
+}
+
+/* Writes the script of a picture, with its data, instead of the picture. The script draws into a .pdf file
+ * with the name of the script. */
+static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
+{
+    char terminal[160];
+    const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
+    const int length = (int)(strrchr(name, '.') - name);
+    const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
+    if (stage)
+        sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
+    else
+        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(a->path)->terminal);
+    fprintf(a->out,
+            "# A picture by domino, with its data: 'gnuplot %s' draws %.*s.pdf.\nset encoding utf8\nset "
+            "terminal %s\n"
+            "set output '",
+            name, length, name, terminal);
+    for (int i = 0; i < length; i++) /* in a text between ' the same sign is written twice */
+        fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
+    fprintf(a->out, ".pdf'\n");
+    if (stage)
+        stage_script(stage, &sheet, a->out);
+    else
+        chart_script(chart, a->out);
+    return true;
 }
 
 /* Draws with gnuplot, into a file or on a terminal that shows pictures. */
@@ -136,6 +164,8 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
+    if (is_filed(a) && ending_of(a->path)->is_script)
+        return show_script(a, chart, stage);
     if (by_gnuplot(a))
         return show_drawn(a, chart, stage, interrupt, problem);
     return show_text(a, chart, stage) || problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));

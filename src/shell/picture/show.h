@@ -18,7 +18,7 @@ enum ending_kind {
     ENDING_OTHER,    /* no format has this extension, which is an error */
     ENDING_TEXT,     /* .txt, which is the same as no extension */
     ENDING_DATA,     /* .csv, .json and every other format of answers */
-    ENDING_PICTURE,  /* .svg, .png or .pdf */
+    ENDING_PICTURE,  /* .svg, .png, .pdf, or .gp for a gnuplot script */
     ENDING_DOCUMENT, /* .md or .tex */
 };
 
@@ -27,6 +27,7 @@ struct ending {
     const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
     enum ending_kind kind;
     const struct format *format; /* for ENDING_DATA: the format of answers */
+    bool is_script;              /* the file gets the script of the picture, instead of the picture */
     const char *terminal;        /* for ENDING_PICTURE: the gnuplot terminal, with its options */
 };
 const struct ending *ending_of(const char *path);

@@ -269,7 +269,8 @@ const struct command draw_commands[] = {
          "end, "
          "and its smallest dominoes once more, enlarged. "
          "In the terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
-         ".svg, .png or .pdf (with gnuplot), or .txt. csv and json have the corners, in m for a row, and "
+         ".svg, .png or .pdf (with gnuplot), .gp for gnuplot's script, or .txt. csv and json have the "
+         "corners, in m for a row, and "
          "the contacts and forces of a train.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",

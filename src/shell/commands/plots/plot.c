@@ -180,7 +180,7 @@ bool plot_sweep(const struct query *query, struct answer *a, struct problem *pro
 
 const struct command plot_commands[] = {
     {.name = "plot",
-     .synonyms = "picture image graph figure chart diagram svg png pdf",
+     .synonyms = "picture image graph figure chart diagram svg png pdf gnuplot",
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "picture", .choices = plot_names},
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
@@ -194,7 +194,9 @@ const struct command plot_commands[] = {
          "show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
          "shows any sweep over one or two parameters. In the terminal the picture is drawn at once. "
          "'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; the endings "
-         ".csv and .json give the data.",
+         ".csv and .json give the data, and .gp gives gnuplot's script with the data in it, in which you can "
+         "change "
+         "title, fonts, size and ranges.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve draw",
