@@ -146,3 +146,16 @@ END
     # Without a row the verdict is that of the train.
     same train "$(json 'explain why')" "$(json 'explain verdict')"
 }
+
+@test "explain names the terms of sums, and says where a number has no value" {
+    "$DOMINO" -e 'explain fuel' | grep -q '^    next_i: tilt of domino i when the head hits the next domino, at theta_c$'
+    answer=$("$DOMINO" -e 'set s 0.05; explain why')
+    grep -q "^      = no value: this train has no such cycle; 'why' says more" <<<"$answer"
+    ! grep -qi 'nan' <<<"$answer"
+    same 'in json' null "$(json 'set s 0.05; explain why' | head -n 1 | values value)"
+    # Each name that a quantity needs is a row of its own.
+    json 'explain omega 0.1 deep' >tree
+    for name in $(values needs <tree | tr ' ' '\n' | sort -u); do
+        grep -q "\"quantity\":\"$name\"" tree || same needs "$name" '(nothing)'
+    done
+}

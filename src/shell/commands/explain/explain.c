@@ -165,7 +165,7 @@ static void explain_answer(struct answer *a, const struct derivation *d, const s
     if (answer_for_people(a))
         explain_write(a, d, e, bound);
     for (int k = 0; !answer_for_people(a) && k < d->count; k++)
-        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1) && isfinite(d->step[k].value))
+        if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
             step_row(a, d, &d->step[k]);
 }
 

@@ -107,7 +107,8 @@ static void value_write(const struct writer *w, const struct step *s)
     if (isfinite(s->value))
         formula_number(&w->formula, s->value, w->digits);
     else
-        fputs(w->tex ? "\\text{no value}" : "no value", w->formula.out);
+        fputs(w->tex ? "\\text{no value}" : "no value: this train has no such cycle; 'why' says more",
+              w->formula.out);
     if (*unit && isfinite(s->value))
         fprintf(w->formula.out, w->tex ? "\\,\\mathrm{%s}" : " %s", unit);
 }
@@ -146,12 +147,12 @@ static void needs_write(const struct writer *w, const struct step *s)
     FILE *out = w->formula.out;
     for (int k = 0; k < s->count; k++) {
         const struct step *need = s->needs[k];
-        if (!isfinite(need->value))
-            continue;
         fputs(!w->tex ? "    " : w->markdown ? "- $" : "\\item $", out);
         step_name(need, &w->formula);
-        fputs(" = ", out);
-        value_write(w, need);
+        if (isfinite(need->value)) { /* a name in the terms of a sum has no single value */
+            fputs(" = ", out);
+            value_write(w, need);
+        }
         fputs(w->tex ? "$: " : ": ", out);
         words_write(w, need);
         putc('\n', out);
