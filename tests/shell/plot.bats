@@ -286,3 +286,50 @@ END
     PATH=$PWD/bin "$DOMINO" -e 'plot growth > again.gp'
     sed 's/again/growth/g' again.gp | diff growth.gp -
 }
+
+@test "plot: title, labels, width, height and font of a file, with no text cut off from 6 to 30 cm" {
+    cd "$BATS_TEST_TMPDIR"
+    # A row, a scene and a plot, at each width; the words come after the argument, or before a grid.
+    while IFS='|' read -r scene before after; do
+        for width in 6 8 12 30; do
+            "$DOMINO" -e "$scene; plot $before width $width cm $after > a.svg" >/dev/null
+            grep -q "width=\"$((45 * width))\"" a.svg
+            "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$before $width" 'texts apart' "$(cat texts)"
+        done
+    done <<END
+reset|growth|
+reset|growth paper|
+reset|marginal|
+reset|energy|
+reset|omega|
+reset|inertia|
+reset|chain|
+reset|cost rmax|
+effect row 9|fall|
+effect row 9|speed|
+effect row 9|gaps|
+effect row 5|placement 40|
+reset|sweep|s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel
+reset|sweep|s 0.1 0.5 9 q 3, 4 : rmax
+END
+    "$DOMINO" -e 'plot growth title "My title" xlabel "the gap" ylabel "factor" height 7 cm width 12 cm font 9 > b.svg'
+    "$BATS_TEST_DIRNAME/labels" b.svg >texts
+    for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
+    grep -q 'width="540" height="315"' b.svg && grep -q 'font-size="13.9' b.svg
+    # The usual picture stays as it is, words in either order are the same, and data have no look.
+    same order "$("$DOMINO" -e 'plot growth width 9 cm paper > c.svg' && cat c.svg)" "$("$DOMINO" -e 'plot growth paper width 9 cm > c.svg' && cat c.svg)"
+    same data "$(csv 'plot growth')" "$(csv 'plot growth title "x" width 8 cm')"
+    "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
+    "$DOMINO" -e 'plot growth width 8 cm > d.gp' && grep -q '^set terminal pdfcairo size 8cm' d.gp
+    while IFS='|' read -r command message; do
+        run -1 "$DOMINO" -e "$command"
+        grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
+    done <<END
+plot growth width 2 cm > a.svg|width is 2 cm; it is 6 .. 30 cm
+plot growth font 40 > a.svg|font is 40; it is 5 .. 30 points
+plot growth width|the value of 'width' is missing
+plot growth title "x|never closed
+plot growth paper paper|one argument too many
+plot fall 3|takes nothing after it
+END
+}

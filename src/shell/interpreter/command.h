@@ -74,7 +74,7 @@ struct arguments {
     /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
     const struct variable *variable;
     void *bound;  /* the result of argument.bind */
-    void *memory; /* the memory of `bound` if arguments_take allocated it */
+    void *memory; /* all memory that arguments_take has allocated */
 };
 
 /* A command. Strings and pointers that a command does not need are NULL. */

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/question.h"
+#include <stdalign.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,17 +47,30 @@ bool question_bind(const struct question *q, const struct query *query, struct c
     return true;
 }
 
+/* Memory that arguments_take has allocated, as an element of a linked list. */
+struct taken {
+    struct taken *before;
+    alignas(max_align_t) unsigned char data[];
+};
+
 void call_free(struct call *call)
 {
-    free(call->given.memory);
+    for (struct taken *taken = call->given.memory, *before; taken; taken = before) {
+        before = taken->before;
+        free(taken);
+    }
 }
 
 void *arguments_take(struct arguments *given, size_t size, const struct query *query, struct problem *problem)
 {
-    given->bound = given->memory = calloc(1, size);
-    if (!given->memory)
+    struct taken *taken = calloc(1, sizeof *taken + size);
+    if (!taken) {
         problem_status(problem, query->scene, DOM_NO_MEMORY);
-    return given->memory;
+        return given->bound = NULL;
+    }
+    taken->before = given->memory;
+    given->memory = taken;
+    return given->bound = taken->data;
 }
 
 bool question_ask(const struct question *q, const struct query *query, struct answer *answer,

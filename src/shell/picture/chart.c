@@ -85,6 +85,23 @@ void chart_scale(struct chart *c, double x, double y)
     c->y.high /= y;
 }
 
+/* ---- What the user chooses ---- */
+
+void chart_dress(struct chart *c)
+{
+    const struct chart_look *look = &c->look;
+    if (look->title) {
+        snprintf(c->title, sizeof c->title, "%s", look->title);
+        c->note[0] = '\0';
+    }
+    if (look->x)
+        snprintf(c->x.label, sizeof c->x.label, "%s", look->x);
+    if (look->y && c->map.value)
+        snprintf(c->map.label, sizeof c->map.label, "%s", look->y);
+    else if (look->y)
+        snprintf(c->y.label, sizeof c->y.label, "%s", look->y);
+}
+
 /* ---- Axes ---- */
 
 static void axis_include(const struct chart_axis *axis, double value, double *low, double *high)

@@ -52,6 +52,19 @@ struct chart_event {
     char name[32];
 };
 
+/* How a chart is drawn into a file. The texts are NULL, and the numbers 0, for what the user has not chosen.
+ */
+struct chart_look {
+    const char *title, *x, *y; /* texts in place of the title and of the labels of the axes */
+    double width, height;      /* in cm */
+    double font;               /* in points */
+};
+
+/* The size of a picture in a file, if the user has not chosen it. */
+#define CHART_WIDTH  16.0 /* cm */
+#define CHART_HEIGHT 12.0
+#define CHART_FONT   11.0 /* points */
+
 enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
 
 /* A chart has either curves or a map. */
@@ -63,6 +76,7 @@ struct chart {
     struct chart_event event[CHART_EVENTS]; /* vertical lines with names at their upper ends */
     int events;
     struct chart_map map;
+    struct chart_look look;
     bool failed; /* memory for the data ran out */
 };
 
@@ -95,6 +109,12 @@ void chart_scale(struct chart *chart, double x, double y);
 void chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
+
+/* Replaces the texts of a chart by those that the user has chosen. */
+void chart_dress(struct chart *chart);
+
+/* Returns the size of a picture and of its letters, with what the user has not chosen. */
+struct chart_look chart_size(const struct chart *chart);
 
 /* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.
  * axis_number returns the value at such a position. */

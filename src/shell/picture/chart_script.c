@@ -6,19 +6,90 @@
 #include <math.h>
 #include <string.h>
 
-enum { COLUMNS = 64 /* width of a picture in letters */, ROOM = 320 };
-#define LETTER 0.016 /* width of a letter, as a fraction of the x axis */
+enum { ROOM = 320 };
+
+/* The height of a line of text in cm, for letters of one point. */
+#define LINE_CM 0.048
+
+/* Returns the width of a picture in letters, if it has this width in cm and letters of this size. */
+static int columns_in(double width, double font)
+{
+    const double usual = 64;
+    int columns = (int)(usual * width / CHART_WIDTH * CHART_FONT / font);
+    return columns > 16 ? columns : 16;
+}
+
+/* Returns how many columns the legend has: as many as its longest title allows. */
+static int legend_across(const struct chart *c, int columns, int *longest)
+{
+    *longest = 0;
+    for (int k = 0; k < c->curves; k++) {
+        int title = terminal_columns(c->curve[k].title);
+        *longest = title > *longest ? title : *longest;
+    }
+    int across = (columns + 4) / (*longest + 9);
+    return across > 0 ? across : 1;
+}
+
+/* Returns how many lines the texts around the axes have, without the names of events. */
+static int lines_around(const struct chart *c, int columns)
+{
+    const char *const texts[] = {c->title, c->note, c->x.label, c->y.label, c->map.value ? c->map.label : ""};
+    int lines = 3, longest, across = legend_across(c, columns, &longest);
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
+    const int high = longest >= columns ? 2 : 1; /* each entry of the legend, if a title is broken */
+    return lines + (c->map.value ? 0 : high * ((c->curves + across - 1) / across));
+}
+
+struct chart_look chart_size(const struct chart *c)
+{
+    /* The axes are at least this part of the width high. In a narrow picture the letters are smaller. */
+    const double least_high = 0.45, least_font = 7, narrow = 10;
+    struct chart_look look = c->look;
+    look.width = look.width > 0 ? look.width : CHART_WIDTH;
+    look.font =
+        look.font > 0 ? look.font : fmax(fmin(CHART_FONT, CHART_FONT * look.width / narrow), least_font);
+    double texts = LINE_CM * look.font * lines_around(c, columns_in(look.width, look.font));
+    look.height = look.height > 0
+                      ? look.height
+                      : fmax(look.width * CHART_HEIGHT / CHART_WIDTH, texts + least_high * look.width);
+    return look;
+}
+
+/* Returns the width of a picture in letters. */
+static int columns_of(const struct chart *c)
+{
+    const struct chart_look look = chart_size(c);
+    return columns_in(look.width, look.font);
+}
+
+/* Returns how many ticks the y axis has room for. */
+static int ticks_up(const struct chart *c)
+{
+    const struct chart_look look = chart_size(c);
+    double line = LINE_CM * look.font, high = look.height - line * lines_around(c, columns_of(c));
+    int most = (int)(high / (1.8 * line));
+    return most < 2 ? 2 : most < 9 ? most : 9;
+}
+
+/* Returns the width of a letter, as a fraction of the x axis. */
+static double letter_of(const struct chart *c)
+{
+    return 1.024 / columns_of(c);
+}
 
 /*
  * Breaks a text into lines of about equal length that fit the picture, and writes them as the content of a
  * double-quoted gnuplot string. Returns the number of lines.
  */
-static int lines_make(const char *text, char script[ROOM])
+static int lines_make(const struct chart *c, const char *text, char script[ROOM])
 {
-    int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / COLUMNS + 1) + 8;
+    const int most = columns_of(c);
+    int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / most + 1) + 8;
     script[0] = '\0';
     while (*text && at + 4 < ROOM) {
-        size_t n = line_break(text, columns < COLUMNS ? columns : COLUMNS);
+        size_t n = line_break(text, columns < most ? columns : most);
         at += snprintf(script + at, (size_t)(ROOM - at), "%s", lines++ ? "\\n" : "");
         for (size_t i = 0; i < n && at + 4 < ROOM; i++)
             at +=
@@ -28,9 +99,9 @@ static int lines_make(const char *text, char script[ROOM])
     return lines;
 }
 
-static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
+static void axis_script(FILE *out, const struct chart_axis *a, const char *name, int most)
 {
-    const struct ticks ticks = axis_ticks(a, a->whole ? 20 : 9);
+    const struct ticks ticks = axis_ticks(a, most);
     if (a->logarithmic)
         fprintf(out, "set logscale %s\n", name);
     fprintf(out, "set %srange [%.10g:%.10g]\nset %stics (", name, a->low, a->high, name);
@@ -43,14 +114,13 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name)
  * gnuplot, which assumes that letters are wider than they are. */
 static void legend_script(const struct chart *c, FILE *out)
 {
-    int longest = 0;
-    for (int k = 0; k < c->curves; k++) {
-        int columns = terminal_columns(c->curve[k].title);
-        longest = columns > longest ? columns : longest;
-    }
-    int across = (COLUMNS + 4) / (longest + 9);
-    fprintf(out, "set key below Left reverse samplen 4 height 0.6 noenhanced maxcols %d width %d\n",
-            across > 0 ? across : 1, longest > 16 ? -longest / 4 : 0);
+    int longest, across = legend_across(c, columns_of(c), &longest), broken = 0;
+    char title[ROOM];
+    for (int k = 0; k < c->curves; k++)
+        broken += lines_make(c, c->curve[k].title, title) > 1;
+    /* gnuplot leaves no room for the second line of a title. */
+    fprintf(out, "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
+            broken ? 1.4 : 0.6, broken ? 2.0 : 1.0, across, longest > 16 ? -longest / 4 : 0);
 }
 
 /*
@@ -60,17 +130,18 @@ static void legend_script(const struct chart *c, FILE *out)
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];
-    int lines = lines_make(c->title, title) + lines_make(c->note, note), above = event_rows(c, LETTER);
-    int left = lines_make(c->y.label, y), right = c->map.value ? lines_make(c->map.label, shades) : 0;
+    int lines = lines_make(c, c->title, title) + lines_make(c, c->note, note),
+        above = event_rows(c, letter_of(c));
+    int left = lines_make(c, c->y.label, y), right = c->map.value ? lines_make(c, c->map.label, shades) : 0;
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + left + 0.1);
-    if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > COLUMNS - 4)
+    if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > columns_of(c) - 4)
         above += left; /* there is no room for the two labels side by side */
     above += left > right ? left : right;
     if (right)
         fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", shades,
                 above + 0.1);
-    lines_make(c->x.label, x);
+    lines_make(c, c->x.label, x);
     fprintf(out,
             "set xlabel \"%s\" noenhanced\nset title \"%s%s%s\" noenhanced offset 0,%g\nset tmargin %g\n", x,
             title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
@@ -80,7 +151,7 @@ static void texts_script(const struct chart *c, FILE *out)
 static void events_script(const struct chart *c, FILE *out)
 {
     for (int k = 0; k < c->events; k++) {
-        const struct event_spot spot = event_spot(c, k, LETTER);
+        const struct event_spot spot = event_spot(c, k, letter_of(c));
         double x = c->event[k].x;
         fprintf(out,
                 "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n"
@@ -145,7 +216,7 @@ static void map_script(const struct chart *c, FILE *out)
                   : "(($1+$2)/2):(($3+$4)/2):1:2:3:4:5 with boxxyerror fs solid noborder lc palette z");
 }
 
-static void curve_script(const struct chart_curve *curve, int k, FILE *out)
+static void curve_script(const struct chart *c, int k, FILE *out)
 {
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
@@ -160,6 +231,7 @@ static void curve_script(const struct chart_curve *curve, int k, FILE *out)
         [CHART_RANGES] = {"1:3:(0):($4-$3) with vectors heads size screen 0.007,90", .width = 4},
         [CHART_BOTH] = {"1:2:3:4 with yerrorlines", 0, 1, true},
     };
+    const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
     double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;
     fprintf(out, "%s$curve%d using %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k, styles[curve->kind].how,
@@ -168,7 +240,7 @@ static void curve_script(const struct chart_curve *curve, int k, FILE *out)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
         fprintf(out, " pt %d ps %g", points[curve->ink], styles[curve->kind].size);
-    lines_make(curve->title, title);
+    lines_make(c, curve->title, title);
     fprintf(out, " title \"%s\"", title);
 }
 
@@ -178,8 +250,13 @@ void chart_script(const struct chart *c, FILE *out)
                  "set grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
     legend_script(c, out);
     texts_script(c, out);
-    axis_script(out, &c->x, "x");
-    axis_script(out, &c->y, "y");
+    const int across = 9 * columns_of(c) / 64;
+    axis_script(out, &c->x, "x",
+                c->x.whole   ? 20 * columns_of(c) / 64
+                : across < 4 ? 4
+                : across < 9 ? across
+                             : 9);
+    axis_script(out, &c->y, "y", c->y.whole ? 20 : ticks_up(c));
     events_script(c, out);
     if (c->map.value) { /* a chart with a map has no curves */
         map_script(c, out);
@@ -188,6 +265,6 @@ void chart_script(const struct chart *c, FILE *out)
     for (int k = 0; k < c->curves; k++)
         points_script(&c->curve[k], k, out);
     for (int k = 0; k < c->curves; k++)
-        curve_script(&c->curve[k], k, out);
+        curve_script(c, k, out);
     fprintf(out, "\n");
 }

@@ -97,6 +97,26 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
                  : stage_text(stage, look, width, height, a->out);
 }
 
+/* Writes the gnuplot terminal for a chart in a file with this ending. */
+static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
+{
+    const struct chart_look look = chart_size(chart);
+    const char *usual = ending_of(path)->terminal, *ending = ending_of(path)->text;
+    /* The dots of a centimetre, and of a point, in the pictures of the usual size. */
+    if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0))
+        snprintf(terminal, size, "%s enhanced", usual);
+    else if (strcmp(ending, ".svg") == 0)
+        snprintf(terminal, size,
+                 "svg size %.0f,%.0f dynamic font 'sans,%.3g' background rgb 'white' enhanced",
+                 45 * look.width, 45 * look.height, look.font * 17 / CHART_FONT);
+    else if (strcmp(ending, ".png") == 0)
+        snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,%.3g' enhanced", 60 * look.width,
+                 60 * look.height, look.font * 17 / CHART_FONT);
+    else
+        snprintf(terminal, size, "pdfcairo size %.6gcm,%.6gcm font 'sans,%.3g' enhanced", look.width,
+                 look.height, look.font);
+}
+
 /* Writes the script of a picture, with its data, instead of the picture. The script draws into a .pdf file
  * with the name of the script. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
@@ -108,7 +128,7 @@ static bool show_script(const struct answer *a, const struct chart *chart, const
     if (stage)
         sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
     else
-        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(a->path)->terminal);
+        chart_terminal(chart, a->path, terminal, sizeof terminal);
     fprintf(a->out,
             "# A picture by domino, with its data: 'gnuplot %s' draws %.*s.pdf.\nset encoding utf8\nset "
             "terminal %s\n"
@@ -147,7 +167,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     else if (stage)
         sheet_terminal(&sheet, a->path, terminal, sizeof terminal);
     else
-        snprintf(terminal, sizeof terminal, "%s enhanced", ending_of(a->path)->terminal);
+        chart_terminal(chart, a->path, terminal, sizeof terminal);
     bool drawn = picture_begin(&picture, drawing, terminal, interrupt, problem);
     if (drawn && stage)
         stage_script(stage, &sheet, picture.script);
@@ -174,6 +194,7 @@ static bool show(const struct answer *a, const struct chart *chart, const struct
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {
+    chart_dress(chart);
     chart_fit(chart);
     bool shown = chart->failed ? problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY))
                                : show(a, chart, NULL, interrupt, problem);

@@ -125,10 +125,23 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* Parses the arguments that follow the name of a plot. */
-static bool more_parse(struct reader *r, struct question *q)
+/* What follows the name of a plot, as it was parsed. */
+struct plot_parsed {
+    struct look_parsed look;
+    bool has_argument; /* the argument of the plot was given */
+    void *argument;    /* of a grid: what sweep_parse_grid has made */
+};
+
+/* The same with its values. */
+struct plot_given {
+    struct chart_look look;
+    bool has_argument;
+    void *argument;
+};
+
+/* Parses the argument of a plot. */
+static bool argument_parse(struct reader *r, const struct plot *plot, struct question *q)
 {
-    const struct plot *plot = &plots[(int)q->item[0].number];
     if (!plot->argument)
         return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
     switch (plot->argument->kind) {
@@ -137,15 +150,46 @@ static bool more_parse(struct reader *r, struct question *q)
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, plot->argument, &q->item[1]);
     default:
-        r->last = true;
+        r->last = false; /* words about the look may follow */
         return item_parse(r, plot->argument, &q->item[1]);
     }
+}
+
+/* Parses the look of a chart, the argument of the plot, and more about the look. A grid goes on to the end.
+ */
+static bool more_parse(struct reader *r, struct question *q)
+{
+    const struct plot *plot = &plots[(int)q->item[0].number];
+    struct plot_parsed *p = arena_take(r->arena, sizeof *p);
+    if (!p)
+        return problem_error(r->problem, "out of memory");
+    if (!look_parse(r, &p->look))
+        return false;
+    reader_place(r, r->at);
+    p->has_argument = !reader_ends(r);
+    if (p->has_argument && !argument_parse(r, plot, q))
+        return false;
+    p->argument = q->parsed;
+    q->parsed = p;
+    return look_parse(r, &p->look) &&
+           (reader_ends(r) || problem_error(r->problem, "'%.20s' is one argument too many", r->at));
 }
 
 static bool more_bind(const struct question *q, const struct query *query, struct arguments *given,
                       struct problem *problem)
 {
-    return !q->parsed || sweep_bind(q, query, given, problem);
+    const struct plot_parsed *p = q->parsed;
+    struct question inner = *q;
+    inner.parsed = p->argument;
+    if (p->argument && !sweep_bind(&inner, query, given, problem))
+        return false;
+    void *argument = p->argument ? given->bound : NULL;
+    struct plot_given *g = arguments_take(given, sizeof *g, query, problem);
+    if (!g)
+        return false;
+    g->has_argument = p->has_argument;
+    g->argument = argument;
+    return look_bind(&p->look, q->text, query, &g->look, problem);
 }
 
 /* Chooses the columns of a plot, in the order of its keys. Of columns with the same key, takes the one whose
@@ -167,15 +211,24 @@ static void columns_choose(const struct plot *plot, struct column *chosen)
 static bool run_plot(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct plot *plot = &plots[(int)query->given->number[0]];
+    const struct plot_given *more = query->given->count > 1 ? query->given->bound : NULL;
+    const struct chart_look usual = {.title = NULL};
+    /* The plots see their own argument alone. */
+    struct arguments given = *query->given;
+    struct query own = *query;
+    given.count = more && more->has_argument ? 2 : 1;
+    given.bound = more ? more->argument : NULL;
+    own.given = &given;
     columns_choose(plot, a->copy);
     a->columns = a->copy;
     a->style.errors = 0; /* a picture shows no error bounds */
-    return plot_draw(plot, query, a, problem);
+    return plot_draw(plot, more ? &more->look : &usual, &own, a, problem);
 }
 
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)
 {
-    return plot_draw(&plots[names_exact(plot_names, NULL, "sweep")], query, a, problem);
+    const struct chart_look usual = {.title = NULL};
+    return plot_draw(&plots[names_exact(plot_names, NULL, "sweep")], &usual, query, a, problem);
 }
 
 const struct command plot_commands[] = {
@@ -196,7 +249,11 @@ const struct command plot_commands[] = {
          "'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; the endings "
          ".csv and .json give the data, and .gp gives gnuplot's script with the data in it, in which you can "
          "change "
-         "title, fonts, size and ranges.",
+         "whatever you like. 'plot growth title \"Growth\" width 8 cm font 9 > a.pdf' chooses the look of a "
+         "file: "
+         "'title', 'xlabel' and 'ylabel' with a text, 'width' and 'height' from 6 to 30 cm, and 'font' in "
+         "points, "
+         "in any order, and before the grid of a sweep.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve draw",

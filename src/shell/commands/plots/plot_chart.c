@@ -120,7 +120,8 @@ static void chart_finish(const struct plot *plot, const struct answer *a, struct
     chart_scale(chart, axis_label(&chart->x, &plot->x, a, x), axis_label(&chart->y, &plot->y, a, y));
 }
 
-bool plot_draw(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem)
+bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
+               struct answer *a, struct problem *problem)
 {
     if (!answer_for_people(a))
         return plot->run(query, a, NULL, problem);
@@ -142,6 +143,7 @@ bool plot_draw(const struct plot *plot, const struct query *query, struct answer
         chart_finish(plot, a, &chart);
     }
     free(text);
+    chart.look = *look;
     if (done)
         return chart_show(&chart, a, query->scene->compute.interrupt, problem);
     chart_free(&chart);

@@ -69,8 +69,19 @@ struct plot {
     const struct argument *argument; /* the argument that may follow its name, or NULL */
 };
 
-/* Writes the rows of a plot for programs, or draws a chart of them for people. */
-bool plot_draw(const struct plot *plot, const struct query *query, struct answer *a, struct problem *problem);
+/* Writes the rows of a plot for programs, or draws a chart of them for people, as the user wants it to look.
+ */
+bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
+               struct answer *a, struct problem *problem);
+
+/* Parses words about the look of a chart, such as 'title "..." width 8 cm', as far as they follow. */
+struct look_parsed {
+    struct chart_look look;
+    struct item size[3];
+};
+bool look_parse(struct reader *reader, struct look_parsed *parsed);
+bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
+               struct chart_look *look, struct problem *problem);
 
 /* plot_sweep draws a sweep that was typed as 'sweep' or as 'plot sweep'. plot_sweep_draw makes the chart of
  * its rows. */
