@@ -72,7 +72,7 @@ print 4 cm to f|ft
 2*(rmax with fri|friction
 sweep s 0.1 0.3 3 q hollow, s|solid
 animate a.gif speed 2; set ou|output
-draw |at train forces
+draw |at tower train forces
 draw f|forces
 draw 0.3 f|forces
 draw 0.3 forces |(nothing)
@@ -82,19 +82,19 @@ draw train |forces
 animate a.gif |speed rate train
 animate a.gif speed 2 r|rate
 plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost
-plot fall |(nothing)
-plot placement |(nothing)
-plot growth |paper
-plot growth paper |(nothing)
+plot fall |width height font title xlabel ylabel
+plot placement |width height font title xlabel ylabel
+plot growth |width height font title xlabel ylabel paper
+plot growth paper |width height font title xlabel ylabel
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
-plot energy |(nothing)
+plot energy |width height font title xlabel ylabel
 plot energy r|(nothing)
 plot co|cost
 plot co r|rmax
-plot cost rmax |(nothing)
+plot cost rmax |width height font title xlabel ylabel
 cost |fuel launch barrier duration rmax pair
-plot cost |fuel launch barrier duration rmax pair
+plot cost |width height font title xlabel ylabel fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
 set s b|best

@@ -38,7 +38,6 @@ static bool word_parse(struct reader *r, struct look_parsed *p, int k)
 bool look_parse(struct reader *r, struct look_parsed *p)
 {
     for (bool more = true; more && !reader_ends(r);) {
-        offer_names(r, look_names, NULL);
         more = false;
         r->last = false;
         for (int k = 0; k < LOOK_WORDS && !more; k++) {
