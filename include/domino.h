@@ -87,8 +87,7 @@ const char *dom_version(void);
     X(BAD_MASS, "a mass is outside its range")                                                               \
     X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
     X(BAD_LEAN, "a lean is outside its range: with more, the domino falls over when it is set up")           \
-    X(BAD_SIGMA, "the error of the gaps is outside its range")                                               \
-    X(BAD_HEIGHTS, "the error of the heights is outside its range")                                          \
+    X(BAD_ERROR, "the size of an error is outside its range")                                                \
     X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
     X(BAD_SAFETY, "the safety is not a finite number above 1")                                               \
@@ -172,7 +171,7 @@ enum dom_effect_name {
 enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
 
 /* The largest number of arguments that an effect has. */
-enum { DOM_EFFECT_ARGUMENTS = 2 };
+enum { DOM_EFFECT_ARGUMENTS = 3 };
 
 /* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE means that
  * even equal dominoes do not keep falling. */
@@ -713,11 +712,14 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 /* An argument of an effect, which is a number. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
-    dom_real lowest, highest; /* the range of the argument; both ends are allowed */
-    dom_real usual;      /* the value if the argument is left out, and for measuring the cost of the effect */
-    bool optional;       /* this argument and those after it may be left out */
-    bool whole;          /* the argument is a whole number */
-    const char *or_file; /* the kind of file that may replace the number, or NULL */
+    dom_real lowest, highest; /* its range; both ends are allowed */
+    dom_real usual;           /* the value if the argument is left out, and if the cost is measured */
+    bool optional;            /* this argument and those after it may be left out */
+    bool whole;               /* the argument is a whole number */
+    const char *or_file;      /* the kind of file that may replace the number, or NULL */
+    /* If not NULL, the argument is one of these words, of which the first stands for 0, the next for 1 and so
+     * on. A NULL ends the list. */
+    const char *const *words;
 };
 
 /* The description of an effect. */

@@ -57,6 +57,31 @@ enum dom_window_of {
     DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
 };
 
+/*
+ * The errors that a row may have once it is set up: X(name, unit, meaning). With the unit "" an error is a
+ * share of the value, except that of a friction, which is added to the coefficient. From friction on, all
+ * dominoes of a row share one error, since it is one value that nobody knows.
+ */
+#define DOM_ERRORS(X)                                                                                        \
+    X(gap, "m", "gap before each domino, which moves all dominoes after it")                                 \
+    X(place, "m", "place of each domino, which alone moves")                                                 \
+    X(height, "", "height of each domino, as a share")                                                       \
+    X(thickness, "", "thickness of each domino, as a share")                                                 \
+    X(mass, "", "mass of each domino, as a share")                                                           \
+    X(lean, "rad", "lean of each domino")                                                                    \
+    X(radius, "", "radius of the edges of each domino, as a share")                                          \
+    X(friction, "", "friction between dominoes, the same for all")                                           \
+    X(slope, "rad", "slope of the floor, the same for all")                                                  \
+    X(floor, "", "friction of the floor, the same for all")                                                  \
+    X(push, "rad/s", "push of the first domino")
+
+enum dom_error_of {
+#define DOM_ERROR_ENUM(name, unit, meaning) DOM_ERROR_##name,
+    DOM_ERRORS(DOM_ERROR_ENUM)
+#undef DOM_ERROR_ENUM
+        DOM_ERROR_COUNT
+};
+
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
@@ -118,6 +143,7 @@ struct dom_row {
     /* The effects of DOM_DYNAMICS, as in struct dom_train, but the thickness of the walls is in m, the same
      * for all dominoes. */
     dom_real mu, alpha, walls, rho;
+    dom_real feet;                   /* is added to the friction of an engine's floor; the model has none */
     bool floor;                      /* true to find the friction that the floor needs */
     const struct dom_engine *engine; /* simulates the row instead of this library; may be NULL */
 };
@@ -336,16 +362,24 @@ struct dom_design {
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
 
-/* ---- Errors of placement: the same row, set up many times ---- */
+/* ---- Errors: the same row, set up many times ---- */
+
+/* A random error. */
+struct dom_error {
+    dom_real size; /* >= 0: the standard deviation of a normal distribution, or the limit of a uniform one */
+    bool uniform;  /* all errors from -size to size are equally likely */
+};
 
 /*
- * Random errors of every gap and height, with a normal distribution. A domino keeps its density, so that its
- * mass changes with its height. Dominoes that would overlap are placed so that they touch.
+ * The random errors of a row. A domino keeps its density, so that its mass changes with its height and its
+ * thickness. Dominoes that would overlap are placed so that they touch, a size keeps at least 1/100 of its
+ * value, a domino that would fall over by itself leans as far as it stands, and a friction or push that
+ * would be negative is 0. The error of a radius needs rounded edges, that of the floor an engine, and that
+ * of a push a push; otherwise they change nothing.
  */
 struct dom_placement {
-    dom_real sigma;         /* standard deviation of a gap in m, >= 0 */
-    dom_real heights;       /* relative standard deviation of a height, 0 ... 1 */
-    unsigned long seed;     /* row number i depends on the seed and i alone */
+    struct dom_error error[DOM_ERROR_COUNT];
+    unsigned long seed;     /* each error of row number i depends on the seed, its kind and i alone */
     size_t first, rows;     /* the rows are number first ... first + rows - 1; rows >= 1 */
     dom_parallel *parallel; /* runs batches of rows; if NULL, the batches run one after the other */
     void *pool;             /* the last argument of `parallel` */
@@ -364,11 +398,22 @@ struct dom_study {
  * ... stops[row->count - 1], not counting the unknown rows. The result does not depend on
  * placement->parallel. Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After
  * DOM_INTERRUPTED the counts are those of the rows that were run, if there are any. The statuses are those of
- * dom_row_run and of placement->parallel.
+ * dom_row_run and of placement->parallel, DOM_BAD_ERROR if the size of an error is not a finite number >= 0,
+ * and DOM_NO_LEAN for errors of leans with rounded edges or in an engine.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
+
+/*
+ * Does what dom_placement_study does, and runs each row again without each of its errors, with the same
+ * random numbers for the others. Writes to without[kind] how many rows then fall. `stops` has room for
+ * (1 + DOM_ERROR_COUNT) row->count numbers: those of dom_placement_study, and then for each kind how often a
+ * row ended at each domino that falls without that error.
+ */
+enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *placement, struct dom_study *study,
+                                     size_t without[DOM_ERROR_COUNT], size_t *stops);
 
 /* Sets `low` and `high` from the counts, which may be the sums of the counts of several studies of one
  * placement. */
@@ -376,20 +421,23 @@ enum dom_status dom_study_interval(struct dom_study *study);
 
 /* How precisely the dominoes must be placed. */
 struct dom_budget {
-    /* The sigma in m, and its 95 % interval. Infinite if no error up to the largest gap matters. `low` is 0
-     * if there are too few rows for a bound. */
+    /* The size of the error in its unit, or the factor of all errors, with its 95 % interval. Infinite if no
+     * error that was tried matters. `low` is 0 if there are too few rows for a bound. */
     double sigma, low, high;
 };
 
 /*
- * Finds the sigma at which the whole row falls with the given probability, 0 < probability < 1.
- * placement->sigma is not used. The status is DOM_STOPS if too few rows fall even with sigma = 0. If
- * DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and `low` are the largest sigma with which
- * enough of these rows fall, and `high` is the smallest with which too few fall, or infinite.
+ * Finds the size of one kind of error at which the whole row falls with the given probability, 0 <
+ * probability < 1; the other errors stay as they are. With DOM_ERROR_COUNT as the kind, `sigma` is a factor
+ * of all errors. Lengths are tried up to the widest gap of the row, shares and frictions up to 1, angles up
+ * to the steepest slope on which the row stands, a push up to itself, and factors up to 64. The status is
+ * DOM_STOPS if too few rows fall even with sigma = 0. After DOM_INTERRUPTED, if a sigma is known already,
+ * `sigma` and `low` are the largest sigma with which enough of these rows fall, and `high` is the smallest
+ * with which too few fall, or infinite.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
-                                     const struct dom_placement *placement, double probability,
-                                     struct dom_budget *budget);
+                                     const struct dom_placement *placement, enum dom_error_of kind,
+                                     double probability, struct dom_budget *budget);
 
 #ifdef __cplusplus
 }

@@ -42,8 +42,8 @@ def ctype(text, callbacks, structs):
     name = re.sub(r"\s+", " ", text.replace("*", " ")).strip()
     if name == "void":
         return "c_void_p" if stars else "None"
-    if name == "char" and stars == 1:
-        return "c_char_p"
+    if name == "char" and stars:
+        return "POINTER(" * (stars - 1) + "c_char_p" + ")" * (stars - 1)
     if name in callbacks and stars <= 1:
         return name
     if name.startswith("enum "):
@@ -62,7 +62,7 @@ def members(body, callbacks, structs, sizes):
     """Yields the name and the ctypes name of each member of a structure."""
     for statement in filter(None, map(str.strip, body.split(";"))):
         kind, names = re.fullmatch(r"((?:(?:const|volatile|enum|struct) )*\w+)\s*(.*)", statement).groups()
-        for declarator in names.split(","):
+        for declarator in re.sub(r"\bconst\b", "", names).split(","):
             stars, name, size = re.fullmatch(r"\s*([* ]*)(\w+)\s*(?:\[(\w+)\])?\s*", declarator).groups()
             one = ctype(kind + stars, callbacks, structs)
             yield name, f"{one} * {sizes.get(size, size)}" if size else one

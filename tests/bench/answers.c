@@ -132,7 +132,7 @@ static enum dom_status ask_random(const struct domq_train *train, const struct d
     static struct domq_domino domino[ROW];
     static struct domq_row row;
     struct domq_study study;
-    struct domq_placement placement = {.sigma = 1e-4, .seed = 1, .rows = 1};
+    struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-4, .seed = 1, .rows = 1};
     if (compute->work) {
         row = row_of(train, domino);
         return ask_verdict(train, compute);
@@ -153,7 +153,7 @@ static enum dom_status ask_study(const struct domq_train *train, const struct do
     struct domq_domino domino[ROW];
     struct domq_study study;
     struct domq_row row = row_of(train, domino);
-    struct domq_placement placement = {.sigma = 1e-3, .seed = 1, .rows = ROWS};
+    struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-3, .seed = 1, .rows = ROWS};
     struct domq_compute with = *compute;
     with.work = NULL;
     return domq_placement_study(&row, &with, &placement, &study, NULL);

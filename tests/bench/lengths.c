@@ -150,8 +150,11 @@ static double study_seconds(double mu, size_t rows)
     for (int k = 0; k < REPEATS && line_make(&line, STUDIED); k++) {
         line.mu = mu;
         struct asked_row row = line_asked(&line);
-        struct domq_placement placement = {
-            .sigma = 1e-4, .seed = 1, .rows = rows, .parallel = threads_tasks, .pool = &one};
+        struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-4,
+                                           .seed = 1,
+                                           .rows = rows,
+                                           .parallel = threads_tasks,
+                                           .pool = &one};
         double begun = seconds_now();
         if (ask_placement_study(&row, &placement, &study, NULL) == DOM_OK && study.fall == study.rows)
             least = fmin(least, seconds_now() - begun);

@@ -255,12 +255,13 @@ END
 @test "units as words, in one and in many; decimal commas and percent are explained" {
     same words '0.0508 0.6096 2.7432 0.005 0.05 1.5708' "$(printf '%s\n' '2 inch' '2 feet' '3 yards' '5 grams' '50 millimetres' '90 degrees to rad' |
         "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
+    same percent '0.95 1.05 0.3' "$(printf '%s\n' '95%' '1 + 5 %' '2 * 15 %' | "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
     same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
         "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
     all_wrong <<'END'
 8|set s 0,3|^set: s ends before ',3'; decimals have a point, as in 0\.5$
 10|count 112,5 m|^count: H ends before ',5 m'; decimals have a point
-10|budget 95%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
+9|budget s%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
 END
 }
 

@@ -198,13 +198,15 @@ TEST(studies)
 {
     struct rows r;
     size_t tasks = 0;
-    const struct dom_placement p = {.sigma = 0.01, .heights = 0.01, .seed = 3, .rows = 40};
-    const struct domq_placement pq = {.sigma = p.sigma,
-                                      .heights = p.heights,
-                                      .seed = 3,
-                                      .rows = 40,
-                                      .parallel = last_first,
-                                      .pool = &tasks};
+    const struct dom_placement p = {
+        .error = {[DOM_ERROR_gap].size = 0.01, [DOM_ERROR_thickness] = {0.1, true}}, .seed = 3, .rows = 40};
+    const struct domq_placement pq = {
+        .error = {[DOM_ERROR_gap].size = p.error[DOM_ERROR_gap].size,
+                  [DOM_ERROR_thickness] = {p.error[DOM_ERROR_thickness].size, true}},
+        .seed = 3,
+        .rows = 40,
+        .parallel = last_first,
+        .pool = &tasks};
     struct dom_study study;
     struct domq_study studyq;
     struct dom_budget budget;
@@ -217,12 +219,25 @@ TEST(studies)
     assert_true(study.low == studyq.low && study.high == studyq.high && study.low < study.high);
     assert_memory_equal(stops, stopsq, sizeof stops);
     assert_true(tasks > 0);
+    size_t without[DOM_ERROR_COUNT], withoutq[DOM_ERROR_COUNT], all[(1 + DOM_ERROR_COUNT) * ROW];
+    struct dom_study causes;
+    assert_status(dom_placement_causes(&r.row, &r.compute, &p, &causes, without, all), DOM_OK);
+    assert_status(domq_placement_causes(&r.rowq, &r.computeq, &pq, &studyq, withoutq, NULL), DOM_OK);
+    assert_memory_equal(without, withoutq, sizeof without);
+    assert_memory_equal(&causes, &study, sizeof study);
+    assert_memory_equal(all, stops, r.row.count * sizeof *all);
+    /* Without one of its errors the row is that of the other error alone. */
+    struct dom_placement alone = p;
+    alone.error[DOM_ERROR_thickness].size = 0;
+    assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
+    assert_int_equal(causes.fall, without[DOM_ERROR_thickness]);
+    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* an error that is off */
     study.low = studyq.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
     assert_status(domq_study_interval(&studyq), DOM_OK);
     assert_true(study.low == studyq.low && study.low <= 1);
-    assert_status(dom_placement_budget(&r.row, &r.compute, &p, 0.8, &budget), DOM_OK);
-    assert_status(domq_placement_budget(&r.rowq, &r.computeq, &pq, 0.8, &budgetq), DOM_OK);
+    assert_status(dom_placement_budget(&r.row, &r.compute, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
+    assert_status(domq_placement_budget(&r.rowq, &r.computeq, &pq, DOM_ERROR_gap, 0.8, &budgetq), DOM_OK);
     assert_near("sigma", budget.sigma, budgetq.sigma, 1e-9);
     assert_true(budget.low <= budget.sigma && budget.sigma <= budget.high);
 }

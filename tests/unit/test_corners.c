@@ -201,7 +201,7 @@ TEST(interrupted)
     struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
     struct task_pool pool = {.threads = 2, .interrupt = &now};
     struct domq_placement p = {
-        .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
+        .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct domq_limit limit = {.r_max = -1};
     struct domq_best best = {.r_max = -1};
     struct domq_verdict verdict = {.seconds = -1};
@@ -223,7 +223,7 @@ TEST(interrupted)
         row.mu = t.mu;
         assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_INTERRUPTED);
         assert_status(ask_placement_study(&row, &p, &study, NULL), DOM_INTERRUPTED);
-        assert_status(ask_placement_budget(&row, &p, 0.9, &budget), DOM_INTERRUPTED);
+        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &budget), DOM_INTERRUPTED);
         p.parallel = p.parallel ? NULL : workers_tasks; /* also without a pool */
     }
     p.parallel = workers_tasks;
@@ -273,7 +273,7 @@ TEST(memory_runs_out)
     struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
     struct task_pool pool = {.threads = 2};
     struct domq_placement p = {
-        .sigma = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
+        .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
     struct domq_verdict verdict;
     struct domq_study study, alone;
     struct domq_budget budget;
@@ -288,7 +288,7 @@ TEST(memory_runs_out)
             calls_left = failed;
             status = question == RUN     ? ask_row_run(&row, true, NULL, NULL, &verdict)
                      : question == STUDY ? ask_placement_study(&row, &p, &study, stops)
-                                         : ask_placement_budget(&row, &p, 0.9, &budget);
+                                         : ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &budget);
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)

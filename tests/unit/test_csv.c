@@ -212,11 +212,11 @@ TEST(limits)
         {OTHERS + 2, OTHERS + 1, "1 2 - ,"},
         {OTHERS + 2, OTHERS + 2, "1 2 - ,"},
         {OTHERS + 2, OTHERS + 3, "2:135: too many cells: 67, but the first line has 66"},
-        {OTHERS + 2, CELLS, "2:135: too many cells: 76, but the first line has 66"},
-        {OTHERS + 2, CELLS + 1, "2:155: the line has more than 76 cells"},
+        {OTHERS + 2, CELLS, "2:135: too many cells: 80, but the first line has 66"},
+        {OTHERS + 2, CELLS + 1, "2:163: the line has more than 80 cells"},
         {OTHERS + 3, OTHERS + 3, "1:1: the file has 65 columns that are not used, and at most 64"},
-        {CELLS, CELLS, "1:1: the file has 74 columns that are not used"},
-        {CELLS + 1, 2, "1:302: the line has more than 76 cells"},
+        {CELLS, CELLS, "1:1: the file has 78 columns that are not used"},
+        {CELLS + 1, 2, "1:318: the line has more than 80 cells"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         int n = sprintf(text, "size m,gap m");

@@ -255,14 +255,14 @@ TEST(budget_interrupted)
         .domino = domino, .count = 6, .g = scale.g, .push = 5, .tol = 1e-9, .precision = DOM_DOUBLE};
     struct domq_placement p = {.seed = 5, .rows = 40};
     struct domq_budget whole, part;
-    assert_status(ask_placement_budget(&row, &p, 0.9, &whole), DOM_OK);
+    assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);
     p.parallel = few_studies;
     int known = 0, bounded = 0;
     for (int studies = 0; studies < 18; studies++) {
         int left = studies;
         p.pool = &left;
         part = (struct domq_budget){.sigma = -1};
-        assert_status(ask_placement_budget(&row, &p, 0.9, &part), DOM_INTERRUPTED);
+        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &part), DOM_INTERRUPTED);
         if (part.sigma == -1)
             continue;
         assert_true(part.sigma == part.low && part.low <= whole.sigma && whole.sigma <= part.high);
@@ -280,27 +280,27 @@ TEST(budgets)
     struct domq_budget budget;
     struct domq_placement p = {.seed = 3, .rows = 200};
     alike(&seen, 10);
-    assert_status(ask_placement_budget(&seen.row, &p, 0.9999, &budget), DOM_OK);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.9999, &budget), DOM_OK);
     assert_true(budget.low == 0 && budget.sigma < budget.high);
-    assert_status(ask_placement_budget(&seen.row, &p, 0.8, &budget), DOM_OK);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
     assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
     /* The same rows at that sigma. */
     struct domq_study study;
-    p.sigma = budget.sigma;
+    p.error[DOM_ERROR_gap].size = budget.sigma;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
     /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all
      * cases. */
-    assert_status(ask_placement_budget(&seen.row, &p, 0.95, &budget), DOM_OK);
-    p.sigma = budget.low;
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.95, &budget), DOM_OK);
+    p.error[DOM_ERROR_gap].size = budget.low;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 197, 198);
-    p.sigma = budget.high;
+    p.error[DOM_ERROR_gap].size = budget.high;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 183, 184);
-    assert_status(ask_placement_budget(&seen.row, &p, 1.5, &budget), DOM_BAD_PROBABILITY);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 1.5, &budget), DOM_BAD_PROBABILITY);
     seen.row.push = 2; /* the domino does not tip over its edge */
-    assert_status(ask_placement_budget(&seen.row, &p, 0.5, &budget), DOM_STOPS);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.5, &budget), DOM_STOPS);
 }
 
 /* Checks that gaps are normally distributed with the given sigma: the share of rows with one gap exactly so
@@ -309,7 +309,7 @@ TEST(errors_are_normal)
 {
     static struct run seen;
     struct domq_study study;
-    struct domq_placement p = {.sigma = 0.001, .seed = 9, .rows = 20000};
+    struct domq_placement p = {.error[DOM_ERROR_gap].size = 0.001, .seed = 9, .rows = 20000};
     alike(&seen, 2);
     /* The domino falls short if the gap is more than the height: one standard deviation away. */
     seen.domino[1].gap = 0.047;
@@ -402,7 +402,8 @@ TEST(any_order)
     static struct run seen;
     struct domq_study study, other;
     size_t stops[10], others[10], left_out = 0;
-    struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 100};
+    struct domq_placement p = {
+        .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 100};
     alike(&seen, 10);
     assert_status(ask_placement_study(&seen.row, &p, &study, stops), DOM_OK);
     p.parallel = backwards;
@@ -422,7 +423,8 @@ TEST(studies_add_up)
     static struct run seen;
     struct domq_study whole, part[2];
     size_t stops[10], stops_part[2][10], stopped = 0;
-    struct domq_placement p = {.sigma = 0.008, .heights = 0.05, .seed = 5, .rows = 500};
+    struct domq_placement p = {
+        .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 500};
     alike(&seen, 10);
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     for (int k = 0; k < 2; k++) {
@@ -468,7 +470,7 @@ TEST(heights_are_normal)
     enum { ROWS = 20000 };
     static struct run seen;
     struct domq_study study;
-    struct domq_placement p = {.heights = 0.01, .seed = 9, .rows = ROWS};
+    struct domq_placement p = {.error[DOM_ERROR_height].size = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
     /* The first falls short if it is lower than the gap: one standard deviation away. */
     seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;
@@ -479,7 +481,7 @@ TEST(heights_are_normal)
     /* The same rows by normals of another kind (Box and Muller), where the push suffices for about half. */
     uint64_t seed = 10;
     size_t falls = 0;
-    p.heights = 0.6;
+    p.error[DOM_ERROR_height].size = 0.6;
     alike(&seen, 2);
     seen.row.push = 6;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);

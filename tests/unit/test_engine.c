@@ -237,7 +237,8 @@ TEST(the_library_asks_an_engine)
     assert_status(dom_row_rmax(&row, NULL, 4, grown, NULL, &growth), DOM_OK);
     assert_near("r_max", growth.r_max, most, 1e-11);
     assert_int_equal(growth.ends, DOM_ROW_MISSES);
-    const struct dom_placement placement = {.sigma = 0, .heights = 0.1, .seed = 1, .rows = 200};
+    const struct dom_placement placement = {
+        .error = {[DOM_ERROR_gap].size = 0, [DOM_ERROR_height].size = 0.1}, .seed = 1, .rows = 200};
     assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
     assert_true(study.fall > 20 && study.fall < 180); /* the ratio of two heights is above or below */
     const double now = 0;

@@ -265,7 +265,7 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
     struct dom_verdict verdict = {.domino = 99, .seconds = -1};
     struct dom_study study = {.rows = 7};
     struct dom_budget budget = {.sigma = -1};
-    const struct dom_placement placement = {.sigma = 1e-3, .seed = 1, .rows = 4};
+    const struct dom_placement placement = {.error[DOM_ERROR_gap].size = 1e-3, .seed = 1, .rows = 4};
     assert_named(dom_row_run(row, compute, true, never_fall, NULL, &verdict), expected);
     assert_true(verdict.seconds == -1);
     if (domino)
@@ -275,7 +275,7 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
         return;
     assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
     assert_int_equal(study.rows, 7);
-    assert_named(dom_placement_budget(row, compute, &placement, 0.5, &budget), expected);
+    assert_named(dom_placement_budget(row, compute, &placement, DOM_ERROR_gap, 0.5, &budget), expected);
     assert_true(budget.sigma == -1);
 }
 
@@ -356,19 +356,21 @@ TEST(placements)
     const double bad[] = {-1e-9, (double)NAN, (double)INFINITY, -(double)INFINITY};
     row_make(&r);
     for (int k = 0; k < 4; k++) {
-        struct dom_placement p = {.sigma = bad[k], .seed = 1, .rows = 4};
-        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_SIGMA);
-        p.sigma = 1e-3;
-        p.heights = bad[k];
-        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_HEIGHTS);
-        assert_named(dom_placement_budget(&r.row, NULL, &p, 0.5, &budget), DOM_BAD_HEIGHTS);
-        p.heights = 0;
-        assert_named(dom_placement_budget(&r.row, NULL, &p, bad[k], &budget), DOM_BAD_PROBABILITY);
-        assert_named(dom_placement_budget(&r.row, NULL, &p, k % 2, &budget), DOM_BAD_PROBABILITY);
+        struct dom_placement p = {.error[DOM_ERROR_gap].size = bad[k], .seed = 1, .rows = 4};
+        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_ERROR);
+        p.error[DOM_ERROR_gap].size = 1e-3;
+        p.error[DOM_ERROR_height].size = bad[k];
+        assert_named(dom_placement_study(&r.row, NULL, &p, &study, NULL), DOM_BAD_ERROR);
+        assert_named(dom_placement_budget(&r.row, NULL, &p, DOM_ERROR_gap, 0.5, &budget), DOM_BAD_ERROR);
+        p.error[DOM_ERROR_height].size = 0;
+        assert_named(dom_placement_budget(&r.row, NULL, &p, DOM_ERROR_gap, bad[k], &budget),
+                     DOM_BAD_PROBABILITY);
+        assert_named(dom_placement_budget(&r.row, NULL, &p, DOM_ERROR_gap, k % 2, &budget),
+                     DOM_BAD_PROBABILITY);
     }
-    struct dom_placement none = {.sigma = 1e-3, .seed = 1, .rows = 0};
+    struct dom_placement none = {.error[DOM_ERROR_gap].size = 1e-3, .seed = 1, .rows = 0};
     assert_named(dom_placement_study(&r.row, NULL, &none, &study, NULL), DOM_BAD_ROWS);
-    assert_named(dom_placement_budget(&r.row, NULL, &none, 0.5, &budget), DOM_BAD_ROWS);
+    assert_named(dom_placement_budget(&r.row, NULL, &none, DOM_ERROR_gap, 0.5, &budget), DOM_BAD_ROWS);
     study = (struct dom_study){.rows = 0};
     assert_named(dom_study_interval(&study), DOM_BAD_ROWS);
     study = (struct dom_study){.rows = 5, .fall = 4, .unknown = 2};

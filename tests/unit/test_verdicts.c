@@ -23,7 +23,12 @@ struct kind {
     enum dom_precision precision;
     size_t count, rows;
     double s, r, q, push, sigma, heights, mu, alpha, walls, rho;
+    struct domq_error error[DOM_ERROR_COUNT]; /* more errors */
 };
+
+/* The size of an error, and the limits of another. */
+#define SIZE(kind, size_)  [DOM_ERROR_##kind] = {.size = size_}
+#define WITHIN(kind, most) [DOM_ERROR_##kind] = {.size = most, .uniform = true}
 
 static const struct kind KIND[] = {
     {.name = "few stop", .r = 1.3, .s = 0.4, .sigma = 0.004},
@@ -47,6 +52,28 @@ static const struct kind KIND[] = {
     {.name = "friction, locks", .r = 1.2, .s = 0.75, .mu = 0.6, .push = 6, .sigma = 0.003, .rows = 30},
     {.name = "friction, touching", .r = 1.05, .s = 0.03, .mu = 0.2, .push = 6, .sigma = 0.003, .rows = 30},
     {.name = "friction, downhill", .r = 1.5, .s = 0.3, .mu = 0.2, .alpha = 0.03, .sigma = 0.004, .rows = 30},
+    {.name = "places", .r = 1.6, .s = 0.5, .error = {SIZE(place, 0.004)}},
+    {.name = "thickness", .r = 1.8, .s = 0.4, .error = {SIZE(thickness, 0.2)}},
+    {.name = "thickness, walls", .r = 1.9, .s = 0.4, .walls = 0.003, .error = {SIZE(thickness, 0.3)}},
+    {.name = "masses", .r = 1.95, .s = 0.4, .error = {SIZE(mass, 0.2)}},
+    {.name = "radii", .r = 2.05, .s = 0.4, .rho = 0.01, .rows = 20, .error = {WITHIN(radius, 0.9)}},
+    {.name = "radii, thickness", .r = 2, .s = 0.4, .rho = 0.06, .rows = 20, .error = {SIZE(thickness, 0.3)}},
+    {.name = "unknown friction", .r = 1.75, .s = 0.4, .mu = 0.2, .rows = 40, .error = {SIZE(friction, 0.1)}},
+    {.name = "some friction", .r = 1.95, .s = 0.4, .rows = 40, .error = {WITHIN(friction, 0.1)}},
+    {.name = "unknown slope", .r = 1.9, .s = 0.4, .error = {SIZE(slope, 0.03)}},
+    {.name = "any slope", .r = 1.5, .s = 0.4, .error = {SIZE(slope, 0.3)}},
+    {.name = "unknown push", .r = 1.4, .s = 0.2, .push = 2.6, .error = {WITHIN(push, 1)}},
+    {.name = "all but leans",
+     .r = 1.6,
+     .s = 0.4,
+     .mu = 0.2,
+     .alpha = 0.01,
+     .push = 4,
+     .sigma = 0.002,
+     .heights = 0.02,
+     .rows = 40,
+     .error = {WITHIN(place, 0.002), SIZE(thickness, 0.05), WITHIN(mass, 0.1), SIZE(friction, 0.05),
+               WITHIN(slope, 0.01), SIZE(push, 0.5)}},
 };
 
 static struct domq_row row_of(const struct kind *k, struct domq_domino *domino)
@@ -79,7 +106,12 @@ TEST(as_in_full)
         struct domq_row row = row_of(k, domino);
         struct domq_compute compute = domq_compute_default();
         struct domq_placement p = {
-            .sigma = k->sigma, .heights = k->heights, .seed = 7, .rows = k->rows ? k->rows : 100};
+            .error = {[DOM_ERROR_gap].size = k->sigma, [DOM_ERROR_height].size = k->heights},
+            .seed = 7,
+            .rows = k->rows ? k->rows : 100};
+        for (int of = 0; of < DOM_ERROR_COUNT; of++)
+            if (k->error[of].size > 0)
+                p.error[of] = k->error[of];
         struct domq_study study, other;
         size_t stops[MOST] = {0}, others[MOST] = {0};
         compute.tol = 1e-5;
@@ -115,7 +147,8 @@ TEST(interrupted_in_the_middle)
     struct domq_domino domino[MOST];
     struct domq_row row = row_of(&KIND[0], domino);
     struct domq_compute compute = domq_compute_default();
-    struct domq_placement p = {.sigma = KIND[0].sigma, .seed = 7, .rows = 100000, .parallel = three_batches};
+    struct domq_placement p = {
+        .error[DOM_ERROR_gap].size = KIND[0].sigma, .seed = 7, .rows = 100000, .parallel = three_batches};
     struct domq_study part, whole;
     size_t stops[MOST] = {0}, others[MOST] = {0};
     assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);

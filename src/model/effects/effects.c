@@ -12,6 +12,9 @@ const struct dom_effect dom_energy_balance = {
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
+/* The words of struct dom_error.uniform. */
+static const char *const distributions[] = {"normal", "uniform", NULL};
+
 const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
     [DOM_EFFECT_friction] =
         {
@@ -192,16 +195,19 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
     [DOM_EFFECT_placement] =
         {
             .name = "placement",
-            .synonyms = "probability chance errors precision accuracy",
+            .synonyms = "probability chance errors precision accuracy error_gap error_height gaps heights",
             .adds = "random errors of the gaps, and of the heights if HEIGHTS is given",
             .help =
                 "The row is set up again and again. Each gap has a normal error of its own with the standard "
                 "deviation SIGMA, which is a length; each height has a relative error with the standard "
-                "deviation HEIGHTS. Dominoes that would overlap touch. 'placement' counts how often all "
-                "dominoes "
-                "fall, with the exact 95 % interval of Clopper and Pearson, and reports where rows stop. "
-                "'budget' finds the SIGMA that a probability allows. Row number i is the same for the same "
-                "'seed', with any number of 'threads'.",
+                "deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, and all errors "
+                "within them are equally likely. Dominoes that would overlap touch. 'placement' counts how "
+                "often all dominoes fall, with the exact 95 % interval of Clopper and Pearson, and reports "
+                "where rows stop. 'budget' finds the SIGMA that a probability allows. Row number i is the "
+                "same "
+                "for the same 'seed', with any number of 'threads'. More errors are effects of their own: "
+                "error_place, error_thickness, error_mass, error_lean and error_radius of each domino, and "
+                "error_friction, error_slope, error_floor and error_push of the whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                       "generators of GSL",
             .plan = "many rows, verdicts only, on all processors",
@@ -217,7 +223,15 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                           .lowest = 0,
                           .highest = 1,
                           .usual = 0,
-                          .optional = true}},
+                          .optional = true},
+                         {.name = "LIMITS",
+                          .unit = "",
+                          .meaning = "whether errors are normal or uniform within limits",
+                          .lowest = 0,
+                          .highest = 1,
+                          .usual = 0,
+                          .optional = true,
+                          .words = distributions}},
             .needs = 1U << DOM_EFFECT_row,
         },
     [DOM_EFFECT_floor] =

@@ -209,17 +209,21 @@ static void sample_tol(struct random_row *s, bool rough)
         s->geometry[k].tol = rough ? fmax((real)s->request.tol, SLIDE_TOL) : (real)s->request.tol;
 }
 
-/* Checks the row, and makes its blocks and its geometry. */
+/* Checks the row, makes its blocks and its geometry, and finds how it can be run. */
 static enum dom_status sample_make(struct random_row *s)
 {
     size_t wrong;
     s->request.block = NULL;
+    s->plain = true;
     enum dom_status status = row_check(&s->request, &wrong);
     for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
         s->block[k] = block_of(&s->request, k);
     s->request.block = s->block;
     for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
         status = row_geometry(&s->request, k, s->geometry);
+    for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
+        s->plain = s->plain && s->geometry[k].law->closed_form && s->request.domino[k].lean == 0;
+    s->rubs = status == DOM_OK && !s->geometry[0].dynamics->conservative;
     return status;
 }
 
@@ -250,22 +254,23 @@ KERNEL enum dom_status row_sample(const struct row_request *request, struct rand
         return status;
     for (size_t k = 1; k < n; k++) /* all joints share the memory of the law */
         s->geometry[k].flow = s->geometry[0].flow;
-    s->rubs = !s->geometry[0].dynamics->conservative;
-    s->plain = true;
     num_rough_begin(&s->slide.flow);
-    for (size_t k = 0; k < n; k++)
-        s->plain = s->plain && s->geometry[k].law->closed_form && request->domino[k].lean == 0;
     return DOM_OK;
 }
 
-KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_domino *domino, bool gaps,
+KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_row *row, bool gaps,
                                    struct dom_verdict *verdict)
 {
+#define VALUE(effect, member, status) row->member,
+    const dom_real effect[] = {DOM_DYNAMICS(VALUE)};
+#undef VALUE
     const struct run fresh = {
         .request = &s->request, .geometry = s->geometry, .verdict = {.end = DOM_ROW_FALLS}};
     struct run run = fresh;
     enum dom_status status = DOM_OK;
-    s->request.domino = domino;
+    s->request.domino = row->domino;
+    s->request.push = row->push;
+    memcpy(s->request.effect, effect, sizeof effect);
     if (!gaps || !s->plain)
         status = sample_make(s);
     else

@@ -90,7 +90,7 @@ class Placement(NamedTuple):
 
 
 class Budget(NamedTuple):
-    """The standard deviation of gaps in m that the probability allows, with its 95 % interval."""
+    """The size of an error that the probability allows, or the factor of all errors, with its 95 % interval."""
 
     sigma: float
     low: float
@@ -116,6 +116,14 @@ UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "
 WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
            "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
            "lean": api.dom_window_of.DOM_WINDOW_PLUMB}  # fmt: skip
+
+
+def error_kind(name: str) -> int:
+    """The number of a kind of error."""
+    kinds = [kind.name.removeprefix("DOM_ERROR_") for kind in api.dom_error_of if kind.name != "DOM_ERROR_COUNT"]
+    if name not in kinds:
+        raise ValueError(f"there is no error of {name!r}; use one of: {', '.join(kinds)}")
+    return kinds.index(name)
 
 
 class Row:
@@ -289,21 +297,37 @@ class Row:
             raise DominoError(f"no push up to {strongest:.6g} rad/s is enough", "STOPS")
         return push.value
 
-    def _placement(self, sigma: float, heights: float, seed: int, rows: int) -> api.dom_placement:
-        return api.dom_placement(sigma=sigma, heights=heights, seed=seed, first=0, rows=rows, parallel=parallel)
+    def _placement(self, errors: dict[str, float | tuple[float, str]], seed: int, rows: int) -> api.dom_placement:
+        placement = api.dom_placement(seed=seed, first=0, rows=rows, parallel=parallel)
+        for name, error in errors.items():
+            size, limits = error if isinstance(error, tuple) else (error, "normal")
+            if limits not in ("normal", "uniform"):
+                raise ValueError(f"the limits of the error of {name} are 'normal' or 'uniform', not {limits!r}")
+            placement.error[error_kind(name)] = api.dom_error(size, limits == "uniform")
+        return placement
 
-    def placement(self, sigma: float, *, heights: float = 0.0, rows: int = 1000, seed: int = 1) -> Placement:
-        """Sets the row up `rows` times with random errors of gaps (sigma, in m) and heights (a share), and counts."""
+    def placement(self, sigma: float = 0.0, *, rows: int = 1000, seed: int = 1,
+                  **errors: float | tuple[float, str]) -> Placement:  # fmt: skip
+        """Sets the row up `rows` times with random errors, and counts how many rows fall.
+
+        sigma is the standard deviation of the gaps in m. More errors are height, thickness, mass and radius (shares),
+        place (m), lean and slope (rad), friction, floor, and push (rad/s): thickness=0.01, or (0.01, "uniform").
+        """
         study, stops = api.dom_study(), (ctypes.c_size_t * max(len(self), 1))()
-        placement = self._placement(sigma, heights, seed, rows)
+        placement = self._placement({"gap": sigma, **errors}, seed, rows)
         self._call(lib.dom_placement_study, ctypes.byref(placement), ctypes.byref(study), stops)
         return Placement(study.rows, study.fall, study.unknown, study.low, study.high, tuple(stops))
 
-    def budget(self, probability: float, *, heights: float = 0.0, rows: int = 1000, seed: int = 1) -> Budget:
-        """The standard deviation of gaps, in m, with which the row falls with this probability."""
-        budget, placement = api.dom_budget(), self._placement(0.0, heights, seed, rows)
+    def budget(self, probability: float, of: str = "gap", *, rows: int = 1000, seed: int = 1,
+               **errors: float | tuple[float, str]) -> Budget:  # fmt: skip
+        """The size of one error with which the row falls with this probability, beside others as in `placement`.
+
+        of="all" finds the factor by which all errors may be multiplied.
+        """
+        budget, placement = api.dom_budget(), self._placement(errors, seed, rows)
+        kind = api.dom_error_of.DOM_ERROR_COUNT if of == "all" else error_kind(of)
         try:
-            self._call(lib.dom_placement_budget, ctypes.byref(placement), probability, ctypes.byref(budget))
+            self._call(lib.dom_placement_budget, ctypes.byref(placement), kind, probability, ctypes.byref(budget))
         except DominoError as error:
             if error.status != "STOPS":
                 raise

@@ -52,6 +52,13 @@ void answer_leave_out(struct answer *a, const char *key)
         c[0] = c[1];
 }
 
+void answer_unit(struct answer *a, const char *key, const char *unit)
+{
+    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
+        if (strcmp(c->key, key) == 0)
+            c->unit = unit;
+}
+
 void answer_means(struct answer *a, const char *key, const char *meaning)
 {
     for (struct column *c = answer_columns(a, a->columns); c->key; c++)

@@ -117,8 +117,13 @@ void answer_leave_out(struct answer *answer, const char *key);
 /* Changes the meaning of a column in this answer. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);
 
-/* Announces a number that a later row will contain in this column, if the answer has the column.  In a table
- * of rows, the unit of a column depends on the largest number that was announced or is in the first row. */
+/* Gives a column another unit. */
+void answer_unit(struct answer *answer, const char *key, const char *unit);
+
+/*
+ * Announces a number that a column will contain, if the answer has this column.  In a table of rows the unit
+ * of a column depends on the largest number that was announced or is in the first row.
+ */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */

@@ -4,6 +4,7 @@
 #include "commands/cost.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
+#include "session/errors.h"
 #include <stdlib.h>
 
 /* ---- effects ---- */
@@ -22,11 +23,9 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     if (scene->effect[DOM_EFFECT_row].on && row->row.engine)
         return scene_engine_rough(&row->row, &compute);
     if (scene->effect[DOM_EFFECT_row].on) {
-        const struct effect_state *errors = &scene->effect[DOM_EFFECT_placement];
-        if (!errors->on)
+        struct domq_placement p = {.seed = 1, .rows = 1};
+        if (!scene_errors(scene, p.error))
             return domq_row_run(&row->row, &compute, false, NULL, NULL, &verdict);
-        struct domq_placement p = {
-            .sigma = errors->value[0], .heights = errors->value[1], .seed = 1, .rows = 1};
         return domq_placement_study(&row->row, &compute, &p, &study, NULL);
     }
     enum dom_status status = domq_barrier_find(&scene->train, &compute, &barrier);
@@ -36,21 +35,19 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
 }
 
 /*
- * Counts the work of one answer of the scene, and sets *dominoes to the length of its row. Errors of
- * placement are turned off for this, because a study of random rows does not count the work of its rows. If
- * `placed` is true, also runs one random row, which only counts that the code of placement was entered. If
- * this fails, sets *problem and returns false.
+ * Counts the work of one answer of the scene without random errors, because the work of random rows is not
+ * counted. With `random` it adds the work of one random row. Returns false with a problem.
  */
-static bool scene_work(const struct query *query, struct problem *problem, bool placed, struct dom_work *work,
+static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
     struct scene_row row = {.domino = NULL};
     struct scene core = *query->scene;
-    core.effect[DOM_EFFECT_placement].on = false;
+    errors_off(&core);
     if (query->scene->effect[DOM_EFFECT_row].on && !scene_row_make(query->scene, &row, problem))
         return false;
     enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
-    if (status == DOM_OK && placed && !row.row.engine)
+    if (status == DOM_OK && random && !row.row.engine)
         status = scene_answer(query->scene, &row, work);
     *dominoes = row.row.count;
     free(row.domino);
@@ -89,9 +86,10 @@ static double scene_price(const struct scene *scene)
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* the copy shares the row with the original */
-    effect_put(&scene, name == DOM_EFFECT_placement ? DOM_EFFECT_floor : DOM_EFFECT_placement, EFFECT_OFF,
-               NULL);
+    struct scene scene = *query->scene; /* borrows the row */
+    errors_off(&scene);
+    if (name == DOM_EFFECT_placement)
+        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
     if (name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
@@ -138,25 +136,29 @@ static void effects_say(const struct query *query, struct answer *a)
                scene_has_engine(query->scene)               ? "engine"
                : domq_law(&query->scene->train)->dissipates ? "motion"
                                                             : "balance");
-    for (int k = 0; k < EFFECT_COUNT; k++) {
+    for (int k = 0; k < EFFECT_ENGINE_END; k++) {
         const struct domq_effect *e = effect_at(k);
         answer_say(a, "%-9s  %s. Source: %s.", e->name, e->adds, e->source);
     }
+    answer_say(a, "\nAny error of a random row costs as much as placement: error_place, error_thickness, "
+                  "error_mass, error_lean, error_radius, error_friction, error_slope, error_floor and "
+                  "error_push.");
 }
 
 static bool run_effects(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct dom_work work = {0};
     size_t dominoes;
-    if (!scene_work(query, problem, query->scene->effect[DOM_EFFECT_placement].on, &work, &dominoes))
+    struct domq_error error[DOM_ERROR_COUNT];
+    if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
     answer_leave_out(a, "adds"); /* for people, effects_say prints these two columns below the table */
     answer_leave_out(a, "source");
-    for (int k = 0; k < EFFECT_COUNT; k++) {
+    for (int k = 0; k < EFFECT_ENGINE_END; k++) {
         char setting[EFFECT_SETTING];
         column_fit(&a->copy[1], effect_setting(query->scene, k, setting));
     }
-    for (int k = 0; k < EFFECT_COUNT && !answer_lost(a); k++) {
+    for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
         char setting[EFFECT_SETTING];
         const struct domq_effect *e = effect_at(k);
         double without = price_with(query, k, false), with = price_with(query, k, true);
@@ -233,10 +235,13 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                  has_friction ? "roots of C, and omega^2 there" : "roots of H', and H there (26; c8)", n,
                  "always");
     part_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
-    for (int k = DOM_EFFECT_placement; k <= DOM_EFFECT_floor; k++)
-        if (scene->effect[k].on)
-            part_row(a, effect_at(k)->name, effect_at(k)->plan, 0,
-                     k == DOM_EFFECT_floor ? "floor is on" : "placement is on");
+    struct domq_error error[DOM_ERROR_COUNT];
+    const bool placed = scene->effect[DOM_EFFECT_placement].on;
+    if (scene_errors(scene, error))
+        part_row(a, placed ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
+                 placed ? "placement is on" : "errors are on");
+    if (scene->effect[DOM_EFFECT_floor].on)
+        part_row(a, "floor", domq_effect(DOM_EFFECT_floor)->plan, 0, "floor is on");
 }
 
 static bool run_scene(const struct query *query, struct answer *a, struct problem *problem)
@@ -270,7 +275,8 @@ const struct command effect_commands[] = {
      .synonyms = "switch turn",
      .argument = {{.name = "NAME", .kind = ARGUMENT_EFFECT, .of = "effect", .choices = effect_names},
                   {.name = "X", .kind = ARGUMENT_VALUE, .optional = true},
-                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true}},
+                  {.name = "Y", .kind = ARGUMENT_VALUE, .optional = true},
+                  {.name = "Z", .kind = ARGUMENT_VALUE, .optional = true}},
      .summary = "turn an effect on with these values, or off with 'off'",
      .help = "Effects add to the paper's model: 'effect friction 0.2', 'effect slope 1 deg', 'effect walls 1 "
              "mm', 'effect row 13', 'effect row record.csv', 'effect push 3', 'effect placement 1 mm', "

@@ -60,7 +60,7 @@ struct argument {
                  struct problem *problem);
 };
 
-enum { ARGUMENTS_MAX = 3 };
+enum { ARGUMENTS_MAX = 4 };
 
 /* The arguments of a command after binding: every expression has been evaluated in a state. */
 struct arguments {

@@ -184,10 +184,23 @@ static int word_find(struct reader *r, names_list *list, const void *context, co
     return k;
 }
 
+/* A list for names.h: the words of the argument of an effect. */
+static const char *argument_words(const void *argument, int k)
+{
+    return ((const struct domq_effect_argument *)argument)->words[k];
+}
+
 bool item_parse_value(struct reader *r, const struct parameter *p, int i, const char *name, struct item *item)
 {
     const char *begin = r->at;
     char message[NAMES_MESSAGE], what[32], range[64];
+    const char *const *words = i > 0 ? p->value[i].words : NULL;
+    if (words) {
+        offer_names(r, argument_words, &p->value[i]);
+        int k = word_find(r, argument_words, &p->value[i], name, true, message);
+        *item = (struct item){.number = k, .at = begin};
+        return k >= 0 || problem_error(r->problem, "%s (%s is %s or %s)", message, name, words[0], words[1]);
+    }
     if (p->words && i == 0) {
         offer_names(r, parameter_offered, p);
         snprintf(what, sizeof what, "value of %s", p->name);
@@ -209,20 +222,21 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Writes all names of a list, separated by commas. */
-static void names_all(names_list *list, char all[128])
+/* Writes all names of a list. */
+enum { NAMES_ALL = 384 };
+static void names_all(names_list *list, char all[NAMES_ALL])
 {
     const char *name;
     all[0] = '\0';
     for (int n = 0; (name = list(NULL, n)) != NULL; n++) {
         size_t used = strlen(all);
-        snprintf(all + used, 128 - used, "%s%s", n ? ", " : "", name);
+        snprintf(all + used, NAMES_ALL - used, "%s%s", n ? ", " : "", name);
     }
 }
 
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
 {
-    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[128];
+    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[NAMES_ALL];
     bool usual;
     offer_names(r, a->choices, NULL);
     *item = (struct item){.at = r->at};

@@ -26,8 +26,19 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Parses argument i of a question, which is a value of question->parameter. If the parameter allows it, the
- * name of a file may stand for all values. */
+/* Returns true if value i of an effect may be left out, and the word is one of a value after it. */
+static bool word_is_later(const struct parameter *p, int i, const char *word)
+{
+    const struct domq_effect_argument *value = parameter_value(p, i - 1);
+    for (bool is_later = false; value && value->optional; value = parameter_value(p, i++), is_later = true)
+        for (const char *const *w = value->words; is_later && w && *w; w++)
+            if (strcmp(*w, word) == 0)
+                return true;
+    return false;
+}
+
+/* Parses argument i, a value of the parameter that the question names. A file may stand for all its values.
+ */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -51,6 +62,10 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         *item = (struct item){.at = r->at};
         item->word = read_file(r);
         return item->word || problem_error(r->problem, "%s", unclosed);
+    }
+    if (word_is_later(p, i, word)) { /* this argument has its usual value */
+        *item = (struct item){.number = value->usual, .at = r->at};
+        return true;
     }
     r->last = !parameter_value(p, i);
     return item_parse_value(r, p, i - 1, value->name, item);

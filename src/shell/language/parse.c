@@ -78,6 +78,11 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     /* In a list of names and values, "feet" is the name of the effect. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
+    if (*c == '%' && value->kind == TREE_NUMBER && quantity_bare(value->value)) {
+        value->value.value /= 100;
+        p->end = c + 1;
+        return value;
+    }
     if (!name_start(*c))
         return value;
     struct quantity unit = {.value = 1};

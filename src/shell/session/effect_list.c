@@ -52,12 +52,14 @@ const struct domq_effect engine_effect_bounce = {
 
 const struct domq_effect *effect_at(int k)
 {
-    static const struct domq_effect *const engine[] = {
-#define POINTER(name) &engine_effect_##name,
-        ENGINE_EFFECTS(POINTER)
-#undef POINTER
+    static const struct domq_effect *const more[] = {
+#define ENGINE_POINTER(name) &engine_effect_##name,
+#define ERROR_POINTER(name)  &error_effect_##name,
+        ENGINE_EFFECTS(ENGINE_POINTER) ERROR_EFFECTS(ERROR_POINTER)
+#undef ENGINE_POINTER
+#undef ERROR_POINTER
     };
-    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : engine[k - DOM_EFFECT_COUNT];
+    return k < DOM_EFFECT_COUNT ? domq_effect((enum dom_effect_name)k) : more[k - DOM_EFFECT_COUNT];
 }
 
 const char *effect_names(const void *context, int k)
@@ -113,6 +115,7 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
             n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
-    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; scene", e->name);
+    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; %s", e->name,
+             name < EFFECT_ENGINE_END ? "scene" : "placement 500");
     return example;
 }

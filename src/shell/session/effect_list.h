@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of all effects: first the effects of the library, and then the effects that only the
- * rigid-body engine can compute, because a train with one degree of freedom cannot have them. To add an
- * effect of the engine, add its name here, its description to effect_list.c, and its code to src/engine/.
+ * Descriptions of all effects: first those of the library, then those of the rigid-body engine, which a train
+ * with one degree of freedom cannot have, and then the errors of random rows (error_list.c). To add an effect
+ * of the engine, write its name here, its description into effect_list.c, and what it does into src/engine/.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
@@ -13,17 +13,29 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
+/* Errors of a random row besides those of the effect 'placement', which are the gaps and the heights: each is
+ * an effect, such as error_place. */
+#define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
+
 enum {
     EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers continue after the library's effects */
 #define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
     ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
 #undef ENGINE_EFFECT_ENUM
+        EFFECT_ENGINE_END,
+    EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
+#define ERROR_EFFECT_ENUM(name) EFFECT_error_##name,
+    ERROR_EFFECTS(ERROR_EFFECT_ENUM)
+#undef ERROR_EFFECT_ENUM
         EFFECT_COUNT
 };
 
 #define ENGINE_EFFECT_DECLARE(name) extern const struct domq_effect engine_effect_##name;
 ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
 #undef ENGINE_EFFECT_DECLARE
+#define ERROR_EFFECT_DECLARE(name) extern const struct domq_effect error_effect_##name;
+ERROR_EFFECTS(ERROR_EFFECT_DECLARE)
+#undef ERROR_EFFECT_DECLARE
 
 /* Two special values that stand for the words "off" and "on". EFFECT_ON turns an effect on with its usual
  * values. If the effect is already on, EFFECT_ON changes nothing. */
@@ -44,8 +56,8 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 enum { EFFECT_USAGE = 64 };
 const char *effect_usage(int name, char usage[EFFECT_USAGE]);
 
-/* Returns commands that demonstrate an effect. They are in `example` or in static memory. */
-enum { EFFECT_EXAMPLE = 128 };
+/* Writes commands that show an effect. */
+enum { EFFECT_EXAMPLE = 192 };
 const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
 
 #endif

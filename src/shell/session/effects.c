@@ -11,6 +11,15 @@ const char *effect_file(const struct scene *scene, int name)
     return name == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
 }
 
+/* Returns true if argument i and all after it may be left out, since they have their usual values. */
+static bool usual_from(const struct domq_effect *e, const struct effect_state *state, int i)
+{
+    bool usual = i > 0;
+    for (; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        usual = usual && e->argument[i].optional && state->value[i] == e->argument[i].usual;
+    return usual;
+}
+
 const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &scene->effect[name];
@@ -20,10 +29,11 @@ const char *effect_setting(const struct scene *scene, int name, char setting[EFF
     for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct domq_effect_argument *of = &e->argument[i];
         char number[WIDE_TEXT];
-        if (i > 0 && of->optional && state->value[i] == of->usual)
+        if (usual_from(e, state, i))
             break;
         n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s%s%s", n ? ", " : "",
-                      quad_text(state->value[i], 10, number), *of->unit ? " " : "", of->unit);
+                      of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10, number),
+                      *of->unit ? " " : "", of->unit);
     }
     return setting;
 }
@@ -84,7 +94,7 @@ bool scene_row_load(struct scene *scene, const char *name, const struct means *m
 {
     struct listed_row file = {.domino = NULL};
     struct problem in_file = {.kind = PROBLEM_NONE};
-    char needed[64], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    char needed[256], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
     bool earlier = scene->effect[DOM_EFFECT_row].on;
     if (means->safe)
         problem_error(&in_file,
@@ -179,13 +189,17 @@ static void save_name(const char *path, const char *folder, FILE *out)
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out)
 {
     const struct domq_effect *e = effect_at(name);
+    const struct effect_state *state = &scene->effect[name];
     const char *path = effect_file(scene, name);
     char number[WIDE_TEXT];
-    fprintf(out, scene->effect[name].on ? "effect %s" : "effect %s off", e->name);
+    fprintf(out, state->on ? "effect %s" : "effect %s off", e->name);
     if (path)
         save_name(path, folder, out);
-    for (int i = 0; !path && scene->effect[name].on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        fprintf(out, " %s", quad_exact(scene->effect[name].value[i], number));
+    for (int i = 0; !path && state->on && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
+        if (!usual_from(e, state, i))
+            fprintf(out, " %s",
+                    e->argument[i].words ? e->argument[i].words[(int)state->value[i]]
+                                         : quad_exact(state->value[i], number));
     putc('\n', out);
     for (size_t i = 0; name == DOM_EFFECT_row && i < scene->listed.changes; i++)
         fprintf(out, "place %zu %s m\n", scene->listed.change[i].k,

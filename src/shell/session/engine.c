@@ -7,7 +7,7 @@
 bool scene_has_engine(const struct scene *scene)
 {
     bool wanted = scene->method == METHOD_ENGINE;
-    for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
+    for (int k = DOM_EFFECT_COUNT; k < EFFECT_ENGINE_END; k++)
         wanted = wanted || scene->effect[k].on;
     return wanted && scene->effect[DOM_EFFECT_row].on;
 }
@@ -17,7 +17,7 @@ const char *scene_engine_why(const struct scene *scene)
 #define WHY(name) #name " is on",
     static const char *const why[] = {ENGINE_EFFECTS(WHY)};
 #undef WHY
-    for (int k = DOM_EFFECT_COUNT; k < EFFECT_COUNT; k++)
+    for (int k = DOM_EFFECT_COUNT; k < EFFECT_ENGINE_END; k++)
         if (scene->effect[k].on)
             return why[k - DOM_EFFECT_COUNT];
     return "method is engine";
@@ -74,6 +74,7 @@ static struct engine_row row_of(const struct domq_row *row, struct unit unit, co
     struct engine_row engine = own->effects;
     engine.box = box;
     engine.count = row->count;
+    engine.feet = fmax(engine.feet + (double)row->feet, 0);
     engine.push = (double)row->push * unit.time;
     engine.mu = (double)row->mu;
     engine.slope = (double)row->alpha;

@@ -116,6 +116,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define DYNAMICS(name, member, status) EFFECT(name)
 #define EFFECT(name) EFFECT_ROW(name, domq_effects[DOM_EFFECT_##name], DOM_EFFECT_##name)
 #define ENGINE_EFFECT(name) EFFECT_ROW(name, engine_effect_##name, EFFECT_##name)
+#define ERROR_EFFECT(name) EFFECT_ROW(error_##name, error_effect_##name, EFFECT_error_##name)
 #define EFFECT_ROW(name_, of, number) \
     {.name = #name_, .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
@@ -170,6 +171,7 @@ const struct parameter session_parameters[] = {
     DOM_DYNAMICS(DYNAMICS)
     DOM_EFFECTS(EFFECT)
     ENGINE_EFFECTS(ENGINE_EFFECT)
+    ERROR_EFFECTS(ERROR_EFFECT)
     {.name = NULL},
 };
 /* clang-format on */

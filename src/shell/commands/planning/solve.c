@@ -15,15 +15,32 @@
 static const struct usual_range {
     const char *name;
     double from, to;
-} usual_ranges[] = {{"s", 0.02, 1},       {"r", 1, 4},
-                    {"d", 0.01, 1},       {"q", 1, 6},
-                    {"h", 0.005, 10},     {"g", 0.1, 30},
-                    {"mass", 1e-3, 10},   {"density", 50, 10000},
-                    {"friction", 0, 2},   {"slope", -0.14, 0.14},
-                    {"push", 0, 30},      {"placement", 0, 0.1},
-                    {"floor", 0, 3},      {"edges", 0, 0.05},
-                    {"feet", 0.05, 2},    {"bounce", 0, 1},
-                    {"walls", 1e-4, 0.07}};
+} usual_ranges[] = {{"s", 0.02, 1},
+                    {"r", 1, 4},
+                    {"d", 0.01, 1},
+                    {"q", 1, 6},
+                    {"h", 0.005, 10},
+                    {"g", 0.1, 30},
+                    {"mass", 1e-3, 10},
+                    {"density", 50, 10000},
+                    {"friction", 0, 2},
+                    {"slope", -0.14, 0.14},
+                    {"push", 0, 30},
+                    {"placement", 0, 0.1},
+                    {"floor", 0, 3},
+                    {"edges", 0, 0.05},
+                    {"feet", 0.05, 2},
+                    {"bounce", 0, 1},
+                    {"walls", 1e-4, 0.07},
+                    {"error_place", 0, 0.1},
+                    {"error_thickness", 0, 0.5},
+                    {"error_mass", 0, 1},
+                    {"error_lean", 0, 0.14},
+                    {"error_radius", 0, 1},
+                    {"error_friction", 0, 0.5},
+                    {"error_slope", 0, 0.14},
+                    {"error_floor", 0, 0.5},
+                    {"error_push", 0, 5}};
 
 const char *solve_names(const void *context, int k)
 {

@@ -5,6 +5,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
+#include "session/errors.h"
 #include <stdlib.h>
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
@@ -19,7 +20,8 @@ static enum dom_status sigma_most(const struct scene_row *scene, const struct do
     struct domq_budget half;
     struct domq_placement rough = *placement;
     rough.rows = ROWS_ROUGH;
-    enum dom_status status = domq_placement_budget(&scene->row, &scene->compute, &rough, 0.5, &half);
+    enum dom_status status =
+        domq_placement_budget(&scene->row, &scene->compute, &rough, DOM_ERROR_gap, 0.5, &half);
     *most = 0;
     for (size_t k = 1; k < scene->row.count; k++)
         *most = quad_larger(*most, scene->domino[k].gap);
@@ -36,10 +38,10 @@ static enum dom_status studies_write(const struct scene_row *scene, struct domq_
     enum dom_status status = DOM_OK;
     for (int k = 0; k < SIGMAS && status == DOM_OK && !answer_lost(a); k++) {
         struct domq_study study;
-        placement->sigma = most * k / (SIGMAS - 1);
+        placement->error[DOM_ERROR_gap].size = most * k / (SIGMAS - 1);
         status = domq_placement_study(&scene->row, &scene->compute, placement, &study, NULL);
         if (status == DOM_OK)
-            answer_cells(a, cell_real(placement->sigma),
+            answer_cells(a, cell_real(placement->error[DOM_ERROR_gap].size),
                          cell_real((domq_real)((double)study.fall / (double)study.rows)),
                          cell_real((domq_real)study.low), cell_real((domq_real)study.high),
                          cell_count((domq_real)study.rows));
@@ -67,18 +69,18 @@ static void placement_chart(const struct scene_row *scene, size_t rows, domq_rea
 
 bool plot_placement(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
-    const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
     struct scene_row scene;
     struct task_pool pool = {.threads = query->state->settings.threads,
                              .interrupt = query->scene->compute.interrupt};
-    struct domq_placement placement = {.heights = errors->on ? errors->value[1] : 0,
-                                       .seed = (unsigned long)query->scene->seed,
+    struct domq_placement placement = {.seed = (unsigned long)query->scene->seed,
                                        .rows = ROWS_USUAL,
                                        .parallel = workers_tasks,
                                        .pool = &pool};
-    domq_real most, now = errors->on ? errors->value[0] : DOMQ_NAN;
     bool unknown = false;
-    if (!scene_row_make(query->scene, &scene, problem))
+    scene_errors(query->scene, placement.error);
+    const bool placed = query->scene->effect[DOM_EFFECT_placement].on;
+    domq_real most, now = placed ? placement.error[DOM_ERROR_gap].size : DOMQ_NAN;
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &scene, problem))
         return false;
     if (query->given->count > 1)
         placement.rows = (size_t)query->given->number[1];
@@ -89,8 +91,8 @@ bool plot_placement(const struct query *query, struct answer *a, struct chart *c
         placement_chart(&scene, placement.rows, now, unknown, chart);
     free(scene.domino);
     if (status == DOM_STOPS)
-        return problem_no_answer(problem,
-                                 "fewer than half of the rows fall, even without random errors: 'fall' shows "
-                                 "where the row stops, and 'mend' finds what saves it");
+        return problem_no_answer(
+            problem, "fewer than half of the rows fall, even without random errors of the gaps: 'fall' "
+                     "shows where the row stops, and 'mend' finds what saves it");
     return status == DOM_OK || row_status(query, problem, status);
 }

@@ -1,76 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Studies of random errors of placement that are computed in parts. A study counts how many random rows fall,
- * and such counts can be added. Each part of a study writes the counts for some blocks of 100 rows. The
- * command pool reads the blocks of all parts, adds them up, and prints the answer that 'placement' would have
- * printed.
+ * Studies of placement that are computed in parts. A study counts how many random rows fall, and counts can
+ * be added. Each part of a study writes the counts of some blocks of 100 rows, and
+ * 'pool' reads the blocks of all parts, adds them up and gives the answer that 'placement' would have given.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
+#include "session/errors.h"
 #include "session/rowfile.h"
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- The answer of a study ---- */
-
-const struct column placement_columns[] = {
-    {"sigma", "m", "standard deviation of every gap", 0},
-    {"heights", "share", "relative standard deviation of every height", 0},
-    {"rows", "", "the number of rows that were set up", 0},
-    {"fall", "", "the number of rows that fall completely", 0},
-    {"probability", "share", "fall / rows", 0},
-    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
-    {"high", "share", "the upper end of this interval", 0},
-    {"unknown", "", "the number of rows that the model cannot follow, which widen the interval", 0},
-    {"stops_most", "", "the domino at which most of the other rows stop", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/*
- * Steps through the dominoes at which rows stop, from the most frequent to the least frequent one. Returns
- * the index of the domino after `last`, or of the first domino if `last` is count. Returns count after the
- * last domino.
- */
-static size_t stop_next(const size_t *stops, size_t count, size_t last)
-{
-    size_t next = count;
-    for (size_t k = 0; k < count; k++) {
-        bool is_after = last == count || stops[k] < stops[last] || (k > last && stops[k] == stops[last]);
-        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
-            next = k;
-    }
-    return next;
-}
-
-void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
-                  const size_t *stops, size_t count, const char *reason)
-{
-    enum { SHOWN = 5 };
-    const size_t others = study->rows - study->fall - study->unknown, most = stop_next(stops, count, count);
-    char text[200] = "";
-    size_t k = most;
-    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(stops, count, k))
-        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
-                      100 * (double)stops[k] / (double)others);
-    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
-               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
-               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
-    if (*text)
-        answer_say(a, "The others stop at domino %s.", text);
-    answer_row(a,
-               ROW(cell_real(sigma), cell_real(heights), cell_count((domq_real)study->rows),
-                   cell_count((domq_real)study->fall),
-                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
-                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
-                   cell_count((domq_real)study->unknown),
-                   most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN)),
-               reason);
-}
-
 /* ---- Writing blocks ---- */
 
-enum { BLOCK_ROWS = 100, STOPS_TEXT = BLOCK_ROWS * 16 };
+enum {
+    BLOCK_ROWS = 100,
+    STOPS_TEXT = BLOCK_ROWS * 16,
+    WITHOUT_TEXT = DOM_ERROR_COUNT * (BLOCK_ROWS * 32 + 32)
+};
 
 static const struct column block_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
@@ -84,6 +32,8 @@ static const struct column block_columns[] = {
     {"fall", "", "number of them that fall completely", 4},
     {"unknown", "", "number of them that the model cannot follow", 7},
     {"stops", "", "the others: domino at which they stop, and how many", 20},
+    {"errors", "", "the errors of the rows", 20},
+    {"without", "", "rows that fall without one error, and where those stop that stop with it", 20},
     {NULL, NULL, NULL, 0},
 };
 
@@ -124,40 +74,59 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5 and 3 at
- * domino 6. */
-static void stops_text(const size_t *stops, size_t count, char text[STOPS_TEXT])
+/* Writes how many rows stop at which domino: "5:12 6:3" for 12 rows at domino 5 and 3 at domino 6, each after
+ * a prefix. Returns the length. */
+static int stops_text(const size_t *stops, size_t count, const char *prefix, char *text, int size)
 {
     int n = 0;
     text[0] = '\0';
     for (size_t k = 0; k < count; k++)
         if (stops[k] > 0)
-            n += snprintf(text + n, (size_t)(STOPS_TEXT - n), "%s%zu:%zu", n ? " " : "", k + 1, stops[k]);
+            n += snprintf(text + n, (size_t)(size - n), "%s%s%zu:%zu", n ? " " : "", prefix, k + 1, stops[k]);
+    return n;
+}
+
+/* Writes what the errors cost: "gap:98 gap@5:1 friction:99 friction@5:2" if 98 rows fall without errors of
+ * the gaps, of which one stops at domino 5 with them. */
+static void without_text(const struct study *study, char text[WITHOUT_TEXT])
+{
+    text[0] = '\0';
+    for (int k = 0, n = 0; k < DOM_ERROR_COUNT && study->causes; k++) {
+        char prefix[32];
+        if (!study->is_on[k])
+            continue;
+        snprintf(prefix, sizeof prefix, " %s@", error_names(NULL, k));
+        n += snprintf(text + n, (size_t)(WITHOUT_TEXT - n), "%s%s:%zu", n ? " " : "", error_names(NULL, k),
+                      study->without[k]);
+        n += stops_text(study_stops(study, k), study->count, prefix, text + n, WITHOUT_TEXT - n);
+    }
 }
 
 static bool block_write(void *own, size_t block, FILE *out)
 {
     struct blocks *b = own;
-    const size_t count = b->scene->row.count, all = b->placement->rows;
-    struct domq_study study;
+    const size_t all = b->placement->rows;
     struct domq_placement p = *b->placement;
-    char text[STOPS_TEXT];
-    size_t *stops = calloc(count, sizeof *stops);
+    struct study study;
+    char stops[STOPS_TEXT], errors[ERRORS_TEXT], *without = malloc(WITHOUT_TEXT);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* the rows of a block are not computed in parallel, because whole blocks are */
-    b->status =
-        stops ? domq_placement_study(&b->scene->row, &b->scene->compute, &p, &study, stops) : DOM_NO_MEMORY;
+    p.parallel = NULL; /* because whole blocks are computed in parallel */
+    b->status = study_make(&b->scene->row, &b->scene->compute, &p, &study);
+    if (!without)
+        b->status = DOM_NO_MEMORY;
     if (b->status == DOM_OK) {
         struct answer a = answer_part(&b->answer, out, block == 0);
-        stops_text(stops, count, text);
-        answer_cells(&a, cell_real(p.sigma), cell_real(p.heights), cell_count((domq_real)p.seed),
-                     cell_word(b->checksum), cell_count((domq_real)count), cell_count((domq_real)all),
+        stops_text(study.stops, study.count, "", stops, STOPS_TEXT);
+        without_text(&study, without);
+        answer_cells(&a, cell_real(study.sigma), cell_real(study.heights), cell_count((domq_real)p.seed),
+                     cell_word(b->checksum), cell_count((domq_real)study.count), cell_count((domq_real)all),
                      cell_count((domq_real)p.first + 1), cell_count((domq_real)p.rows),
-                     cell_count((domq_real)study.fall), cell_count((domq_real)study.unknown),
-                     cell_word(text));
+                     cell_count((domq_real)study.counts.fall), cell_count((domq_real)study.counts.unknown),
+                     cell_word(stops), cell_word(errors_text(p.error, errors)), cell_word(without));
     }
-    free(stops);
+    free(study.stops);
+    free(without);
     return b->status == DOM_OK;
 }
 
@@ -182,7 +151,24 @@ bool study_blocks(const struct query *query, struct answer *a, struct problem *p
 
 /* ---- Reading blocks ---- */
 
-enum { SIGMA, HEIGHTS, SEED, SCENE, DOMINOES, OF, FIRST, ROWS, FALL, UNKNOWN, STOPS, FIELDS };
+enum {
+    SIGMA,
+    HEIGHTS,
+    SEED,
+    SCENE,
+    DOMINOES,
+    OF,
+    FIRST,
+    ROWS,
+    FALL,
+    UNKNOWN,
+    STOPS,
+    ERRORS,
+    WITHOUT,
+    FIELDS
+};
+
+_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a table of blocks has room for its columns");
 
 #define BLOCKS "'domino --shard I/N' with 'set output csv' writes blocks of a study"
 #define NUMBER CSV_REQUIRED, "", "none", "", BLOCKS, 0
@@ -201,6 +187,8 @@ static const struct csv_column pool_columns[FIELDS] = {
     {"fall", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
     {"unknown", NULL, COUNT, 0, BLOCK_ROWS, "0 .. 100"},
     {"stops", NULL, TEXT},
+    {"errors", NULL, TEXT},
+    {"without", NULL, TEXT},
 };
 
 static const struct csv_kind pool_kind = {
@@ -210,7 +198,8 @@ static const struct csv_kind pool_kind = {
     .rows_most = COUNT_MAX,
     .item = "block",
     .items = "blocks of a study",
-    .names = "sigma, heights, seed, scene, dominoes, of, first, rows, fall, unknown, stops: " BLOCKS,
+    .names = "sigma, heights, seed, scene, dominoes, of, first, rows, fall, unknown, stops, errors, "
+             "without: " BLOCKS,
 };
 
 struct block {
@@ -220,9 +209,8 @@ struct block {
 
 struct pool {
     domq_real common[FIRST]; /* the values that must be the same in all blocks of a study */
-    const char *checksum;
-    struct domq_study study;
-    size_t dominoes, *stops;
+    const char *checksum, *errors;
+    struct study study;
     struct block *block;
     size_t blocks;
 };
@@ -231,24 +219,64 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
 {
     memcpy(p->common, csv->value, sizeof p->common);
     p->checksum = csv_cell(csv, SCENE).text;
-    p->dominoes = (size_t)csv->value[DOMINOES];
-    p->stops = calloc(p->dominoes, sizeof *p->stops);
-    return p->stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
+    p->errors = csv_cell(csv, ERRORS).text;
+    p->study = (struct study){
+        .sigma = p->common[SIGMA], .heights = p->common[HEIGHTS], .count = (size_t)csv->value[DOMINOES]};
+    snprintf(p->study.errors, sizeof p->study.errors, "%s", p->errors);
+    p->study.stops = calloc((1 + DOM_ERROR_COUNT) * p->study.count, sizeof *p->study.stops);
+    return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Parses a text such as "5:12 6:3", adds its counts to p->stops, and sets *sum to their sum. Returns false if
- * the text is wrong. */
+/* Adds the count of a text such as "5:12" to a list, and skips it. Returns the count, or 0 if the text is
+ * wrong. */
+static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
+{
+    unsigned long domino, count;
+    int length;
+    if (sscanf(*text, "%lu:%lu%n", &domino, &count, &length) != 2 || domino == 0 || domino > dominoes ||
+        count > BLOCK_ROWS)
+        return 0;
+    stops[domino - 1] += count;
+    *text += length + (int)strspn(*text + length, " ");
+    return count;
+}
+
+/* Parses a text such as "5:12 6:3", adds its counts to the stops, and returns their sum in *sum. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
-        unsigned long domino, count;
-        int length;
-        if (sscanf(text, "%lu:%lu%n", &domino, &count, &length) != 2 || domino == 0 || domino > p->dominoes ||
-            count > BLOCK_ROWS)
+        const size_t count = stop_add(&text, p->study.stops, p->study.count);
+        if (count == 0)
             return false;
-        p->stops[domino - 1] += count;
         *sum += count;
+    }
+    return true;
+}
+
+/* Parses the text of without_text, and adds its counts. */
+static bool without_add(struct pool *p, const char *text)
+{
+    struct study *study = &p->study;
+    while (*text) {
+        char name[16], mark;
+        int length;
+        unsigned long count;
+        const int kind = sscanf(text, "%15[a-z]%c%n", name, &mark, &length) == 2
+                             ? names_exact(error_names, NULL, name)
+                             : -1;
+        if (kind < 0 || kind >= DOM_ERROR_COUNT)
+            return false;
         text += length;
+        if (mark == '@') {
+            if (stop_add(&text, study_stops(study, kind), study->count) == 0)
+                return false;
+            continue;
+        }
+        if (mark != ':' || sscanf(text, "%lu%n", &count, &length) != 1 || count > BLOCK_ROWS)
+            return false;
+        study->without[kind] += count;
+        study->is_on[kind] = study->causes = true;
+        text += length + (int)strspn(text + length, " ");
     }
     return true;
 }
@@ -256,24 +284,24 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
 static bool block_add(struct pool *p, struct csv_table *csv)
 {
     const domq_real *value = csv->value;
-    if (!p->stops && !pool_begin(p, csv))
+    if (!p->study.stops && !pool_begin(p, csv))
         return false;
-    bool same = strcmp(csv_cell(csv, SCENE).text, p->checksum) == 0;
+    bool same = strcmp(csv_cell(csv, SCENE).text, p->checksum) == 0 &&
+                strcmp(csv_cell(csv, ERRORS).text, p->errors) == 0;
     for (int k = 0; k < FIRST; k++)
         same = same && (k == SCENE || value[k] == p->common[k]);
     if (!same)
-        return csv_wrong(
-            &csv->file, csv->row.at,
-            "this block is of another study: sigma, heights, seed, row or number of rows differ");
+        return csv_wrong(&csv->file, csv->row.at,
+                         "this block is of another study: errors, seed, row or number of rows differ");
     size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
            unknown = (size_t)value[UNKNOWN], stopped;
     if (first + rows - 1 > (size_t)value[OF] || !stops_add(p, csv_cell(csv, STOPS).text, &stopped) ||
-        fall + unknown + stopped != rows)
+        !without_add(p, csv_cell(csv, WITHOUT).text) || fall + unknown + stopped != rows)
         return csv_wrong(&csv->file, csv->row.at,
                          "the counts of this block do not add up to its number of rows");
-    p->study.rows += rows;
-    p->study.fall += fall;
-    p->study.unknown += unknown;
+    p->study.counts.rows += rows;
+    p->study.counts.fall += fall;
+    p->study.counts.unknown += unknown;
     struct block *more = realloc(p->block, (p->blocks + 1) * sizeof *more);
     if (!more)
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
@@ -303,7 +331,7 @@ static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, s
                              "row %zu of the study is in the file twice; leave one part out", b->first);
         if (b->first > next && !*missing)
             snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
-                     all - p->study.rows, all, next);
+                     all - p->study.counts.rows, all, next);
         next = b->first + b->rows;
     }
     return true;
@@ -319,11 +347,10 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         ;
     bool good = p.block && !*csv->file.problem.text && blocks_check(&p, csv, missing, sizeof missing);
     good = csv_end(csv, problem) && good;
-    enum dom_status status = good ? domq_study_interval(&p.study) : DOM_OK;
+    enum dom_status status = good ? domq_study_interval(&p.study.counts) : DOM_OK;
     if (good && status == DOM_OK)
-        study_answer(a, p.common[SIGMA], p.common[HEIGHTS], &p.study, p.stops, p.dominoes,
-                     *missing ? missing : NULL);
-    free(p.stops);
+        study_answer(a, &p.study, *missing ? missing : NULL);
+    free(p.study.stops);
     free(p.block);
     return good && (status == DOM_OK || problem_status(problem, query->scene, status));
 }

@@ -4,6 +4,7 @@
 #define SHELL_ROWS_H
 
 #include "commands/rows/falling.h"
+#include "session/errors.h"
 
 extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
     placement_columns[], slip_columns[];
@@ -37,12 +38,27 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count);
 /* The message for a domino that is lifted off the floor. */
 extern const char foot_lifted[];
 
-/*
- * Prints the answer of 'placement' for a row of `count` dominoes. stops[k] is the number of rows in the study
- * that stopped at domino k + 1. If the study is incomplete, `reason` says why; otherwise it is NULL.
- */
-void study_answer(struct answer *a, domq_real sigma, domq_real heights, const struct domq_study *study,
-                  const size_t *stops, size_t count, const char *reason);
+/* A study of random rows. */
+struct study {
+    domq_real sigma, heights;
+    char errors[ERRORS_TEXT];
+    bool is_on[DOM_ERROR_COUNT];
+    bool causes; /* the rows were also run without each error */
+    struct domq_study counts;
+    size_t without[DOM_ERROR_COUNT]; /* as domq_placement_causes writes them */
+    size_t count, *stops;            /* the dominoes of the row; what domq_placement_causes writes */
+};
+
+/* Makes a study. It also finds what each error costs if there are several. The caller frees study->stops,
+ * also after a failure. */
+enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
+                           const struct domq_placement *placement, struct study *study);
+
+/* Returns the list of stops because of one kind of error. */
+size_t *study_stops(const struct study *study, int kind);
+
+/* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */
+void study_answer(struct answer *a, const struct study *study, const char *reason);
 
 /* Computes the part of a study that the option --shard selects, and prints it as blocks of counts. The blocks
  * are the same for any number of parts. */

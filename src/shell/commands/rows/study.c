@@ -11,6 +11,7 @@
 struct trials {
     struct scene_row scene;
     struct domq_placement placement;
+    bool has_errors; /* an effect with errors is on */
     struct task_pool pool;
 };
 
@@ -19,20 +20,18 @@ struct trials {
 static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
                         struct trials *t)
 {
-    const struct effect_state *errors = &query->scene->effect[DOM_EFFECT_placement];
-    if (!scene_row_make(query->scene, &t->scene, problem))
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &t->scene, problem))
         return false;
     t->pool = (struct task_pool){.threads = query->state->settings.threads,
                                  .progress = progress,
                                  .interrupt = query->scene->compute.interrupt};
     t->placement = (struct domq_placement){
-        .sigma = errors->on ? errors->value[0] : 0,
-        .heights = errors->on ? errors->value[1] : 0,
         .seed = (unsigned long)query->scene->seed,
         .rows = (size_t)rows,
         .parallel = workers_tasks,
         .pool = &t->pool,
     };
+    t->has_errors = scene_errors(query->scene, t->placement.error);
     return true;
 }
 
@@ -41,19 +40,16 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
 static bool placement_answer(const struct query *query, struct answer *a, struct problem *problem,
                              const struct trials *t)
 {
-    const struct domq_placement *p = &t->placement;
-    const size_t count = t->scene.row.count;
-    struct domq_study study = {.rows = 0};
+    struct study study;
     char partial[80];
-    size_t *stops = calloc(count, sizeof *stops);
-    enum dom_status status =
-        stops ? domq_placement_study(&t->scene.row, &t->scene.compute, p, &study, stops) : DOM_NO_MEMORY;
-    /* Within a sweep, an interrupted study has no answer. */
-    bool interrupted = status == DOM_INTERRUPTED && study.rows > 0 && !a->sink;
-    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", study.rows, p->rows);
+    const enum dom_status status = study_make(&t->scene.row, &t->scene.compute, &t->placement, &study);
+    const size_t rows = study.counts.rows;
+    bool interrupted =
+        status == DOM_INTERRUPTED && rows > 0 && !a->sink; /* an interrupted sweep has no answer here */
+    snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
     if (status == DOM_OK || interrupted)
-        study_answer(a, p->sigma, p->heights, &study, stops, count, interrupted ? partial : NULL);
-    free(stops);
+        study_answer(a, &study, interrupted ? partial : NULL);
+    free(study.stops);
     return status == DOM_OK || row_status(query, problem, status);
 }
 
@@ -62,9 +58,10 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
     struct trials t;
     if (!trials_make(query, problem, query->given->count > 0 ? query->given->number[0] : 2000, true, &t))
         return false;
-    bool done = !query->scene->effect[DOM_EFFECT_placement].on
+    bool done = !t.has_errors
                     ? problem_error(problem, "this command needs random errors; first enter 'effect "
-                                             "placement 1 mm'")
+                                             "placement 1 mm', or one such as 'effect "
+                                             "error_thickness 1 %%'")
                 : query->means->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
                                                 : placement_answer(query, a, problem, &t);
     free(t.scene.domino);
@@ -79,6 +76,7 @@ static const struct column budget_columns[] = {
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
+    {"error", "", "the error of which sigma is the size; all: sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -111,72 +109,165 @@ static domq_real two_digits(domq_real sigma)
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* Runs a study with sigma rounded to two digits, and prints how precisely to place the gaps and how many rows
- * then fall. */
-static enum dom_status budget_say(struct answer *a, const struct trials *t, const struct domq_budget *budget,
-                                  domq_real share)
+/* What a budget is about. */
+struct budget_call {
+    const struct trials *trials;
+    domq_real share;
+    enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
+};
+
+/* Returns a size in its unit, or a factor. */
+static struct measured size_words(const struct budget_call *call, domq_real size)
 {
+    const char *unit = error_unit((int)call->kind);
+    return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
+}
+
+/* Says how precise the row must be: "Place the gaps within 2 mm (one standard deviation)". */
+static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
+{
+    const bool all = call->kind == DOM_ERROR_COUNT;
+    const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
+    if (all)
+        snprintf(text, room, "All errors may be %s times as large", size_words(call, size).text);
+    else
+        snprintf(text, room, "%s within %s (%s)",
+                 call->kind == DOM_ERROR_gap     ? "Place the gaps"
+                 : call->kind == DOM_ERROR_place ? "Place the dominoes"
+                 : call->kind < DOM_ERROR_friction
+                     ? (const char *[]){[DOM_ERROR_height] = "Keep the heights",
+                                        [DOM_ERROR_thickness] = "Keep the thicknesses",
+                                        [DOM_ERROR_mass] = "Keep the masses",
+                                        [DOM_ERROR_lean] = "Keep the leans",
+                                        [DOM_ERROR_radius] = "Keep the radii"}[call->kind]
+                     : (const char *[]){[DOM_ERROR_friction] = "Know the friction",
+                                        [DOM_ERROR_slope] = "Know the slope",
+                                        [DOM_ERROR_floor] = "Know the friction of the floor",
+                                        [DOM_ERROR_push] = "Keep the push"}[call->kind],
+                 size_words(call, size).text, uniform ? "uniform limits" : "one standard deviation");
+}
+
+/* Says how precise the row must be, and how many rows then fall. */
+static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
+                                  const struct domq_budget *budget)
+{
+    const struct trials *t = call->trials;
     struct domq_placement at = t->placement;
     struct domq_study study;
-    at.sigma = two_digits(budget->sigma);
+    char text[200];
+    const domq_real size = two_digits(budget->sigma);
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        if (call->kind == DOM_ERROR_COUNT)
+            at.error[k].size *= size;
+        else if (k == (int)call->kind)
+            at.error[k].size = size;
     enum dom_status status = domq_placement_study(&t->scene.row, &t->scene.compute, &at, &study, NULL);
     if (status != DOM_OK)
         return status;
-    const int of = rows_of(share), digits = of ? 0 : 2;
+    const int of = rows_of(call->share), digits = of ? 0 : 2;
     const double digit = pow(10, -digits), scale = of ? of : 100;
-    answer_say(a, "Place the gaps within %s (one standard deviation): then %s rows fall (%.*f to %.*f%s).",
-               measured(at.sigma, "m", 2).text, share_words(share).text, digits,
+    precision_say(call, size, text, sizeof text);
+    answer_say(a, "%s: then %s rows fall (%.*f to %.*f%s).", text, share_words(call->share).text, digits,
                floor(scale * study.low / digit) * digit, digits, ceil(scale * study.high / digit) * digit,
                of ? "" : " %");
     return DOM_OK;
 }
 
-/* Prints what the search had found when ^C interrupted it. */
-static void interrupted_say(struct answer *a, const struct domq_budget *b, domq_real share)
+/* Says what the search had found when ^C interrupted it. */
+static void interrupted_say(struct answer *a, const struct budget_call *call, const struct domq_budget *b)
 {
     const bool open = !isfinite(b->high);
-    answer_say(a, "Interrupted: with gaps placed within %s at least %s rows fall%s%s.",
-               measured(two_digits(b->sigma), "m", 2).text, share_words(share).text,
+    answer_say(a, "Interrupted: with %s at least %s rows fall%s%s.",
+               size_words(call, two_digits(b->sigma)).text, share_words(call->share).text,
                open ? "; how many fall with larger errors is not known" : ", and fewer with ",
-               open ? "" : measured(b->high, "m", 2).text);
+               open ? "" : size_words(call, b->high).text);
+}
+
+/* Describes why there is no budget. */
+static bool budget_none(struct problem *problem, const struct budget_call *call)
+{
+    bool others = false;
+    for (int k = 0; k < DOM_ERROR_COUNT && call->kind < DOM_ERROR_COUNT; k++)
+        others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
+    return problem_no_answer(problem,
+                             others
+                                 ? "even without the error of the %s fewer rows than that fall; enter a "
+                                   "smaller P, or smaller other errors"
+                                 : "even with an exact %s the row does not fall; 'mend' finds a change that "
+                                   "saves it",
+                             call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
+}
+
+/* Describes the problem of a budget of an error that the scene cannot have. */
+static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
+                         struct problem *problem)
+{
+    struct scene with = *query->scene; /* borrows the row */
+    if (kind == DOM_ERROR_COUNT)
+        return t->has_errors ||
+               problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
+                                      "placement 1 mm' and 'effect error_thickness 1 %%'");
+    const int effect = error_effect((int)kind);
+    if (!effect_needs(query->scene, effect, problem))
+        return false;
+    effect_put(&with, effect, effect_at(effect)->argument[0].usual);
+    return errors_check(&with, problem);
+}
+
+/* Writes the answer. */
+static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
+                       bool interrupted)
+{
+    const bool any = !isfinite(b->sigma);
+    const int digits = interrupted ? 4 : 0;
+    if (*error_unit((int)call->kind) != 'm')
+        for (int i = 1; i < 4; i++)
+            answer_unit(a, budget_columns[i].key, error_unit((int)call->kind));
+    if (call->kind != DOM_ERROR_gap)
+        answer_means(a, "sigma", "the size of the error, or the factor of all, with which this share falls");
+    else if (answer_for_people(a))
+        answer_leave_out(a, "error");
+    answer_row(a,
+               ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
+                   cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
+                   cell_word(error_names(NULL, (int)call->kind))),
+               any ? "more rows than that fall even if errors are as large as the largest that is tried"
+               : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
+                                                      : NULL);
 }
 
 static bool run_budget(const struct query *query, struct answer *a, struct problem *problem)
 {
+    const struct arguments *given = query->given;
     struct trials t;
     struct domq_budget budget = {.sigma = 0};
-    domq_real share = query->given->number[0],
-              rows = query->given->count > 1 ? query->given->number[1] : 1000;
-    if (!(share > 0 && share < 1))
+    const struct budget_call call = {.trials = &t,
+                                     .share = given->number[0],
+                                     .kind = given->count > 2 ? (enum dom_error_of)given->number[2]
+                                                              : DOM_ERROR_gap};
+    if (!(call.share > 0 && call.share < 1))
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
-                             quad_shown(share).text);
-    if (!trials_make(query, problem, rows, false /* how many studies the search takes is not known */, &t))
+                             quad_shown(call.share).text);
+    if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
+                     false /* nobody knows how many studies the search takes */, &t))
         return false;
-    enum dom_status status =
-        domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement, (double)share, &budget);
-    bool any = !isfinite(budget.sigma);
-    if (status == DOM_OK && !any && answer_for_people(a))
-        status = budget_say(a, &t, &budget, share);
+    bool good = budget_check(query, &t, call.kind, problem);
+    enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,
+                                                          call.kind, (double)call.share, &budget)
+                                  : DOM_OK;
+    const bool any = !isfinite(budget.sigma);
+    if (good && status == DOM_OK && !any && answer_for_people(a))
+        status = budget_say(a, &call, &budget);
     free(t.scene.domino);
-    if (status == DOM_STOPS)
-        return problem_no_answer(problem,
-                                 t.placement.heights > 0
-                                     ? "even with exact gaps fewer rows than that fall; enter a smaller P"
-                                     : "even with exact gaps the row does not fall; 'mend' finds a "
-                                       "change that saves it");
+    if (!good || status == DOM_STOPS)
+        return good && budget_none(problem, &call);
     const bool interrupted = status == DOM_INTERRUPTED && budget.sigma > 0 && !any;
     if (status != DOM_OK && !interrupted)
         return row_status(query, problem, status);
     if (interrupted)
-        interrupted_say(a, &budget, share);
-    const int digits = interrupted ? 4 : 0;
-    answer_row(a,
-               ROW(cell_real(share), cell_narrow(budget.sigma, digits), cell_narrow(budget.low, digits),
-                   cell_narrow(budget.high, digits), cell_count(rows)),
-               any ? "more rows than that fall even if errors are as large as the largest gap"
-               : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
-                                                      : NULL);
+        interrupted_say(a, &call, &budget);
+    budget_row(a, &call, &budget, interrupted);
     return !interrupted || row_status(query, problem, status);
 }
 
@@ -187,12 +278,17 @@ const struct command study_commands[] = {
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
      .summary = "the probability that all fall, and where rows stop",
-     .help = "Sets up the row ROWS times (2000 if ROWS is left out), each gap with a random error: first "
-             "enter 'effect placement 1 mm'. With the same 'seed', row number i is always the same, with any "
-             "number of 'threads'. ^C ends the study, and the answer is then about the rows so far. With "
-             "'domino --shard 2/7' the answer is the second of seven parts of the study: counts for blocks "
-             "of 100 rows, which 'pool' adds up.",
-     .example = "effect row 13; effect placement 8 mm; placement 500",
+     .help =
+         "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene: first "
+         "enter 'effect placement 1 mm' for errors of the gaps, or another error, such as 'effect "
+         "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also run "
+         "without each of them, with the same random numbers for the others, and the answer says which "
+         "error costs most, and where rows stop because of it. With the same 'seed', row number i is always "
+         "the same, with any "
+         "number of 'threads'. ^C ends the study, and the answer is then about the rows so far. With "
+         "'domino --shard 2/7' the answer is the second of seven parts of the study: counts for blocks "
+         "of 100 rows, which 'pool' adds up.",
+     .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
      ANSWER(placement)},
@@ -213,14 +309,20 @@ const struct command study_commands[] = {
     {.name = "budget",
      .synonyms = "probability chance random precision spacing tolerance",
      .argument = {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
-                  {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "how precise gaps must be to fall with probability P",
+                  {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
+                  {.name = "E",
+                   .kind = ARGUMENT_CHOICE,
+                   .of = "error",
+                   .choices = error_names,
+                   .optional = true}},
+     .summary = "how precise gaps, or errors E, must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
              "rows if ROWS is left out). The random rows are the same at every sigma. The numbers after the "
-             "share are its 95 % interval. With 'effect placement 1 mm 0.01' heights have random errors, "
-             "too; the errors of gaps in this effect are not used. ^C ends the search, and the answer is "
-             "then what it has found so far.",
-     .example = "effect row 13; budget 0.9 200",
+             "share are its 95 % interval. The errors of the scene other than those of gaps stay as they "
+             "are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and "
+             "'budget 0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends "
+             "the search, and the answer is then what it has found so far.",
+     .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",
      ANSWER(budget)},

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How large an error may be for a row to fall with a given probability. */
+#include "planning/draw.h"
+#include "planning/interval.h"
+#include <math.h>
+
+enum { BUDGET_SEEN = 128 };
+
+struct budget {
+    const struct dom_row *row;
+    const struct dom_compute *compute;
+    const struct dom_placement *placement;
+    enum dom_error_of kind; /* or DOM_ERROR_COUNT for all */
+    double widest;          /* the largest size that is tried */
+    double lo, hi;          /* the share falls with lo, and no longer with hi, as far as is known */
+    bool of_answer;         /* lo and hi are being found, not the interval around the answer */
+    struct {
+        double sigma, share;
+    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask for many of them again
+                          */
+    int answers;
+};
+
+/* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
+ * or shorter, so that only sigma differs. */
+static enum dom_status fall_share(struct budget *b, double sigma, double *share)
+{
+    for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
+        if (b->seen[i].sigma == sigma) {
+            *share = b->seen[i].share;
+            return DOM_OK;
+        }
+    struct dom_placement p = *b->placement;
+    struct dom_study study = {.rows = p.rows};
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        if (b->kind == DOM_ERROR_COUNT)
+            p.error[k].size *= (dom_real)sigma;
+        else if (k == (int)b->kind)
+            p.error[k].size = (dom_real)sigma;
+    enum dom_status status = dom_placement_study(b->row, b->compute, &p, &study, NULL);
+    *share = (double)study.fall / (double)study.rows;
+    if (status == DOM_OK) {
+        b->seen[b->answers % BUDGET_SEEN].sigma = sigma;
+        b->seen[b->answers++ % BUDGET_SEEN].share = *share;
+    }
+    return status;
+}
+
+/* Keeps what is known about the answer, in case that the search is interrupted. */
+static void known(struct budget *b, double lo, double hi)
+{
+    b->lo = b->of_answer ? lo : b->lo;
+    b->hi = b->of_answer ? hi : b->hi;
+}
+
+/* Finds sigma to a thousandth between lo, where more than the share fall, and hi, where fewer do. */
+static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
+{
+    const double none = 1e-9 * hi; /* smaller than any error of real rows */
+    while (hi - lo > 1e-3 * hi && hi > none) {
+        double at = 0.5 * (lo + hi), falls;
+        enum dom_status status = fall_share(b, at, &falls);
+        if (status != DOM_OK)
+            return status;
+        *(falls >= share ? &lo : &hi) = at;
+        known(b, lo, hi);
+    }
+    *sigma = lo;
+    known(b, lo, lo);
+    return DOM_OK;
+}
+
+/* Finds the sigma at which the share falls, first by doubling. It is infinite if it is larger than the
+ * largest size that is tried. */
+static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
+{
+    double lo = 0, falls = 1;
+    for (double hi = b->widest / 4096;; lo = hi, hi *= 2) {
+        enum dom_status status = fall_share(b, hi, &falls);
+        if (status != DOM_OK)
+            return status;
+        known(b, falls < share ? lo : hi, falls < share ? hi : HUGE_VAL);
+        if (falls < share)
+            return sigma_between(b, share, lo, hi, sigma);
+        if (hi >= b->widest) {
+            *sigma = HUGE_VAL;
+            return DOM_OK;
+        }
+    }
+}
+
+/* Returns the largest size that is tried: see dom_placement_budget. */
+static double size_most(const struct dom_row *row, enum dom_error_of kind)
+{
+    double widest = 0;
+    for (size_t k = 1; k < row->count; k++)
+        widest = fmax(widest, (double)row->domino[k].gap);
+    switch (kind) {
+    case DOM_ERROR_gap:
+    case DOM_ERROR_place:
+        return widest;
+    case DOM_ERROR_lean:
+    case DOM_ERROR_slope:
+        return (double)row_steepest(row);
+    case DOM_ERROR_push:
+        return isnan((double)row->push) ? 0 : (double)row->push;
+    case DOM_ERROR_COUNT:
+        return 64;
+    default:
+        return 1;
+    }
+}
+
+enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
+                                     const struct dom_placement *p, enum dom_error_of kind, double share,
+                                     struct dom_budget *budget)
+{
+    struct budget b = {
+        .row = row, .compute = compute, .placement = p, .kind = kind, .hi = HUGE_VAL, .of_answer = true};
+    double falls;
+    if (!(share > 0 && share < 1))
+        return DOM_BAD_PROBABILITY;
+    if (kind > DOM_ERROR_COUNT)
+        return DOM_BAD_ERROR;
+    enum dom_status status = fall_share(&b, 0, &falls);
+    if (status != DOM_OK || falls < share)
+        return status != DOM_OK ? status : DOM_STOPS;
+    b.widest = size_most(row, kind);
+    double N = (double)p->rows, few = fmax(unlikely(share, N, false), 0), many = unlikely(share, N, true);
+    struct dom_budget found = {.low = 0};
+    status = sigma_at(&b, share, &found.sigma);
+    b.of_answer = false;
+    if (status == DOM_OK && many <= N)
+        status = sigma_at(&b, many / N, &found.low);
+    if (status == DOM_OK)
+        status = sigma_at(&b, few / N, &found.high);
+    if (status == DOM_INTERRUPTED && b.lo > 0)
+        *budget = (struct dom_budget){.sigma = b.lo, .low = b.lo, .high = b.hi};
+    if (status == DOM_OK)
+        *budget = found;
+    return status;
+}

@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Random errors of a row. Each kind of error has random numbers of its own, which depend on the seed, the
+ * kind and the number of the row alone: a row without one of its errors has the others unchanged.
+ */
+#include "planning/draw.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <gsl/gsl_randist.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A size keeps at least this share of its value. */
+#define LEAST_SHARE ((dom_real)0.01)
+
+/* Slopes, leans and radii keep this relative distance from those that are impossible. It is more than the
+ * rounding of float. */
+#define INSIDE (1 - (dom_real)1e-6)
+
+enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
+{
+    *draw = (struct draw){.random = {gsl_rng_alloc(gsl_rng_taus2), gsl_rng_alloc(gsl_rng_mrg)},
+                          .domino = malloc(row->count * sizeof *draw->domino)};
+    return draw->random[0] && draw->random[1] && draw->domino ? DOM_OK : DOM_NO_MEMORY;
+}
+
+void draw_end(struct draw *draw)
+{
+    for (int i = 0; i < 2; i++)
+        if (draw->random[i])
+            gsl_rng_free(draw->random[i]);
+    free(draw->domino);
+}
+
+/* Returns a seed for number i. Its bits are mixed (Steele et al., splitmix64, 2014), since neighbouring
+ * values of a plain counter would give similar random numbers. */
+static unsigned long seed_of(unsigned long seed, size_t i)
+{
+    unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return (unsigned long)(z ^ (z >> 31));
+}
+
+/* Begins the random numbers of one kind of error in row number i. */
+static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
+{
+    unsigned long seed = seed_of(p->seed, i);
+    if (kind > 0)
+        seed = seed_of(seed, (size_t)kind);
+    gsl_rng_set(draw->random[0], seed & 0xffffffffUL);
+    gsl_rng_set(draw->random[1], seed >> 32);
+}
+
+/*
+ * Returns the next error. Two generators are added, since a generator of GSL has a seed of 32 bits, so that
+ * some of a million rows would have the same seed.
+ */
+static dom_real error_next(const struct draw *draw, const struct dom_error *error)
+{
+    gsl_rng *const *random = draw->random;
+    if (error->uniform) {
+        double u = gsl_rng_uniform(random[0]) + gsl_rng_uniform(random[1]);
+        return error->size * (dom_real)(2 * (u < 1 ? u : u - 1) - 1);
+    }
+    double normal = gsl_ran_gaussian_ziggurat(random[0], 1) + gsl_ran_gaussian_ziggurat(random[1], 1);
+    return error->size * (dom_real)(normal * M_SQRT1_2);
+}
+
+/* Returns the next factor of a size. */
+static dom_real factor_next(const struct draw *draw, const struct dom_error *error)
+{
+    return fmax(1 + error_next(draw, error), LEAST_SHARE);
+}
+
+/* Returns the radius of the edges of a domino in m, 0 for sharp edges. */
+static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
+{
+    return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
+}
+
+/* Changes the sizes of a domino by one kind of error. Walls and rounded edges still fit into it. */
+static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
+                      const struct dom_error *error, struct dom_domino *d)
+{
+    const dom_real factor = factor_next(draw, error);
+    switch (kind) {
+    case DOM_ERROR_height:
+        d->mass *= factor;
+        d->height *= factor;
+        break;
+    case DOM_ERROR_thickness: {
+        const dom_real thickness = d->thickness, least = 2 * fmax(row->walls, radius_of(row, d)) / INSIDE;
+        d->thickness = fmax(thickness * factor, fmin(least, thickness));
+        d->mass *= d->thickness / thickness;
+        break;
+    }
+    case DOM_ERROR_mass:
+        d->mass *= factor;
+        break;
+    default: /* DOM_ERROR_radius */
+        if (row->rho != 0)
+            d->radius = fmin(radius_of(row, d) * factor, fmin(d->thickness, d->height) / 2 * INSIDE);
+        break;
+    }
+}
+
+/* Moves each domino, but not those after it. A domino that would overlap the one before touches it. */
+static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
+{
+    dom_real before = 0; /* how far the domino before has moved */
+    for (size_t k = 1; k < count; k++) {
+        const dom_real by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
+        draw->domino[k].gap = fmax(gap, 0);
+        before = gap < 0 ? by - gap : by;
+    }
+}
+
+static void gaps_draw(const struct draw *draw, const struct dom_error *error, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        const dom_real by = error_next(draw, error);
+        if (k > 0)
+            draw->domino[k].gap = fmax(draw->domino[k].gap + by, 0);
+    }
+}
+
+/* Draws the leans, within those with which each domino stands. */
+static void leans_draw(const struct draw *draw, const struct dom_error *error)
+{
+    for (size_t k = 0; k < draw->row.count; k++) {
+        struct dom_domino *d = &draw->domino[k];
+        dom_real limit[2];
+        dom_lean_limits(d, draw->row.alpha, draw->row.rho, limit);
+        const dom_real middle = (limit[0] + limit[1]) / 2, most = (limit[1] - limit[0]) / 2 * INSIDE;
+        d->lean = fmin(fmax(d->lean + error_next(draw, error), middle - most), middle + most);
+    }
+}
+
+dom_real row_steepest(const struct dom_row *row)
+{
+    dom_real steepest = (dom_real)M_PI_2;
+    for (size_t k = 0; k < row->count; k++) {
+        dom_real limit[2];
+        dom_lean_limits(&row->domino[k], 0, row->rho, limit);
+        steepest = fmin(steepest, limit[1] - fabs(row->domino[k].lean));
+    }
+    return steepest;
+}
+
+/* Draws the one value of the whole row. */
+static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
+{
+    struct dom_row *row = &draw->row;
+    const dom_real by = error_next(draw, error);
+    if (kind == DOM_ERROR_friction)
+        row->mu = fmin(fmax(row->mu + by, 0), DOM_MU_HIGHEST);
+    else if (kind == DOM_ERROR_slope) {
+        const dom_real most = fmax(row_steepest(row) * INSIDE, fabs(row->alpha));
+        row->alpha = fmin(fmax(row->alpha + by, -most), most);
+    } else if (kind == DOM_ERROR_floor)
+        row->feet += by;
+    else if (!isnan(row->push))
+        row->push = fmax(row->push + by, 0);
+}
+
+static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
+{
+    if (kind == DOM_ERROR_gap)
+        gaps_draw(draw, error, draw->row.count);
+    else if (kind == DOM_ERROR_place)
+        places_draw(draw, error, draw->row.count);
+    else if (kind == DOM_ERROR_lean)
+        leans_draw(draw, error);
+    else if (kind >= DOM_ERROR_friction)
+        common_draw(draw, kind, error);
+    else
+        for (size_t k = 0; k < draw->row.count; k++)
+            size_draw(draw, &draw->row, kind, error, &draw->domino[k]);
+}
+
+void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
+              unsigned off)
+{
+    /* Leans come last, since what they may be depends on the sizes and on the slope. */
+    static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
+                                              DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
+                                              DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,
+                                              DOM_ERROR_push,      DOM_ERROR_lean};
+    _Static_assert(sizeof order / sizeof *order == DOM_ERROR_COUNT, "each kind of error is drawn once");
+    memcpy(draw->domino, row->domino, row->count * sizeof *draw->domino);
+    draw->row = *row;
+    draw->row.domino = draw->domino;
+    draw->row.floor = false;
+    for (int k = 0; k < DOM_ERROR_COUNT; k++) {
+        const struct dom_error *error = &p->error[order[k]];
+        if (!(error->size > 0) || off >> order[k] & 1)
+            continue;
+        kind_begin(draw, p, i, (int)order[k]);
+        kind_draw(draw, order[k], error);
+    }
+}
+
+bool draws_gaps(const struct dom_placement *p)
+{
+    bool gaps = true;
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        gaps = gaps && (k == DOM_ERROR_gap || k == DOM_ERROR_place || !(p->error[k].size > 0));
+    return gaps;
+}

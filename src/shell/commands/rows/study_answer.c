@@ -1,0 +1,159 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A study of random rows, and its answer: how many fall, where the others stop, and what each error costs. */
+#include "commands/rows/rows.h"
+#include "session/errors.h"
+#include <stdlib.h>
+#include <string.h>
+
+const struct column placement_columns[] = {
+    {"sigma", "m", "standard deviation of every gap", 0},
+    {"heights", "share", "relative standard deviation of every height", 0},
+    {"rows", "", "the number of rows that were set up", 0},
+    {"fall", "", "the number of rows that fall completely", 0},
+    {"probability", "share", "fall / rows", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"high", "share", "the upper end of this interval", 0},
+    {"unknown", "", "the number of rows that the model cannot follow, which widen the interval", 0},
+    {"stops_most", "", "the domino at which most of the other rows stop", 0},
+    {"errors", "", "all errors of the rows, each with its size", 0},
+    {"costs_most", "", "the error without which most rows would fall, if there are several", 0},
+    {"without", "share", "the share of the rows that would fall without that error", 0},
+    {"stops_there", "", "the domino at which most rows stop because of that error", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+size_t *study_stops(const struct study *study, int kind)
+{
+    return study->stops + ((size_t)kind + 1) * study->count;
+}
+
+enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
+                           const struct domq_placement *p, struct study *study)
+{
+    int on = 0;
+    *study = (struct study){.sigma = p->error[DOM_ERROR_gap].size,
+                            .heights = p->error[DOM_ERROR_height].size,
+                            .count = row->count};
+    errors_text(p->error, study->errors);
+    for (int k = 0; k < DOM_ERROR_COUNT; k++) {
+        study->is_on[k] = p->error[k].size > 0;
+        on += study->is_on[k];
+    }
+    study->causes = on > 1;
+    study->stops = calloc((1 + DOM_ERROR_COUNT) * row->count, sizeof *study->stops);
+    if (!study->stops)
+        return DOM_NO_MEMORY;
+    return study->causes
+               ? domq_placement_causes(row, compute, p, &study->counts, study->without, study->stops)
+               : domq_placement_study(row, compute, p, &study->counts, study->stops);
+}
+
+/*
+ * Lists the dominoes at which rows stop, the most frequent first: returns the index of the domino after
+ * `last`, or the first one if `last` is count. Returns count at the end of the list.
+ */
+static size_t stop_next(const size_t *stops, size_t count, size_t last)
+{
+    size_t next = count;
+    for (size_t k = 0; k < count; k++) {
+        bool is_after = last == count || stops[k] < stops[last] || (k > last && stops[k] == stops[last]);
+        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
+            next = k;
+    }
+    return next;
+}
+
+/* Returns the kind of error that costs more than any other after `last`, which is DOM_ERROR_COUNT at first.
+ * Returns DOM_ERROR_COUNT at the end of the list. */
+static int cause_next(const struct study *s, int last)
+{
+    int next = DOM_ERROR_COUNT;
+    for (int k = 0; k < DOM_ERROR_COUNT; k++) {
+        const bool is_after = last == DOM_ERROR_COUNT || s->without[k] < s->without[last] ||
+                              (k > last && s->without[k] == s->without[last]);
+        if (s->causes && s->is_on[k] && is_after &&
+            (next == DOM_ERROR_COUNT || s->without[k] > s->without[next]))
+            next = k;
+    }
+    return next;
+}
+
+/* Returns the number of the domino at which most rows stop because of an error, or 0. */
+static size_t cause_stops(const struct study *s, int kind)
+{
+    const size_t most = stop_next(study_stops(s, kind), s->count, s->count);
+    return most < s->count ? most + 1 : 0;
+}
+
+/* Says what each error costs. */
+static void causes_say(struct answer *a, const struct study *s)
+{
+    static const char *const names[] = {
+        [DOM_ERROR_gap] = "the errors of the gaps",
+        [DOM_ERROR_place] = "the errors of the places",
+        [DOM_ERROR_height] = "the errors of the heights",
+        [DOM_ERROR_thickness] = "the errors of the thicknesses",
+        [DOM_ERROR_mass] = "the errors of the masses",
+        [DOM_ERROR_lean] = "the leans",
+        [DOM_ERROR_radius] = "the errors of the radii",
+        [DOM_ERROR_friction] = "the unknown friction",
+        [DOM_ERROR_slope] = "the unknown slope",
+        [DOM_ERROR_floor] = "the unknown friction of the floor",
+        [DOM_ERROR_push] = "the unknown push",
+    };
+    const int worst = cause_next(s, DOM_ERROR_COUNT);
+    char others[600] = "", stops[80] = "";
+    if (worst == DOM_ERROR_COUNT)
+        return;
+    const char *it = worst < DOM_ERROR_friction ? "them" : "it";
+    const size_t domino = cause_stops(s, worst);
+    for (int k = cause_next(s, worst), n = 0; k < DOM_ERROR_COUNT; k = cause_next(s, k))
+        n += snprintf(others + n, sizeof others - (size_t)n,
+                      n ? ", without %s %zu" : "Without %s %zu would fall", names[k], s->without[k]);
+    if (domino > 0)
+        snprintf(stops, sizeof stops, "; because of %s most rows stop at domino %zu", it, domino);
+    if (s->without[worst] > s->counts.fall)
+        answer_say(a, "Most rows are lost to %s: without %s %zu of %zu would fall%s. %s.", names[worst], it,
+                   s->without[worst], s->counts.rows, stops, others);
+    else
+        answer_say(a, "Without any one of its errors no more of these rows would fall.");
+}
+
+void study_answer(struct answer *a, const struct study *s, const char *reason)
+{
+    enum { SHOWN = 5 };
+    const struct domq_study *study = &s->counts;
+    const size_t count = s->count, others = study->rows - study->fall - study->unknown,
+                 most = stop_next(s->stops, count, count);
+    const int worst = cause_next(s, DOM_ERROR_COUNT);
+    const bool costs = worst < DOM_ERROR_COUNT && s->without[worst] > study->fall;
+    char text[200] = "";
+    size_t k = most;
+    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(s->stops, count, k))
+        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
+                      100 * (double)s->stops[k] / (double)others);
+    answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
+               study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
+               measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);
+    if (*text)
+        answer_say(a, "The others stop at domino %s.", text);
+    causes_say(a, s);
+    if (answer_for_people(a)) /* the sentences have them */
+        for (const char *const *key =
+                 (const char *[]){"errors", "costs_most", "without", "stops_there", NULL};
+             *key; key++)
+            answer_leave_out(a, *key);
+    const size_t there = costs ? cause_stops(s, worst) : 0;
+    answer_row(a,
+               ROW(cell_real(s->sigma), cell_real(s->heights), cell_count((domq_real)study->rows),
+                   cell_count((domq_real)study->fall),
+                   cell_bound((domq_real)study->fall / (domq_real)study->rows, DOMQ_NAN),
+                   cell_bound((domq_real)study->low, DOMQ_NAN), cell_bound((domq_real)study->high, DOMQ_NAN),
+                   cell_count((domq_real)study->unknown),
+                   most < count ? cell_count((domq_real)most + 1) : cell_real(DOMQ_NAN), cell_word(s->errors),
+                   cell_word(costs ? error_names(NULL, worst) : ""),
+                   costs ? cell_bound((domq_real)s->without[worst] / (domq_real)study->rows, DOMQ_NAN)
+                         : cell_real(DOMQ_NAN),
+                   there > 0 ? cell_count((domq_real)there) : cell_real(DOMQ_NAN)),
+               reason);
+}
