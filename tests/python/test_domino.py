@@ -107,7 +107,7 @@ class SameAsTheProgram(unittest.TestCase):
         self.assertEqual(row.placement(0.002, rows=500), study)
         self.assertEqual(sum(study.stops) + study.fall + study.unknown, 500)
         [answer] = ask(["effect row 6; effect placement 2 mm; effect error_thickness 0.1 uniform; placement 500"])
-        self.assertEqual(row.placement(0.002, thickness=(0.1, "uniform"), rows=500).fall, answer["fall"])
+        self.assertEqual(row.placement(0.002, thickness=(0.1, "uniform"), rows=500).fall, answer[0]["fall"])
         all_errors = row.budget(0.9, "all", gap=0.002, thickness=(0.1, "uniform"), rows=200)
         self.assertTrue(0 < all_errors.low < all_errors.sigma)
         with self.assertRaises(ValueError):

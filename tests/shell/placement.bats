@@ -112,3 +112,50 @@ wrong_line() { # COMMANDS PATTERN
     run --separate-stderr "$DOMINO" --safe -e "pool all"
     grep -q 'safe session' <<<"$stderr"
 }
+
+@test "errors of every kind are effects: they are saved, undone, swept, and need what they are errors of" {
+    scene='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect push 3'
+    all='effect placement 2 mm uniform; effect error_place 1 mm; effect error_thickness 2 %; effect error_mass 5 % uniform
+effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 deg; effect error_push 0.2'
+    whole=$(json "$scene; $all; placement 40")
+    "$DOMINO" -e "$scene; $all; save scene.dom"
+    same saved "$whole" "$(json 'source scene.dom; set output json; placement 40')"
+    grep -qx 'effect placement 0.002 0 uniform' scene.dom
+    same undone "$(json "$scene; effect placement 2 mm; placement 40")" \
+        "$(json "$scene; effect placement 2 mm; effect error_mass 0.2; undo; placement 40" | tail -n 1)"
+    same swept "$(json "$scene; effect placement 2 mm; effect error_friction 0.1; placement 40" | values fall)" \
+        "$(json "$scene; effect placement 2 mm; sweep error_friction 0.1 : placement 40" | values fall)"
+    wrong 'effect error_mass 0.1' "'effect error_mass' needs a row"
+    wrong 'effect row 4; effect error_radius 0.1' 'needs a edges|needs .*edges'
+    wrong 'effect row 4; effect error_floor 0.1' 'feet'
+    wrong 'effect row 4; effect error_push 0.1' 'push'
+    wrong 'effect edges 0.01; effect row 4; effect error_lean 0.1 deg; placement 5' 'cannot be combined with rounded edges'
+    wrong 'effect row 4; effect error_mass 0.1 foo' 'LIMITS is normal or uniform'
+    wrong 'effect row 4; budget 0.9 20 all' 'there are no errors to scale'
+}
+
+@test "placement: what each error costs is the study without it, and pool adds that up" {
+    row='set q hollow; set r 1.66; set s 0.45; effect friction 0.3; effect row 11'
+    errors='effect placement 3 mm; effect error_thickness 1 %; effect error_friction 0.05'
+    answer=$(json "$row; $errors; placement 330")
+    off=$(values costs_most <<<"$answer")
+    case $off in
+    gap) off=placement ;;
+    *) off=error_$off ;;
+    esac
+    same 'without it' "$(json "$row; $errors; effect $off off; placement 330" | values probability)" \
+        "$(values without <<<"$answer")"
+    for part in 1 2; do "$DOMINO" --shard $part/2 -e "set output csv; $row; $errors; placement 330"; done >parts
+    same pooled "$answer" "$(json 'pool parts' | sed 's/"pool"/"placement"/')"
+    "$DOMINO" -e "$row; $errors; placement 330" | grep -q '^Most rows are lost to'
+}
+
+@test "budget: the size of any error, and the factor of all errors" {
+    row='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect placement 2 mm; effect error_thickness 2 %'
+    size=$(json "$row; budget 0.8 100 thickness" | values sigma)
+    share=$(json "$row; effect error_thickness $size; placement 100" | values probability)
+    within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.03'
+    factor=$(json "$row; budget 0.8 100 all" | values sigma)
+    share=$(json "$row; effect placement 2*$factor mm; effect error_thickness 0.02*$factor; placement 100" | values probability)
+    within 'the share with all errors scaled' 0.8 "$share" 'd >= 0 && d < 0.03'
+}

@@ -89,7 +89,7 @@ static double price_with(const struct query *query, int name, bool on)
     struct scene scene = *query->scene; /* borrows the row */
     errors_off(&scene);
     if (name == DOM_EFFECT_placement)
-        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF);
+        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     if (name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {

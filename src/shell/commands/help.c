@@ -284,8 +284,11 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
                 continue;
             }
             if (topic.parameter)
-                snprintf(topic.usage, sizeof topic.usage, "%s %s", topic.parameter->effect ? "effect" : "set",
-                         topic.name);
+                snprintf(topic.usage, sizeof topic.usage, "%s%s",
+                         !topic.parameter->effect             ? "set "
+                         : strlen(topic.parameter->name) > 12 ? "" /* no room beside its summary */
+                                                              : "effect ",
+                         topic.parameter->name);
             topic_entry(session->output->out, "", topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,

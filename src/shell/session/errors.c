@@ -57,7 +57,7 @@ bool errors_check(const struct scene *scene, struct problem *problem)
 void errors_off(struct scene *scene)
 {
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
-        effect_put(scene, error_effect(k), EFFECT_OFF);
+        effect_put(scene, error_effect(k), EFFECT_OFF, NULL);
 }
 
 const char *errors_text(const struct domq_error error[DOM_ERROR_COUNT], char text[ERRORS_TEXT])

@@ -210,7 +210,7 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     const int effect = error_effect((int)kind);
     if (!effect_needs(query->scene, effect, problem))
         return false;
-    effect_put(&with, effect, effect_at(effect)->argument[0].usual);
+    effect_put(&with, effect, effect_at(effect)->argument[0].usual, NULL);
     return errors_check(&with, problem);
 }
 
