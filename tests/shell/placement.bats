@@ -124,7 +124,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     same undone "$(json "$scene; effect placement 2 mm; placement 40")" \
         "$(json "$scene; effect placement 2 mm; effect error_mass 0.2; undo; placement 40" | tail -n 1)"
     same swept "$(json "$scene; effect placement 2 mm; effect error_friction 0.1; placement 40" | values fall)" \
-        "$(json "$scene; effect placement 2 mm; sweep error_friction 0.1 : placement 40" | values fall)"
+        "$(json "$scene; effect placement 2 mm; sweep error_friction 0.05, 0.1 : placement 40" | values fall | tail -n 1)"
     wrong 'effect error_mass 0.1' "'effect error_mass' needs a row"
     wrong 'effect row 4; effect error_radius 0.1' 'needs a edges|needs .*edges'
     wrong 'effect row 4; effect error_floor 0.1' 'feet'

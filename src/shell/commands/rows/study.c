@@ -308,13 +308,10 @@ const struct command study_commands[] = {
      .run = run_pool},
     {.name = "budget",
      .synonyms = "probability chance random precision spacing tolerance",
-     .argument = {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
-                  {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
-                  {.name = "E",
-                   .kind = ARGUMENT_CHOICE,
-                   .of = "error",
-                   .choices = error_names,
-                   .optional = true}},
+     .argument =
+         {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
+          {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
+          {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
      .summary = "how precise gaps, or errors E, must be to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
              "rows if ROWS is left out). The random rows are the same at every sigma. The numbers after the "
