@@ -60,7 +60,7 @@ def train_svg(train) -> str:
     from . import _api as api
     from ._library import lib, raise_status
 
-    one = api.dom_train(fuel=train.fuel, **{name: float(value) for name, value in train.values.items()})
+    one = train.structure()
     angles = api.dom_angles()
     raise_status(lib.dom_angles_find(ctypes.byref(one), None, ctypes.byref(angles)))
     tilts = []

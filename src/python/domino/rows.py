@@ -156,9 +156,7 @@ class Row:
     def of_train(cls, count: int, *, h: float = 0.048, s: float = 0.4, r: float = 1.5, d: float = 7 / 48,
                  q: float | str = 4.0, mass: float = 1.0, **effects: Any) -> Row:  # fmt: skip
         """The first dominoes of a train, the first of them h tall, in m."""
-        train = Train(s, r, d, q)
-        values = train.values
-        one = api.dom_train(s=s, r=r, d=d, q=values["q"])
+        one = Train(s, r, d, q).structure()
         dominoes = (api.dom_domino * count)()
         lib.dom_row_of_train(ctypes.byref(one), ctypes.byref(api.dom_scale(h=h, g=9.81)), mass, dominoes, count)
         return cls([(c.height, c.thickness, c.gap, c.mass) for c in dominoes], **effects)
@@ -343,8 +341,7 @@ def design(height: float, *, first: float = 0.048, safety: float = 2.0, hall: fl
               "mass": api.dom_least.DOM_LEAST_MASS}  # fmt: skip
     if least not in leasts:
         raise OutOfRange(f"least: {least!r} is none of {', '.join(leasts)}", "BAD_METHOD", "least")
-    values = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls).values
-    train = api.dom_train(**{name: float(value) for name, value in values.items()})
+    train = Train(0.4, 1.5, d, q, friction=friction, slope=slope, edges=edges, walls=walls).structure()
     wish = api.dom_wish(first=first, height=height, safety=safety, hall=hall, g=g, least=leasts[least],
                         push=math.nan if push is None else push)  # fmt: skip
     found, compute = api.dom_design(), computing(None, "double")

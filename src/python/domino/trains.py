@@ -135,6 +135,10 @@ class Train:
                        "walls": walls}  # fmt: skip
         self.fuel = int(_named(FUELS, fuel, "fuel"))
 
+    def structure(self) -> ctypes.Structure:
+        """The struct dom_train of a train whose parameters are numbers, for a call of the library."""
+        return api.dom_train(fuel=self.fuel, **{name: float(value) for name, value in self.values.items()})
+
     def __repr__(self) -> str:
         v = self.values
         return f"Train(s={v['s']!r}, r={v['r']!r}, d={v['d']!r}, q={v['q']!r})"
@@ -161,10 +165,7 @@ def _ask(question: int, kind: type, train: Train, tilt: Any, how: dict[str, Any]
         values["tilt"] = tilt
     if any(map(_is_array, values.values())):
         return _ask_many(question, kind, train.fuel, values, compute, accepted)
-    one, answer, status = api.dom_train(fuel=train.fuel), kind(), ctypes.c_int()
-    for name, value in values.items():
-        if name != "tilt":
-            setattr(one, name, float(value))
+    one, answer, status = train.structure(), kind(), ctypes.c_int()
     angle = ctypes.c_double(math.nan if tilt is None else float(tilt))
     with interruptible(compute):
         run(lib.dom_trains_ask, question, ctypes.byref(one), ctypes.byref(angle), 1, ctypes.byref(compute),
@@ -351,9 +352,8 @@ def prove(what: str = "rmax", s: float = 0.4, *, tol: float = 1e-12, **train: An
     functions = {"rmax": lib.dom_prove_rmax, "pair": lib.dom_prove_pair}
     function = _named(functions, what, "what")
     t, compute, proof = Train(s, **train), computing(tol, "double"), api.dom_proof()
-    one = api.dom_train(fuel=t.fuel, **{name: float(value) for name, value in t.values.items()})
     with interruptible(compute):
-        status = run(function, ctypes.byref(one), ctypes.byref(compute), ctypes.byref(proof))
+        status = run(function, ctypes.byref(t.structure()), ctypes.byref(compute), ctypes.byref(proof))
     raise_status(status)
     ends = ["barrier", "reach", "none", "partly"][proof.ends]
     gap = lib.dom_proof_gap_text(proof.gap).decode() if proof.gap else ""
