@@ -58,8 +58,8 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* Return the context for margins of the endless train (26; c8, corrected), and for those of the pair (17;
- * b13). */
+/* Return the context for margins of the endless train (26; c8, corrected), and for those of the pair
+ * (17; b13). */
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 

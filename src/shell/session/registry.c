@@ -3,6 +3,7 @@
 #include "answer/format.h"
 #include "language/quad.h"
 #include "session/engine.h"
+#include <float.h>
 
 /* The type that quad precision uses, for the description of the parameter. */
 #if defined DOMQ_REAL_FLOAT128

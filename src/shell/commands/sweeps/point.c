@@ -35,7 +35,6 @@ static void list_columns(struct sweeper *w)
         }
         c->answer[n] = (struct column){q->name, unit, "", 0};
     }
-    c->answer[n] = (struct column){NULL, NULL, NULL, 0};
 }
 
 /* Returns the columns of the answer at each point, without the columns of the grid. */
