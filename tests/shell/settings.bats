@@ -150,3 +150,14 @@ END
     "$DOMINO" -e 'show density' | columns_in_line 'show density' 'name value unit range default meaning'
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
+
+@test "set s and set r say that they do not change a row from a file, and what would" {
+    for name in s r; do
+        same "$name" "$name does not change the row, whose dominoes are from record.csv; 'effect row N' makes a row of s and r." \
+            "$("$DOMINO" -e "effect row $root/examples/record.csv; set $name 1")"
+        run -0 --separate-stderr "$DOMINO" -e "set output json; effect row $root/examples/record.csv; set $name 1"
+        grep -q "does not change the row" <<<"$stderr"
+    done
+    same 'other values, and other rows, say nothing' '(nothing)' \
+        "$("$DOMINO" -e "effect row $root/examples/record.csv; set d 0.1; effect row 4; set s 0.3" | grep 'does not')"
+}

@@ -48,6 +48,21 @@ static bool height_likely(const struct query *query, struct problem *problem)
                          measured(now, "m", 4).text, quad_shown(given->number[1]).text);
 }
 
+/* Says that s and r do not change a row whose dominoes are from a file. With csv and json it is a note on
+ * standard error. */
+static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
+{
+    char text[EFFECT_SETTING + 160], setting[EFFECT_SETTING];
+    snprintf(text, sizeof text,
+             "%s does not change the row, whose dominoes are from %s; 'effect row N' makes a row of s and r.",
+             p->name, effect_setting(query->scene, DOM_EFFECT_row, setting));
+    a->told = answer_for_people(a);
+    if (a->told)
+        answer_say(a, "%s", text);
+    else
+        means_note(query->means, "%s", text);
+}
+
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -67,6 +82,9 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->means->sourced)
         answer_say(a, "%s precision has %d digits at most%s", domq_arithmetic(precision)->name, all,
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
+    if (next->scene.listed.domino && (p == parameter_find("s") || p == parameter_find("r")) &&
+        !query->means->sourced)
+        file_row_say(query, a, p);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
     return true;
