@@ -93,3 +93,11 @@ END
     same_file saved.csv read.csv
     same_file saved.csv again.csv
 }
+
+@test "fall: the table has energies in J where the first domino has a mass" {
+    run -0 "$DOMINO" -e 'set mass 0.02; effect row 3; fall'
+    same heads 'domino height hit falls omega kinetic barrier energy' "$(echo ${lines[0]})"
+    same units 'cm s s rad/s J J %' "$(echo ${lines[1]})"
+    run -0 "$DOMINO" -e 'effect row 3; fall'
+    same 'without a mass' 'domino height hit falls omega energy' "$(echo ${lines[0]})"
+}

@@ -94,3 +94,12 @@ END
     wrong 'solve d : rmax = ' 'VALUE: a value is missing'
     wrong 'solve d -1 1 : rmax = 5/3' 'd = -1 is out of range'
 }
+
+@test "solve: a root at an end of the range is found once" {
+    for s in 0.1 0.9; do
+        json "solve s 0.1 0.9 : s = $s" >answer
+        same "$s: one" 1 "$(wc -l <answer)"
+        close "$s" "$s" "$(values value <answer)" 1e-9
+        same "$s: rises" rising "$(values branch <answer)"
+    done
+}

@@ -77,3 +77,8 @@ verdicts() { # COMMANDS...
     same mended 'all fall' "$(json "effect row 3; place 2 $low m; verdict" | values verdict)"
     wrong tolerance 'there is no row'
 }
+
+@test "tolerance: the table has the windows of each domino, and sentences have the rest" {
+    run -0 "$DOMINO" -e 'effect row 4; tolerance'
+    same heads 'domino from to gap_low gap_high height_low height_high first' "$(echo ${lines[0]})"
+}
