@@ -54,7 +54,8 @@ enum dom_window_of {
     DOM_WINDOW_PLACE,
     DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since the density stays the same */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
-    DOM_WINDOW_PLUMB     /* the lean of a domino, in rad */
+    DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
+    DOM_WINDOW_THICKNESS /* the thickness of a domino, and its mass; the gaps beside it stay as they are */
 };
 
 /*
@@ -299,7 +300,8 @@ struct dom_window {
  *
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried as far as the gap before
  * the domino stays in that range, up to the next domino. Heights are tried from 1/100 to 4 times the present
- * height, as far as the domino stands on the slope, with the same density and lean. The friction is tried
+ * height, as far as the domino stands on the slope, with the same density and lean, and thicknesses in the
+ * same way, as far as walls and rounded edges fit. The friction is tried
  * from 0 to 2, or to 4 times its present value. Leans are tried in both directions, until the domino falls
  * over by itself. The search makes the same steps as dom_row_mend, and all dominoes fall with low and with
  * high. An interval narrower than a step, in which the row does not fall, can be missed. With an engine a

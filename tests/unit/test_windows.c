@@ -105,6 +105,9 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
         d->height = value;
     } else if (of == DOM_WINDOW_PLUMB) {
         d->lean = value;
+    } else if (of == DOM_WINDOW_THICKNESS) {
+        d->mass *= value / d->thickness;
+        d->thickness = value;
     } else {
         other.row.mu = value;
     }
@@ -133,14 +136,14 @@ TEST(places_heights_and_friction)
 {
     static struct run run;
     uint64_t seed = 41;
-    int ends[4][2] = {{0}}, beside = 0;
+    int ends[5][2] = {{0}}, beside = 0;
     for (int i = 0; i < 24; i++) {
         random_row(&run, &seed);
         run.row.alpha = random_unit(&seed) < 0.8 ? 0 : 0.05;
         run.domino[run.row.count / 2].height *= i % 3 ? 1 : 2;
         bool falls = row_end(&run) == DOM_ROW_FALLS;
         size_t count = run.row.count;
-        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_PLUMB; of++) {
+        for (enum dom_window_of of = DOM_WINDOW_PLACE; of <= DOM_WINDOW_THICKNESS; of++) {
             size_t first = of == DOM_WINDOW_PLACE ? 1 : 0;
             size_t end = of == DOM_WINDOW_FRICTION ? 1 : count;
             run.row.domino = run.domino;
@@ -159,6 +162,8 @@ TEST(places_heights_and_friction)
             }
         }
     }
+    print_message("# thicknesses: %d, %d\n", ends[4][0], ends[4][1]);
+    assert_true(ends[4][0] > 5 && ends[4][1] > 5);
     print_message(
         "# ends below and above: places %d, %d; heights %d, %d; friction %d, %d; leans %d, %d; %d beside\n",
         ends[0][0], ends[0][1], ends[1][0], ends[1][1], ends[2][0], ends[2][1], ends[3][0], ends[3][1],

@@ -102,6 +102,8 @@ dom_real trial_now(const struct trial *t)
         return t->row.mu;
     case DOM_WINDOW_PLUMB:
         return t->domino[t->k].lean;
+    case DOM_WINDOW_THICKNESS:
+        return t->domino[t->k].thickness;
     case DOM_WINDOW_GAP:
         break;
     }
@@ -133,6 +135,10 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLUMB:
         d->lean = value;
+        break;
+    case DOM_WINDOW_THICKNESS:
+        d->mass *= value / d->thickness; /* its density stays */
+        d->thickness = value;
         break;
     }
 }

@@ -33,6 +33,20 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
                           DOM_ROW_FALLS};
 }
 
+/*
+ * Returns the thicknesses that are tried, with the same limits as for heights. Two walls, and two rounded
+ * edges, fit into a thickness.
+ */
+static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
+{
+    const dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
+                   rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
+                   stands = (tan(tilt) + 2 * rho) * d->height,
+                   least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * t->row.walls);
+    return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
+                          DOM_ROW_FALLS};
+}
+
 static struct range range_of(const struct trial *t)
 {
     const struct dom_domino *d = &t->domino[t->k];
@@ -47,6 +61,8 @@ static struct range range_of(const struct trial *t)
     }
     case DOM_WINDOW_HEIGHT:
         return heights_of(t, d);
+    case DOM_WINDOW_THICKNESS:
+        return thicknesses_of(t, d);
     case DOM_WINDOW_FRICTION:
         return (struct range){0, fmin(fmax(FRICTION_MOST, 4 * t->row.mu), DOM_MU_HIGHEST), DOM_ROW_FALLS};
     case DOM_WINDOW_PLUMB: {

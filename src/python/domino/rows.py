@@ -115,7 +115,8 @@ COLUMNS = {"height": "m", "thickness": "m", "gap": "m", "mass": "kg", "lean": "m
 UNITS = {"m": {"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}, "kg": {"kg": 1.0, "g": 0.001, "t": 1000.0}}
 WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.DOM_WINDOW_PLACE,
            "height": api.dom_window_of.DOM_WINDOW_HEIGHT, "friction": api.dom_window_of.DOM_WINDOW_FRICTION,
-           "lean": api.dom_window_of.DOM_WINDOW_PLUMB}  # fmt: skip
+           "lean": api.dom_window_of.DOM_WINDOW_PLUMB,
+           "thickness": api.dom_window_of.DOM_WINDOW_THICKNESS}  # fmt: skip
 
 
 def error_kind(name: str) -> int:
