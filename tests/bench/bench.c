@@ -297,7 +297,7 @@ int main(int argc, char **argv)
         {"  its efficiency on all cores, the share of what they give", "%", 80, curve.efficiency, true, NULL},
         {"  the same of the command 'curve' (three curves)", "%", 80, curve.command_efficiency, true, NULL},
         {"memory, the most of that command", "MB", 10, curve.megabytes, false, NULL},
-        {"domino -e 'count 112', times as long as bc", "x", 1, start, false,
+        {"domino -e 'theta1 0.2', times as long as bc", "x", 1, start, false,
          "two thirds of the instructions are the dynamic linker's and the C library's: tests/bench/"
          "instructions.csv"},
     };

@@ -15,11 +15,11 @@ static int ascending(const void *a, const void *b)
 
 double start_print(const char *domino)
 {
-    static const char *const quiz = "count 112", *const logarithms = "l(112/0.048)/l(1.5)\n";
+    static const char *const answer = "theta1 0.2", *const logarithms = "l(112/0.048)/l(1.5)\n";
     const struct {
         const char *name, *argv[5], *input;
     } programs[] = {
-        {"domino -e 'count 112'", {domino, "-e", quiz, NULL}, ""},
+        {"domino -e 'theta1 0.2'", {domino, "-e", answer, NULL}, ""},
         {"echo 'l(112/0.048)/l(1.5)' | bc -l", {"bc", "-l", NULL}, logarithms},
         {"python3 -c 'import scipy.optimize; ...'",
          {"/usr/bin/python3", "-c",
