@@ -14,7 +14,7 @@ verdicts() { # COMMANDS...
 
 @test "tolerance: all fall at both ends of a window, and not beyond" {
     "$DOMINO" -e "$scene; tolerance > t.csv"
-    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,lean,lean_low,lean_high,friction_low,friction_high,first' \
+    same head 'domino,place,from,to,gap,gap_low,gap_high,height,height_low,height_high,thickness,thickness_low,thickness_high,lean,lean_low,lean_high,friction_low,friction_high,first' \
         "$(head -n 1 t.csv)"
     same rows 7 "$(wc -l <t.csv)"
     while IFS=, read -r k place from to gap low high _; do
@@ -31,7 +31,7 @@ verdicts() { # COMMANDS...
         by=$(awk "BEGIN { printf \"%.9f\", $place - $from }")
         same "place $k from" yes "$(verdicts "$(moved "-0.9999*$by")")"
     done <t.csv
-    high=$(sed -n 2p t.csv | cut -d , -f 15)
+    high=$(sed -n 2p t.csv | cut -d , -f 18)
     same friction 'yes no' "$(verdicts "effect friction $high" "effect friction 1.0001*$high")"
 }
 
@@ -81,4 +81,13 @@ verdicts() { # COMMANDS...
 @test "tolerance: the table has the windows of each domino, and sentences have the rest" {
     run -0 "$DOMINO" -e 'effect row 4; tolerance'
     same heads 'domino from to gap_low gap_high height_low height_high first' "$(echo ${lines[0]})"
+}
+
+@test "tolerance: the thickness with the least room is named, and the ends of its window are in csv" {
+    said=$("$DOMINO" -e 'effect row 5; tolerance')
+    [[ $said =~ Make\ domino\ ([0-9]+)\ between\ [^.]*[.0-9]+\ [cm]*m\ and\ .*\ thick:\ its\ thickness\ has\ the\ least\ room\ of\ all ]]
+    k=${BASH_REMATCH[1]}
+    low=$(json 'effect row 5; tolerance' | values thickness_low | sed -n "${k}p")
+    now=$(json 'effect row 5; tolerance' | values thickness | sed -n "${k}p")
+    within 'thinner than now' "$now" "$low" 'd <= 0'
 }

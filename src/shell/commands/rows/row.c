@@ -169,7 +169,8 @@ const struct command row_commands[] = {
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
      .summary = "how far each domino may be off, so that all still fall",
-     .help = "Finds windows for the place of each domino, for the gap before it, for its height and for the "
+     .help = "Finds windows for the place of each domino, for the gap before it, for its height and "
+             "thickness and for the "
              "friction between dominoes. All dominoes fall with each value in a window, if the rest of the "
              "row stays as it is. A place is what a tape measure shows from the back of domino 1: only the "
              "domino itself moves. With another gap, all dominoes after it move along. With another height, "

@@ -17,6 +17,10 @@ const struct column tolerance_columns[] = {
     {"height", "m", "its height", 8},
     {"height_low", "m", "the smallest height with which all fall", 10},
     {"height_high", "m", "the largest such height; 4 times its height if the search ended there", 11},
+    {"thickness", "m", "its thickness", 8},
+    {"thickness_low", "m", "the smallest thickness with which all fall", 10},
+    {"thickness_high", "m", "the largest such thickness; 4 times its thickness if the search ended there",
+     11},
     {"lean", "m", "how far its top is off plumb when it is set up", 8},
     {"lean_low", "m", "the smallest value of lean with which all fall; negative is backwards", 8},
     {"lean_high", "m", "the largest such value", 9},
@@ -27,7 +31,7 @@ const struct column tolerance_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-enum { KINDS = DOM_WINDOW_PLUMB + 1 };
+enum { KINDS = DOM_WINDOW_THICKNESS + 1 };
 
 struct windows {
     const struct scene_row *scene;
@@ -62,7 +66,8 @@ static void first_find(struct windows *w, enum dom_window_of kind)
     domq_real least = DOMQ_NAN;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
-        domq_real free = quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT ? of->now : 1);
+        domq_real free =
+            quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
             least = free;
             w->first[kind] = k + 1;
@@ -110,6 +115,7 @@ static enum dom_status windows_find(const struct scene_row *scene, struct window
     if (status == DOM_OK && w->falls) {
         first_find(w, DOM_WINDOW_PLACE);
         first_find(w, DOM_WINDOW_HEIGHT);
+        first_find(w, DOM_WINDOW_THICKNESS);
     }
     return status;
 }
@@ -234,6 +240,14 @@ static void tolerance_say(struct answer *a, const struct windows *w)
                    height, length(h.low).text, length(h.high).text, w->count > 1 ? " of all" : "",
                    length_now(h.now).text);
     }
+    if (w->first[DOM_WINDOW_THICKNESS]) {
+        const size_t k = w->first[DOM_WINDOW_THICKNESS];
+        const struct domq_window t = readable(&w->kind[DOM_WINDOW_THICKNESS][k - 1]);
+        answer_say(
+            a, "Make domino %zu between %s and %s thick: its thickness has the least room%s; it is %s now.",
+            k, length(t.low).text, length(t.high).text, w->count > 1 ? " of all" : "",
+            length_now(t.now).text);
+    }
     heights_say(a, w);
     lean_say(a, w);
     friction_say(a, w);
@@ -243,13 +257,14 @@ static void tolerance_say(struct answer *a, const struct windows *w)
 
 /* The kinds of windows, in the order of the columns. Each kind has three columns. */
 static const enum dom_window_of column_kinds[] = {DOM_WINDOW_PLACE, DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT,
-                                                  DOM_WINDOW_PLUMB};
+                                                  DOM_WINDOW_THICKNESS, DOM_WINDOW_PLUMB};
 enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
 {
-    static const char *const left_out[] = {"place",    "gap",       "height",       "lean",
-                                           "lean_low", "lean_high", "friction_low", "friction_high"};
+    static const char *const left_out[] = {"place",     "gap",           "height",        "lean",
+                                           "lean_low",  "lean_high",     "friction_low",  "friction_high",
+                                           "thickness", "thickness_low", "thickness_high"};
     for (size_t i = 0; answer_for_people(a) && i < sizeof left_out / sizeof *left_out; i++)
         answer_leave_out(a, left_out[i]);
     for (size_t k = 0; k < w->count; k++)
