@@ -19,9 +19,9 @@
  * a relative tolerance of 1e-12.
  *
  * Errors: if compute.errors is set, the member `error` of a result holds upper bounds of the absolute errors
- * of its numbers. The bounds cover rounding errors, except those made when the parameters are rounded to the
- * precision, and the terms that are cut off at the tolerance. A bound is NaN if compute.errors is not set, or
- * if no bound is known, as for the motion and the limits of trains with friction.
+ * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance, but not
+ * the error made when the parameters are rounded to the precision. A bound is NaN if compute.errors is not
+ * set, or if no bound is known, as for the motion and the limits of trains with friction.
  *
  * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
  * header, declares the same functions, structures and lists for the widest floating-point type of the
@@ -133,7 +133,7 @@ enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
 enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 
 /*
- * The algorithm. The other two methods are for comparison and compute in double precision only:
+ * The algorithm. DOM_METHOD_GSL and DOM_METHOD_PAPER are for comparison and compute in double precision only:
  * DOM_METHOD_GSL applies solvers of GSL to the textbook formulas, and DOM_METHOD_PAPER follows the recipe of
  * the paper, which raises theta and r in steps.
  */
@@ -195,7 +195,7 @@ enum { DOM_EVENTS_MAX = 5 };
 /* Returns "launch", "fall", "top", "stop" or "hit". */
 const char *dom_event_text(enum dom_event_kind kind);
 
-/* The variable in which the states that dom_cycle_walk visits are evenly spaced. */
+/* Whether the states that dom_cycle_walk visits are evenly spaced in time or in tilt. */
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
 /* The questions that dom_trains_ask can ask. Each comment names the function that answers the question about
@@ -284,10 +284,10 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * (dom_scale_tau) and the friction that the floor must supply. They change no other result.
  *
  * rho: the radius of the edges relative to the height, 0 ... 0.49. The status is DOM_NO_ROUND if rho is more
- * than d/2. No error bounds are known for rounded edges, so that all bounds are NaN.
+ * than d/2. No error bounds are known for rounded edges, so all bounds are NaN.
  *
- * With friction, a slope or rounded edges the paper's fuel and the methods other than DOM_METHOD_OURS do not
- * apply: the status is DOM_NO_METHOD.
+ * With friction, a slope or rounded edges, the paper's fuel and the methods other than DOM_METHOD_OURS do not
+ * apply, and the status is DOM_NO_METHOD.
  */
 struct dom_train {
     dom_real s, r, d, q; /* see DOM_TRAIN_PARAMETERS */
@@ -344,15 +344,15 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 
 /*
  * Checks a train. Returns DOM_OK if every parameter is in its range, tol is not below the tol_floor of the
- * precision, and the head reaches the next domino, r <= dom_train_reach. Otherwise returns DOM_BAD_...,
+ * precision, and the head reaches the next domino (r <= dom_train_reach). Otherwise returns DOM_BAD_...,
  * DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts
  * as r s = 1. Every function below that takes a train makes this check and may return these statuses.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
 /*
- * Returns the largest growth with which the head still touches the next domino: 1/s, and with rounded edges
- * (1 - 2 rho + rho pi/2)/s. train->r is not used.
+ * Returns the largest growth at which the head still touches the next domino. It is 1/s, or with rounded
+ * edges (1 - 2 rho + rho pi/2)/s. train->r is not used.
  */
 dom_real dom_train_reach(const struct dom_train *train);
 
@@ -377,7 +377,7 @@ struct dom_angles {
     struct dom_angles_error error;
 };
 
-/* Finds these angles. */
+/* Finds the angles of struct dom_angles. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -465,7 +465,8 @@ struct dom_launch_error {
 struct dom_launch {
     dom_real fuel; /* P, as train->fuel selects it, minus the work of friction */
     dom_real J0;   /* J(0) */
-    /* omega(0) after the collision over omega_1(theta_c) before it: (J(0) - 1) / J(0) (22; c4). */
+    /* omega(0) after the collision, divided by omega_1(theta_c) before the collision (22; c4): (J(0) - 1) /
+     * J(0). */
     dom_real velocity_ratio;
     dom_real omegasq; /* tau^2 omega(0)^2 after the collision (24; c6) */
     dom_real kinetic; /* J(0) tau^2 omega(0)^2 */
@@ -488,8 +489,8 @@ struct dom_barrier_error {
 
 struct dom_barrier {
     dom_real theta_m; /* the tilt where the barrier is highest, 0 <= theta_m <= theta_c */
-    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy
-     * after the collision with which the train passes every tilt. */
+    /* The global maximum of H(theta) - H(0) over the cycle, >= 0. With friction, the smallest kinetic energy,
+     * just after the collision, that carries the train through every tilt. */
     dom_real barrier;
     dom_real kinetic; /* kinetic energy just after the collision; NaN with DOM_NO_FUEL */
     dom_real margin;  /* kinetic - barrier (26; c8, corrected); NaN with DOM_NO_FUEL */
@@ -557,15 +558,16 @@ struct dom_state_error {
  * with the paper's fuel: before - lost - climbed - friction_work = kinetic.
  */
 struct dom_state {
-    dom_real theta;         /* tilt of the head */
-    dom_real time;          /* time since the launch, in tau */
-    dom_real omegasq;       /* tau^2 omega^2 (21; c3) */
-    dom_real acceleration;  /* tau^2 times the angular acceleration of the head, from (21; c3) */
-    dom_real kinetic;       /* J(theta) tau^2 omega^2 */
-    dom_real climbed;       /* H(theta) - H(0); negative once the train is lower than at the launch */
-    dom_real fallen;        /* the part of `climbed` that is due to dominoes that detached in this cycle */
-    dom_real before;        /* kinetic energy of the train just before the collision */
-    dom_real lost;          /* energy lost in the collision: before / J(0) without friction (22; c4) */
+    dom_real theta;        /* tilt of the head */
+    dom_real time;         /* time since the launch, in tau */
+    dom_real omegasq;      /* tau^2 omega^2 (21; c3) */
+    dom_real acceleration; /* tau^2 times the angular acceleration of the head, from (21; c3) */
+    dom_real kinetic;      /* J(theta) tau^2 omega^2 */
+    dom_real climbed;      /* H(theta) - H(0); negative once the train is lower than at the launch */
+    dom_real fallen;       /* the part of `climbed` that is due to dominoes that detached in this cycle */
+    dom_real before;       /* kinetic energy of the train just before the collision */
+    /* Energy lost in the collision; without friction, the member `before` divided by J(0) (22; c4). */
+    dom_real lost;
     dom_real friction_work; /* energy lost to friction since the launch */
     struct dom_state_error error;
 };
@@ -590,8 +592,8 @@ typedef bool dom_state_visit(const struct dom_state *state, const struct dom_eve
 enum dom_status dom_cycle_walk(const struct dom_train *train, const struct dom_compute *compute, size_t rows,
                                enum dom_spacing by, dom_state_visit *visit, void *context);
 
-/* The contact force and the impulse between domino i and its follower. The two stay in contact while the
- * force is > 0 (section 5 of the paper). */
+/* The contact force and the impulse between domino i and its follower. The two dominoes stay in contact while
+ * the force is > 0 (section 5 of the paper). */
 struct dom_force {
     size_t i;         /* number of the domino, 0 = head */
     dom_real force;   /* contact force in m g of the head; NaN if domino i has no follower */
@@ -627,10 +629,11 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
  * a domino would be lifted off the floor.
  */
 struct dom_floor {
-    dom_real motion, theta; /* the coefficient needed during the motion, and the tilt at that time */
-    size_t domino;          /* the domino whose foot needs `motion`, 0 = head */
-    dom_real hit;           /* the coefficient needed in the collision */
-    size_t hit_domino;      /* the domino whose foot needs `hit`, 0 = head */
+    /* The coefficient needed during the motion, and the tilt of the head at that moment. */
+    dom_real motion, theta;
+    size_t domino;     /* the domino whose foot needs `motion`, 0 = head */
+    dom_real hit;      /* the coefficient needed in the collision */
+    size_t hit_domino; /* the domino whose foot needs `hit`, 0 = head */
 };
 
 /*
@@ -659,9 +662,10 @@ struct dom_limit {
  * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0, or dom_train_reach if
  * the margin never reaches 0. train->r is not used. If even equal dominoes do not keep falling, the status is
  * DOM_OK and `ends` is DOM_END_NONE. This function and the next two return DOM_TOO_LONG if the computation
- * would take more than a second or two in double. Without friction the search uses bounds of the margin that
- * cover every growth up to r_max; it can miss a dip of the margin narrower than 1e-6 in ln r (1e-4 just
- * before r_max, and wider dips if 1,500 intervals are not enough). With friction, growths are only sampled.
+ * would take more than a second or two in double precision. Without friction the search uses bounds of the
+ * margin that cover every growth up to r_max; it can miss a dip of the margin narrower than 1e-6 in ln r
+ * (1e-4 just before r_max, and wider dips if 1,500 intervals are not enough). With friction, growths are only
+ * sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -712,13 +716,14 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 /* An argument of an effect, which is a number. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
-    dom_real lowest, highest; /* its range; both ends are allowed */
-    dom_real usual;           /* the value if the argument is left out, and if the cost is measured */
-    bool optional;            /* this argument and those after it may be left out */
-    bool whole;               /* the argument is a whole number */
-    const char *or_file;      /* the kind of file that may replace the number, or NULL */
-    /* If not NULL, the argument is one of these words, of which the first stands for 0, the next for 1 and so
-     * on. A NULL ends the list. */
+    dom_real lowest, highest; /* the range of the argument; both ends are allowed */
+    /* The value used if the argument is left out, and to measure the cost of the effect. */
+    dom_real usual;
+    bool optional;       /* this argument and those after it may be left out */
+    bool whole;          /* the argument is a whole number */
+    const char *or_file; /* the kind of file that may replace the number, or NULL */
+    /* The words that may be given instead of a number, or NULL if the argument is a number. The first word
+     * stands for 0, the second for 1, and so on. A NULL ends the list. */
     const char *const *words;
 };
 
@@ -758,12 +763,13 @@ const struct dom_effect *dom_law(const struct dom_train *train);
 
 /* A box of six walls. */
 struct dom_box {
-    dom_real filled;  /* the fraction of the volume of the box that the walls fill */
-    dom_real inertia; /* moment of inertia about a lower edge, over that of a solid block of the same mass */
+    dom_real filled; /* the fraction of the volume of the box that the walls fill */
+    /* Moment of inertia about a lower edge, relative to that of a solid block of the same mass. */
+    dom_real inertia;
 };
 
-/* Finds the properties of a box with these outer sizes and walls, all in the same unit. The status is
- * DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half of the thickness. */
+/* Finds the properties of a box with these outer sizes and walls of this thickness, all in the same unit. The
+ * status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half of the thickness. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 
@@ -789,10 +795,10 @@ struct dom_count {
 
 /*
  * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each is r times
- * as tall as the one before. Both heights are in the same unit. A power that differs from the height only by
- * rounding, half a unit of the precision for each of 4 + n numbers, counts as exact. The status is
- * DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision and
- * compute->errors are used.
+ * as tall as the one before. Both heights are in the same unit. A power counts as exact if it differs from
+ * the height only by rounding, that is, by at most half a unit of the precision for each of 4 + n numbers.
+ * The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only
+ * compute->precision and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

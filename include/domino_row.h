@@ -39,12 +39,13 @@ enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 
 /* Why a wish cannot be fulfilled, and the meaning of dom_design.needs in that case. */
 enum dom_design_limit {
-    DOM_DESIGN_FITS,   /* the wish can be fulfilled */
-    DOM_DESIGN_SAFETY, /* no train has this safety; `needs` is close to the largest safety, and below it */
+    DOM_DESIGN_FITS, /* the wish can be fulfilled */
+    /* No train has this safety; `needs` is slightly below the largest safety that a train has. */
+    DOM_DESIGN_SAFETY,
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
     DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
-    DOM_DESIGN_FAILED  /* trains or rows could not be computed; `needs` is the s of one train or row */
+    DOM_DESIGN_FAILED  /* some trains or rows could not be computed; `needs` is the s of one of them */
 };
 
 /* What dom_row_windows changes. */
@@ -59,9 +60,9 @@ enum dom_window_of {
 };
 
 /*
- * The errors that a row may have once it is set up: X(name, unit, meaning). With the unit "" an error is a
- * share of the value, except that of a friction, which is added to the coefficient. From friction on, all
- * dominoes of a row share one error, since it is one value that nobody knows.
+ * The errors that a row may have once it is set up: X(name, unit, meaning). If the unit is "", the error is
+ * relative to the value, except that an error of a friction is added to the coefficient. The kinds from
+ * friction on describe one unknown value of the whole row, so all dominoes share one error.
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino, which moves all dominoes after it")                                 \
@@ -144,9 +145,11 @@ struct dom_row {
     /* The effects of DOM_DYNAMICS, as in struct dom_train, but the thickness of the walls is in m, the same
      * for all dominoes. */
     dom_real mu, alpha, walls, rho;
-    dom_real feet;                   /* is added to the friction of an engine's floor; the model has none */
-    bool floor;                      /* true to find the friction that the floor needs */
-    const struct dom_engine *engine; /* simulates the row instead of this library; may be NULL */
+    /* Added to the friction coefficient of the floor in an engine; unused by the model. */
+    dom_real feet;
+    bool floor; /* true to find the friction that the floor needs */
+    /* The engine that simulates the row instead of this library; may be NULL. */
+    const struct dom_engine *engine;
 };
 
 /* Returns a row without dominoes, which the caller adds: g = 9.81 m/s^2, no push, no effects, no engine. */
@@ -240,7 +243,8 @@ typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, v
 /* The largest growth of a row. */
 struct dom_row_growth {
     dom_real r_max; /* NaN if not all dominoes fall at any growth that was tried */
-    dom_real r_min; /* all dominoes fall from r_min to r_max; it is 1 if the row falls at r = 1 */
+    /* All dominoes fall at growths from r_min to r_max; r_min is 1 if the row falls at r = 1. */
+    dom_real r_min;
     /* How the row ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
      * r_max. */
     enum dom_row_end ends;
@@ -261,8 +265,10 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* m, the gap now */
-    dom_real to;   /* m, the gap nearest to `gap` that was found to make all dominoes fall, to seven digits */
-    dom_real until; /* m, the other end: all dominoes fall with every gap from `to` to `until` */
+    /* m, to seven digits: the gap closest in size to `gap` with which all dominoes were found to fall. */
+    dom_real to;
+    /* m, the other end of the interval: all dominoes fall with every gap from `to` to `until`. */
+    dom_real until;
 };
 
 /*
@@ -298,15 +304,16 @@ struct dom_window {
  * either side of the present value; dominoes more than one place after the domino at which the row ends have
  * no window.
  *
- * Gaps are tried from 0 to the height of the domino before the gap. Places are tried as far as the gap before
- * the domino stays in that range, up to the next domino. Heights are tried from 1/100 to 4 times the present
- * height, as far as the domino stands on the slope, with the same density and lean, and thicknesses in the
- * same way, as far as walls and rounded edges fit. The friction is tried
- * from 0 to 2, or to 4 times its present value. Leans are tried in both directions, until the domino falls
- * over by itself. The search makes the same steps as dom_row_mend, and all dominoes fall with low and with
- * high. An interval narrower than a step, in which the row does not fall, can be missed. With an engine a
- * window is searched in a quarter of the steps and has three digits, and it ends at a value that the engine
- * cannot decide. Calls progress, which may be NULL, for each window. The statuses are those of dom_row_run.
+ * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
+ * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
+ * times the present height, with the same density and lean, if the domino can stand on the slope. Thicknesses
+ * are tried in the same way, if walls and rounded edges fit. The friction is tried from 0 to 2 or to 4 times
+ * its present value, whichever is larger, but not above DOM_MU_HIGHEST. Leans are tried in both directions,
+ * until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all dominoes
+ * fall with low and with high. An interval narrower than a step, in which the row does not fall, can be
+ * missed. With an engine a window is searched in a quarter of the steps and has three digits, and it ends at
+ * a value that the engine cannot decide. Calls progress, which may be NULL, for each window. The statuses are
+ * those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -368,50 +375,54 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 
 /* A random error. */
 struct dom_error {
-    dom_real size; /* >= 0: the standard deviation of a normal distribution, or the limit of a uniform one */
-    bool uniform;  /* all errors from -size to size are equally likely */
+    /* >= 0: the standard deviation of a normal distribution, or the limit of a uniform distribution. */
+    dom_real size;
+    bool uniform; /* true for a uniform distribution: all errors from -size to size are equally likely */
 };
 
 /*
- * The random errors of a row. A domino keeps its density, so that its mass changes with its height and its
- * thickness. Dominoes that would overlap are placed so that they touch, a size keeps at least 1/100 of its
- * value, a domino that would fall over by itself leans as far as it stands, and a friction or push that
- * would be negative is 0. The error of a radius needs rounded edges, that of the floor an engine, and that
- * of a push a push; otherwise they change nothing.
+ * The random errors of a row. A domino keeps its density, so its mass changes with its height and its
+ * thickness. Dominoes that would overlap are placed so that they touch. A size keeps at least 1/100 of its
+ * value. A domino that would fall over by itself gets the largest lean with which it stands. A friction or a
+ * push that would be negative becomes 0. Errors of radii have no effect without rounded edges, nor do errors
+ * of the floor without an engine, or errors of the push without a push.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];
-    unsigned long seed;     /* each error of row number i depends on the seed, its kind and i alone */
-    size_t first, rows;     /* the rows are number first ... first + rows - 1; rows >= 1 */
+    /* Each error of row number i depends only on the seed, on the kind of the error and on i. */
+    unsigned long seed;
+    size_t first, rows;     /* the rows have the numbers first ... first + rows - 1; rows >= 1 */
     dom_parallel *parallel; /* runs batches of rows; if NULL, the batches run one after the other */
     void *pool;             /* the last argument of `parallel` */
 };
 
 /* How many rows of a placement fall. */
 struct dom_study {
-    size_t rows, fall; /* all rows, and those in which every domino falls */
+    size_t rows, fall; /* number of all rows, and of those in which every domino falls */
     /* Rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). They widen the interval. */
     size_t unknown;
-    double low, high; /* 95 % interval of the probability that all fall (Clopper and Pearson) */
+    double low, high; /* 95 % interval of the probability that all dominoes fall (Clopper and Pearson) */
 };
 
 /*
  * Counts how many rows fall. Unless `stops` is NULL, writes how often a row ended at each domino to stops[0]
  * ... stops[row->count - 1], not counting the unknown rows. The result does not depend on
  * placement->parallel. Rows are computed with a tolerance of 1e-9 or compute->tol, whichever is larger. After
- * DOM_INTERRUPTED the counts are those of the rows that were run, if there are any. The statuses are those of
- * dom_row_run and of placement->parallel, DOM_BAD_ERROR if the size of an error is not a finite number >= 0,
- * and DOM_NO_LEAN for errors of leans with rounded edges or in an engine.
+ * DOM_INTERRUPTED the counts are those of the rows that were run, if there are any. The status is
+ * DOM_BAD_ERROR if the size of an error is not a finite number >= 0, and DOM_NO_LEAN for errors of leans if
+ * the edges are rounded or an engine runs the row. Other statuses are those of dom_row_run and of
+ * placement->parallel.
  */
 enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_compute *compute,
                                     const struct dom_placement *placement, struct dom_study *study,
                                     size_t *stops);
 
 /*
- * Does what dom_placement_study does, and runs each row again without each of its errors, with the same
- * random numbers for the others. Writes to without[kind] how many rows then fall. `stops` has room for
- * (1 + DOM_ERROR_COUNT) row->count numbers: those of dom_placement_study, and then for each kind how often a
- * row ended at each domino that falls without that error.
+ * Does what dom_placement_study does, and also runs each row again without each kind of error, one kind at a
+ * time; the random numbers of the other kinds stay the same. Writes to without[kind] how many rows fall
+ * without errors of that kind. Unless it is NULL, `stops` has room for (1 + DOM_ERROR_COUNT) * row->count
+ * numbers: those of dom_placement_study, and then, for each kind, how many rows ended at each domino but fall
+ * without errors of that kind.
  */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
@@ -421,21 +432,23 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
  * placement. */
 enum dom_status dom_study_interval(struct dom_study *study);
 
-/* How precisely the dominoes must be placed. */
+/* How precisely a row must be set up. */
 struct dom_budget {
-    /* The size of the error in its unit, or the factor of all errors, with its 95 % interval. Infinite if no
-     * error that was tried matters. `low` is 0 if there are too few rows for a bound. */
+    /* The size of the error in its unit, or the factor by which all errors are multiplied, and its 95 %
+     * interval. Infinite if even the largest size that is tried is small enough. `low` is 0 if there are too
+     * few rows for a bound. */
     double sigma, low, high;
 };
 
 /*
  * Finds the size of one kind of error at which the whole row falls with the given probability, 0 <
- * probability < 1; the other errors stay as they are. With DOM_ERROR_COUNT as the kind, `sigma` is a factor
- * of all errors. Lengths are tried up to the widest gap of the row, shares and frictions up to 1, angles up
- * to the steepest slope on which the row stands, a push up to itself, and factors up to 64. The status is
- * DOM_STOPS if too few rows fall even with sigma = 0. After DOM_INTERRUPTED, if a sigma is known already,
- * `sigma` and `low` are the largest sigma with which enough of these rows fall, and `high` is the smallest
- * with which too few fall, or infinite.
+ * probability < 1; the other errors stay as they are. If `kind` is DOM_ERROR_COUNT, `sigma` is a factor by
+ * which all errors are multiplied. Errors of gaps and places are tried up to the widest gap of the row,
+ * relative errors and errors of frictions up to 1, errors of angles up to the steepest slope on which the row
+ * stands, errors of the push up to the push itself, and factors up to 64. The status is DOM_STOPS if too few
+ * rows fall even with sigma = 0. If DOM_INTERRUPTED comes after the first estimate of sigma, `sigma` and
+ * `low` are the largest sigma with which enough of these rows are known to fall, and `high` is the smallest
+ * with which too few fall, or infinity if none is known.
  */
 enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, enum dom_error_of kind,

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A box of a row. `gap` is the clear distance to the previous box; that of the first box is ignored. */
+/* A box of a row. `gap` is the clear distance to the previous box; the gap of the first box is ignored. */
 struct engine_box {
     double height, thickness, gap, mass;
     /* Moment of inertia about the centre, relative to that of a solid box; 0 means a solid box. */
@@ -45,8 +45,8 @@ struct engine_row {
 
 /* The resolution of a computation. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    /* Steps in the time sqrt(height / g) of the foremost moving box, and at least as many in each
-     * radian it turns. */
+    /* Steps per unit of time, where the unit is sqrt(height / g) of the foremost moving box. A box also takes
+     * at least this many steps to turn by one radian. */
     double steps;
     /* Iterations of the engine's solver in a step; in a collision there are fifty times as many. */
     int iterations;
@@ -54,10 +54,11 @@ struct engine_grain {
 
 /* The record of a box that was hit. */
 struct engine_hit {
-    /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box
-     * let go. */
+    /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box that is
+     * released instead of hit. */
     double time;
-    /* Time at which the box hits the next one, or lies; NaN if it does neither, or was let go. */
+    /* Time at which the box hits the next one, or lies; NaN if the box does neither, or was released instead
+     * of hit. */
     double until;
     double omega;   /* angular velocity just after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes just after the hit */
@@ -78,7 +79,8 @@ struct engine_fall {
     /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the
      * latter. */
     double gain;
-    bool caught; /* boxes have touched in some other way than with a tip on the back face of the next box */
+    /* Boxes have touched in some way other than with the tip of one on the back face of the next. */
+    bool caught;
 };
 
 enum engine_status {

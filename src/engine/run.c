@@ -22,8 +22,8 @@ static const double lies = 1e-3;  /* a box lies if its tip is lower than this fr
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 static const double hinged_rest = 0.1,
                     any_rest = 3; /* a box that rests for this long has stopped, in sqrt(height / g) */
-/* Limit on the work of a run, in steps, for each box and for twenty more, divided by the number of steps in a
- * unit of time. Most rows take a twentieth of this. */
+/* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
+ * rows need a twentieth of this. */
 static const double most_work = 30;
 /* Number of short steps after a hit, and the factor for the number of iterations in them. */
 enum { CALM = 2, HARDER = 50 };

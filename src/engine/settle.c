@@ -20,7 +20,8 @@ const char *engine_version(void)
     return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
 }
 
-/* Returns the largest change of a time between two runs, relative to the duration of the second run. */
+/* Returns the largest change in any hit time, or in the duration, between two runs, relative to the duration
+ * of the second run. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {

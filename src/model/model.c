@@ -20,8 +20,8 @@ static enum dom_status found(const struct question *q, enum dom_status status, v
     return status;
 }
 
-/* Calls a function of the kernel that fills a result with its error bounds. Bounds that the function does not
- * find are NaN. */
+/* Calls a function of the kernel that fills in a result, including its error bounds. Bounds that the function
+ * does not find are NaN. */
 #define FIND(question, member, bounds, ...)                                                                  \
     (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))

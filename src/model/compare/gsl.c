@@ -66,7 +66,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     }
     if (c->status != DOM_OK || top == GSL_SAMPLES)
         return c->status;
-    /* If no sample is above H(0), theta_m may still be before the first one. */
+    /* If no sample is above H(0), theta_m may still be before the first sample. */
     double middle = top > 0 ? top * step : step / 2;
     while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
         middle /= 2;

@@ -60,9 +60,9 @@ struct dynamics {
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: helps to find the tilt at which a motion that does not reach *hi has used up its energy, by
-     * lowering *hi to a tilt soon after it. edge[0] and edge[1] are the ends of the smooth piece of the
-     * motion that contains `start`.
+     * Optional: if the motion uses up its energy before *hi, lowers *hi to a tilt soon after the one at which
+     * the energy is used up, so that this tilt is easier to find. edge[0] and edge[1] are the ends of the
+     * smooth piece of the motion that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
@@ -95,7 +95,7 @@ struct dynamics {
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
     /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
-     * Stores NaN if the energy does not allow that tilt. */
+     * Stores NaN if the energy does not suffice for that tilt. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
      * receives the number of dominoes that contribute. */
@@ -107,8 +107,9 @@ struct dynamics {
                  real J_at);
 };
 
-/* Returns true if the law of motion and the contacts provide error bounds, and bounds on the margin between
- * samples for the searches for limits. Otherwise error bounds are NaN, and searches rely on samples alone. */
+/* Returns true if the law of motion and the contacts provide error bounds, and also the bounds that a search
+ * for a limit needs on the margin between two samples. Otherwise error bounds are NaN, and searches rely on
+ * samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

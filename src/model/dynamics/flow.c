@@ -10,7 +10,7 @@ KERNEL void flow_free(struct flow *flow)
 }
 
 /* Upper bound of the number of dominoes visited in all passes of one solution, of which there are about a
- * hundred. In double precision that many take half a second. */
+ * hundred. In double precision, visiting that many dominoes takes half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -158,7 +158,7 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
             break;
         enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
         if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
-            break; /* so close to the pole that its panels have no significant digits left */
+            break; /* the pole is so close that panels have no significant digits left */
         if (solver != NUM_OK && c.status != DOM_LOCKS)
             return model_status(c.status, solver);
     }
@@ -295,7 +295,8 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     return DOM_OK;
 }
 
-/* The error of the solution, plus that of the sums in it, each of which leaves out the tail of the chain. */
+/* Returns the error of the solution, plus the error of the sums in it, each of which leaves out the tail of
+ * the chain. */
 KERNEL real flow_unsure(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;

@@ -37,7 +37,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 
 /* ---- The law ---- */
 
-/* Finds -2 C, which has the sign of the derivative of the required energy and is dH/dtheta without
+/* Finds -2 C, which has the sign of the derivative of the required energy, and equals dH/dtheta without
  * friction. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)

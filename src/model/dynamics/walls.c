@@ -4,8 +4,8 @@
  * the box is larger (walls.h), and its centre of mass is the same. In a train all moments of inertia grow by
  * the same factor. This factor is included in tau^2, so in units of tau a train moves exactly as without
  * walls; only the force of the floor, which is mass times the acceleration of the centre, depends on the
- * factor. In a row, the factor differs between dominoes of different shape, or between dominoes built from
- * the same boards.
+ * factor. In a row, the factors of two dominoes differ if their shapes differ, or if their sizes differ but
+ * their walls are equally thick.
  */
 #include "dynamics/walls.h"
 #include "geometry/geometry.h"

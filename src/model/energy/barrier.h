@@ -7,8 +7,8 @@
 
 /*
  * The barrier over the tilts [0, end], and its tilt theta_m. H is smooth between the tilts edge[0] = 0, ...,
- * edge[edges - 1] = end. If a domino detaches, the tilt of the head at which it does so is the edge between
- * them.
+ * edge[edges - 1] = end. If a domino detaches, the tilt of the head at that moment is the edge between the
+ * first and the last one.
  */
 struct barrier {
     real theta_m, height;
@@ -17,8 +17,8 @@ struct barrier {
     int edges;
 };
 
-/* The relative tolerance of the tilt of a top that gives its height the tolerance of the sums, since the
- * error of the height is of third order in the last step to the top. */
+/* A relative tolerance of the tilt of a top that is fine enough for the height of the top to have the
+ * tolerance of the sums: the error of the height is of third order in the last step to the top. */
 #define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
 
 /* Finds the barrier. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the height is

@@ -37,7 +37,8 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *b)
 {
-    /* The rounding errors of X and Y are each at most 4 units of the sum of their positive terms. */
+    /* The rounding errors of X and Y are each at most 4 rounding units times the sum of their positive
+     * terms. */
     real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
     real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
     b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;

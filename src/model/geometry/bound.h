@@ -24,7 +24,7 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
-/* Return error bounds of the terms of one domino in J and in dH/dtheta. */
+/* Return error bounds for one domino's terms in J and in dH/dtheta. */
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
@@ -33,8 +33,8 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, c
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound of tan((A - B)/2) for the followers of a and b, from the same tangent t of the
- * leaders and its error bound t_error (energy_change_between). */
+/* Returns an error bound of tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
+ * the corresponding tangent of the leaders, and t_error its error bound (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 

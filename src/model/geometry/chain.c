@@ -24,7 +24,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    real passed = 1; /* the part of a torque that reaches the head; with friction it is not the slope */
+    /* The part of a torque that reaches the head; with friction this part differs from the slope. */
+    real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
@@ -71,7 +72,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* Makes the geometry of a train, and the tilt of its head at theta, which must be in [0, theta_c]. */
+/* Makes the geometry of a train, and computes the struct tilt of its head from theta, which must be in [0,
+ * theta_c]. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {

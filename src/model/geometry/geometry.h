@@ -74,8 +74,8 @@ struct geometry {
     struct flow *flow;             /* solution of the equation of motion; NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    /* Work of the current search so far, in dominoes of a plain pass, and its limit. NULL if there is no
-     * limit. */
+    /* The work of the current search so far, and the limit of that work, both counted in dominoes of a plain
+     * pass. `effort` is NULL if there is no limit. */
     size_t *effort;
     size_t effort_most;
     real L;        /* s + d */
@@ -107,7 +107,8 @@ struct geometry {
      * the train is self-similar. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
-    real span;    /* the largest gap that a head reaches, over its height: 1 unless its edges are rounded */
+    /* The largest gap that a head reaches, relative to its height: 1 unless its edges are rounded. */
+    real span;
     struct rounded rounded;
     real lean; /* tilt of this domino before it is hit: 0 if it is plumb */
 };
@@ -157,8 +158,8 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest scale of tilts at the beginning of a cycle: theta_u, or if smaller, the tilt of the
- * head at which its follower, which then began near pi/2, has come down from there. With edges of radius d/2,
+ * Returns the smallest scale of tilts at the beginning of a cycle: theta_u or, if that is smaller, the tilt
+ * of the head at which a follower that began near pi/2 has come down from there. With edges of radius d/2,
  * theta_u is 0 and does not count.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
@@ -236,7 +237,7 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    if (2 * rLx <= Y) /* a slope near 1 has only one rounding error, since many slopes are multiplied */
+    if (2 * rLx <= Y) /* many slopes are multiplied, so a slope near 1 must have only one rounding error */
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};

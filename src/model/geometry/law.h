@@ -52,10 +52,13 @@ enum pass {
 };
 
 struct contact_law {
-    /* True if the tilt of a follower is a closed form of the tilt of its leader, on which error bounds, the
-     * series of the far tail, bounds for strips of growths and the shortcuts of random rows depend. */
+    /* True if the tilt of a follower is a closed form of the tilt of its leader. Error bounds, the series of
+     * the far tail, the bounds for strips of growths and the shortcuts of random rows are available only in
+     * this case. */
     bool closed_form;
-    size_t work_most; /* the most dominoes that one search may visit in all its passes: a second in double */
+    /* The most dominoes that one search may visit in all its passes, about a second of work in double
+     * precision. */
+    size_t work_most;
 
     /* ---- Preparing a train or a row ---- */
 

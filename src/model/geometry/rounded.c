@@ -161,7 +161,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     };
 }
 
-/* Returns rolling_here, but is not inlined: for calls outside of the loops. */
+/* Returns the result of rolling_here, but is not inlined. Code outside of the loops calls this function. */
 static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
 {
     return rolling_here(geometry, leader, theta);
@@ -337,7 +337,8 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
 
-/* The context of led_by, whose root is the tilt of a leader: the angle of its follower. */
+/* The context of led_by, whose root is the tilt of a leader. `follower` is the given angle of that leader's
+ * follower. */
 struct led {
     const struct geometry *geometry;
     real follower;

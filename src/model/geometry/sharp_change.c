@@ -55,7 +55,7 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
 {
     real rL = geometry->r * geometry->L, x = leader->tilt.x, sines = geometry->leave.x + x,
          Y = leader->contact.Y;
-    if (sines == 0) /* r s = 1: the follower has theta_f from the start */
+    if (sines == 0) /* r s = 1: the follower is at theta_f from the start */
         return 0;
     real t = leader->contact.arm * (Y + rL * x) / (geometry->leave_by * sines);
     real whole = rL * geometry->leave.x + Y, F = leader->contact.arm / whole, G = rL * sines / whole;

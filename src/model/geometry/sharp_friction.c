@@ -186,8 +186,8 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* Finds only C, which is 0 at the top of a barrier. With tol = 1 only the sign of C is correct, which takes
- * few dominoes. */
+/* Finds only C, which is 0 at the top of a barrier. With tol = 1 only the sign of C is reliable, but very few
+ * dominoes need to be summed. */
 KERNEL enum dom_status sharp_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
 {
     struct series C = {0};

@@ -183,8 +183,8 @@ static enum dom_status search_samples(struct search *b)
     return b->c->status;
 }
 
-/* Refines the search if there is friction, with smaller and smaller steps: near the best sample or, if the
- * train stops at every sample, at all s down to 0.5. */
+/* With friction, refines the search with smaller and smaller steps near the best sample. If the train stops
+ * at every sample, the steps cover all s from the reach at r = 1 down to 0.5. */
 static enum dom_status search_finely(struct search *b)
 {
     for (real ratio = sqrt(BEST_RATIO); ratio < 1 - 2 * BEST_FINEST && b->c->status == DOM_OK;

@@ -122,8 +122,8 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        /* If the second point was given, its error is unrelated to the first step, so the steps do not show
-         * that length, and r / 16 takes its place. */
+        /* If the second point was given, its error is unrelated to the first step. The steps do not show the
+         * length then, and r / 16 is used instead. */
         bool given = s->known == 2 && second > 0;
         bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;

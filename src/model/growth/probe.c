@@ -49,8 +49,9 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Finds whether the margin keeps its sign between two samples, the first of which has that sign, by a sample
- * between them. Searches the lower half first, so that the first change is found.
+ * Finds whether the margin changes its sign between two samples, by taking further samples between them. At
+ * `lo` the margin has the sign that p->positive states. Searches the lower half first, so that the first
+ * change is found.
  */
 static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi,
                                      real deviation, int halves)

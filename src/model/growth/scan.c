@@ -146,8 +146,8 @@ struct scan {
     int strips; /* number of strips tried so far */
 };
 
-/* Returns the narrowest step: SCAN_FINEST, and after the first 1500 strips twice as much for each further
- * 100. No search takes more than about 3,000 strips. */
+/* Returns the narrowest step: SCAN_FINEST for the first 1500 strips, and then doubled after every further 100
+ * strips. No search takes more than about 3,000 strips. */
 static real scan_finest(const struct margin_context *c, const struct scan *scan)
 {
     return fmax(SCAN_FINEST, c->coarse) *

@@ -24,7 +24,8 @@ struct strip {
      * Infinite if a follower is before theta_u.
      */
     real grows;
-    real cut;   /* upper bound of the energy that followers can still lose after those included in `grows` */
+    /* Upper bound of the energy that the followers after those included in `grows` can still lose. */
+    real cut;
     real drops; /* upper bound over the strip of -d barrier / d ln r, or of -d barrier / ds; >= 0 */
     /* Upper bounds of d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
      * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */

@@ -19,8 +19,8 @@ static real geometric(real first, real ratio)
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* The torque on domino j, and its change of angular momentum in the collision, for which its leader
-     * supplies the contact force. */
+    /* The torque on domino j that the contact with its leader must balance, and the change of angular
+     * momentum in the collision that the impulse of this contact must supply. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
     for (size_t j = n - 1; j > 0; j--) {

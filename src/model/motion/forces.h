@@ -71,7 +71,7 @@ KERNEL real forces_needed(real x, real z);
  */
 struct required_friction {
     real motion, theta; /* the largest ratio during the motion, and the tilt of the head at that time */
-    size_t domino;      /* the domino that needs it, 0 for the head */
+    size_t domino;      /* the domino whose foot needs `motion`, 0 for the head */
     real hit;           /* the largest ratio in the collision */
     size_t hit_domino;
 };

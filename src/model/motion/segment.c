@@ -118,7 +118,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* But for a rounding error, the energy is just enough for the highest point, so the row comes to rest
+    /* Apart from a rounding error, the energy is just enough for the highest point, so the row comes to rest
      * there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;

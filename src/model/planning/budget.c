@@ -10,19 +10,19 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    enum dom_error_of kind; /* or DOM_ERROR_COUNT for all */
-    double widest;          /* the largest size that is tried */
-    double lo, hi;          /* the share falls with lo, and no longer with hi, as far as is known */
-    bool of_answer;         /* lo and hi are being found, not the interval around the answer */
+    enum dom_error_of kind; /* the kind of error that varies, or DOM_ERROR_COUNT for all */
+    double widest;          /* the largest sigma that is tried */
+    double lo, hi;          /* best known bounds of sigma: enough rows fall with lo, too few with hi */
+    bool of_answer;         /* sigma itself is searched for, not an end of its confidence interval */
+    /* Cache of the last results, many of which the searches for the interval need again. */
     struct {
         double sigma, share;
-    } seen[BUDGET_SEEN]; /* the last answers, since the searches for the interval ask for many of them again
-                          */
+    } seen[BUDGET_SEEN];
     int answers;
 };
 
-/* Finds the part of the rows that fall. Every sigma uses the same random numbers, with errors that are longer
- * or shorter, so that only sigma differs. */
+/* Finds the fraction of the rows that fall. Every sigma uses the same random numbers, so that two studies
+ * differ only in the size of the errors. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -46,14 +46,15 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     return status;
 }
 
-/* Keeps what is known about the answer, in case that the search is interrupted. */
+/* Records the bounds of sigma that are known so far, in case the search is interrupted. */
 static void known(struct budget *b, double lo, double hi)
 {
     b->lo = b->of_answer ? lo : b->lo;
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds sigma to a thousandth between lo, where more than the share fall, and hi, where fewer do. */
+/* Finds sigma with a relative tolerance of 1e-3. At lo at least the requested share of the rows falls, at hi
+ * fewer do. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* smaller than any error of real rows */
@@ -70,8 +71,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the sigma at which the share falls, first by doubling. It is infinite if it is larger than the
- * largest size that is tried. */
+/* Finds the largest sigma at which the requested share of the rows falls, by doubling and then by bisection.
+ * *sigma is infinite if that share still falls at the largest sigma that is tried. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
@@ -89,7 +90,7 @@ static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
     }
 }
 
-/* Returns the largest size that is tried: see dom_placement_budget. */
+/* Returns the largest sigma that is tried for one kind of error, as dom_placement_budget states. */
 static double size_most(const struct dom_row *row, enum dom_error_of kind)
 {
     double widest = 0;

@@ -17,8 +17,8 @@
 enum { GRID = 1000, COARSE = 20 };
 
 /* The search tries rows with up to MORE dominoes more than the fewest that may suffice. The search for the
- * shortest row ends after LONGER rows in sequence that are not shorter than the best one, or after
- * LONGER_IN_ENGINE if an engine runs each row. */
+ * shortest row ends after LONGER successive rows that are not shorter than the best one, or after
+ * LONGER_IN_ENGINE such rows if an engine runs each row. */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
 /* After a failure the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random errors of a row. Each kind of error has random numbers of its own, which depend on the seed, the
- * kind and the number of the row alone: a row without one of its errors has the others unchanged.
+ * Random errors of a row. Each kind of error has separate random numbers, which depend only on the seed, on
+ * the kind and on the number of the row. So if a row is run without one kind of error, its other errors stay
+ * the same.
  */
 #include "planning/draw.h"
 #ifdef DOMQ
@@ -12,11 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A size keeps at least this share of its value. */
+/* An error leaves a size at least this fraction of its value. */
 #define LEAST_SHARE ((dom_real)0.01)
 
-/* Slopes, leans and radii keep this relative distance from those that are impossible. It is more than the
- * rounding of float. */
+/* Slopes, leans, radii and thicknesses stay inside their limits by at least this factor, which exceeds the
+ * rounding error of a float. */
 #define INSIDE (1 - (dom_real)1e-6)
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
@@ -34,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns a seed for number i. Its bits are mixed (Steele et al., splitmix64, 2014), since neighbouring
- * values of a plain counter would give similar random numbers. */
+/* Returns seed number i of those derived from `seed`. Its bits are mixed with splitmix64 (Steele et al.,
+ * 2014), since the consecutive values of a plain counter would give similar random numbers. */
 static unsigned long seed_of(unsigned long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -44,7 +45,7 @@ static unsigned long seed_of(unsigned long seed, size_t i)
     return (unsigned long)(z ^ (z >> 31));
 }
 
-/* Begins the random numbers of one kind of error in row number i. */
+/* Seeds the generators for one kind of error in row number i. */
 static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
 {
     unsigned long seed = seed_of(p->seed, i);
@@ -55,8 +56,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /*
- * Returns the next error. Two generators are added, since a generator of GSL has a seed of 32 bits, so that
- * some of a million rows would have the same seed.
+ * Returns the next random error. It combines two generators, because a generator of GSL takes a seed of 32
+ * bits, and with one generator some of a million rows would have the same seed.
  */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {
@@ -69,19 +70,20 @@ static dom_real error_next(const struct draw *draw, const struct dom_error *erro
     return error->size * (dom_real)(normal * M_SQRT1_2);
 }
 
-/* Returns the next factor of a size. */
+/* Returns the next random factor by which a size is multiplied. */
 static dom_real factor_next(const struct draw *draw, const struct dom_error *error)
 {
     return fmax(1 + error_next(draw, error), LEAST_SHARE);
 }
 
-/* Returns the radius of the edges of a domino in m, 0 for sharp edges. */
+/* Returns the radius of the edges of a domino in m, or 0 for sharp edges. */
 static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
 {
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Changes the sizes of a domino by one kind of error. Walls and rounded edges still fit into it. */
+/* Changes a size or the mass of a domino by one kind of error, but only so far that walls and rounded edges
+ * still fit into the domino. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_error *error, struct dom_domino *d)
 {
@@ -107,10 +109,11 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Moves each domino, but not those after it. A domino that would overlap the one before touches it. */
+/* Moves each domino on its own, without the dominoes after it. A domino that would overlap the previous one
+ * is placed so that it touches that one. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
-    dom_real before = 0; /* how far the domino before has moved */
+    dom_real before = 0; /* how far the previous domino has moved */
     for (size_t k = 1; k < count; k++) {
         const dom_real by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
         draw->domino[k].gap = fmax(gap, 0);
@@ -127,7 +130,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
     }
 }
 
-/* Draws the leans, within those with which each domino stands. */
+/* Draws the leans, and limits each of them to the range in which the domino stands. */
 static void leans_draw(const struct draw *draw, const struct dom_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {
@@ -150,7 +153,7 @@ dom_real row_steepest(const struct dom_row *row)
     return steepest;
 }
 
-/* Draws the one value of the whole row. */
+/* Draws the error of a value that the whole row has in common. */
 static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
 {
     struct dom_row *row = &draw->row;
@@ -184,7 +187,7 @@ static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct do
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
               unsigned off)
 {
-    /* Leans come last, since what they may be depends on the sizes and on the slope. */
+    /* Leans come last, since their limits depend on the sizes and on the slope. */
     static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
                                               DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
                                               DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,

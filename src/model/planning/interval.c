@@ -6,14 +6,15 @@
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
-/* The probability that an interval of 95 % leaves out at each end. */
+/* The probability that a 95 % confidence interval leaves out at each end. */
 #define TAIL 0.025
 
 /*
- * Returns the probability that at least k, or at most k, of n rows fall, each with the probability p. The
- * terms of the binomial distribution are computed from that of k by their ratios, and divided by the sum of
- * all: there are no factorials, and no term is far from the term that it is added to. gsl_cdf_beta_P, the
- * same as a function of p, fails at some p from a million rows on, where its continued fraction does not end.
+ * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
+ * probability p. Every term of the binomial distribution is computed from its neighbour by their ratio,
+ * starting at the term of k, and the sum is divided by the sum of all terms. So there are no factorials, and
+ * all terms are relative to that of k. gsl_cdf_beta_P computes the same probability, but from a million rows
+ * on it fails at some p, where its continued fraction does not converge.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -42,11 +43,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Finds the probability at which the tail has its value. Halves the interval, since the tail is flat where it
- * is 0. */
+/* Let p be the probability that a single row falls. Finds the p at which the tail of the distribution equals
+ * TAIL. Bisection is used, since the tail is flat where it is 0. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 for the digits, and 64 for a root as small as that of one row among the most that are possible */
+    /* 50 halvings give the digits. Up to 64 more reach a root as small as that for one row out of the largest
+     * possible number of rows. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
@@ -62,7 +64,9 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
 }
 
-/* The exact interval for n of N: at its ends, so many or so few rows have a probability of 2.5 %. */
+/* The exact confidence interval for n of N rows. If its lower end is the true probability that a row falls, n
+ * or more rows fall with a probability of 2.5 %. If its upper end is the true probability, n or fewer rows
+ * fall with a probability of 2.5 %. At the upper end, rows whose outcome is unknown are counted as fallen. */
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The interval of a probability, from counts of rows. */
+/* Limits on how many rows fall by chance, for a given probability. */
 #ifndef DOM_INTERVAL_H
 #define DOM_INTERVAL_H
 
 #include "numerics/api.h"
 
 /*
- * Returns the first count that chance hardly explains if the share is the true probability: that so many rows
- * or more fall, or so many or fewer, has a probability below 2.5 %.
+ * If `at_least` is true, returns the smallest count such that this many rows or more fall with a probability
+ * below 2.5 %, where `share` is the true probability that a single row falls. Otherwise returns the largest
+ * count such that this many or fewer fall with a probability below 2.5 %, or -1 if there is none.
  */
 double unlikely(double share, double rows, bool at_least);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds changes that make all dominoes of a row fall if they do not: another gap or a stronger push. Also
- * finds the growths at which a row falls. */
+/* Finds a change with which all dominoes of a row fall, if they do not all fall at present: a different gap
+ * or a stronger push. Also finds the growths at which a row falls. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
@@ -9,8 +9,8 @@
  * effect so many dominoes later. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Finds the nearest gap between the present one and `end` with which all dominoes fall. Returns false if
- * there is none. */
+/* Finds the gap closest in size to the present one, between the present one and `end`, with which all
+ * dominoes fall. Returns false if there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};

@@ -9,7 +9,7 @@
 /* A verdict depends only on the sign of the margin: a smaller tolerance would change one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
-/* Number of rows in a task, so large that the memory which a task allocates hardly counts. */
+/* Number of rows in a task. With so many rows, the time to allocate the memory of a task hardly counts. */
 enum { BATCH = 16 };
 
 /* The data that all batches of a study share. */
@@ -17,11 +17,12 @@ struct shared {
     const struct dom_row *row;
     struct dom_compute compute;
     const struct dom_placement *placement;
-    bool gaps;         /* only gaps differ between the rows */
-    bool causes;       /* each row is also run without each of its errors */
+    bool gaps;         /* the rows differ only in their gaps */
+    bool causes;       /* each row is also run without each kind of error, one at a time */
     atomic_int status; /* the first status that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    atomic_size_t *stops; /* unless NULL, the number of rows that ended at each domino, as for the caller */
+    /* How many rows ended at each domino, in the layout of dom_placement_causes; NULL if not requested. */
+    atomic_size_t *stops;
 };
 
 /* The data of one batch. */
@@ -38,7 +39,7 @@ static size_t stops_length(const struct shared *s)
     return lists * s->row->count;
 }
 
-/* Draws row number i without some of its errors, and runs it. */
+/* Draws row number i without the kinds of error in `off`, and runs the row. */
 static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i, unsigned off,
                                struct dom_verdict *verdict)
 {
@@ -47,7 +48,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Counts how row number i ends, and how it ends without each of its errors. */
+/* Runs row number i and, if causes are wanted, runs it again without each kind of error. Adds the results to
+ * the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -84,7 +86,8 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        row.mu = 1; /* most rows have friction, and the memory for it is taken here */
+        /* With errors of the friction most rows have friction, which needs memory that is allocated here. */
+        row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);
     b->kernel = q.kernel;
@@ -121,7 +124,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks a study, including values of the row that its errors of the gaps or its tolerance would replace. */
+/* Checks the arguments of a study. The gaps and the tolerance are checked here, since the study replaces them
+ * before the model sees them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
@@ -149,7 +153,7 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
                                                                     batch_run, s, p->pool);
     if (s->status != DOM_OK)
         status = (enum dom_status)s->status;
-    else if (status == DOM_OK && s->done < p->rows) /* the pool has left some batches out */
+    else if (status == DOM_OK && s->done < p->rows) /* the pool has not run all batches */
         status = DOM_INTERRUPTED;
     struct dom_study found = {.rows = s->done, .fall = s->fall, .unknown = s->unknown};
     const bool partial = status == DOM_INTERRUPTED && found.rows > 0;
@@ -177,7 +181,7 @@ enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom
     enum dom_status status = study_check(row, &shared.compute, p);
     if (status != DOM_OK)
         return status;
-    shared.compute.work = NULL; /* rows run side by side */
+    shared.compute.work = NULL; /* rows may run in parallel, and must not share the counters */
     if (shared.compute.tol < VERDICT_TOL)
         shared.compute.tol = VERDICT_TOL;
     if (stops) {

@@ -4,7 +4,7 @@
 #include "planning/trial.h"
 
 /* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction
- * is tried up to FRICTION_MOST, or up to four times its present value. */
+ * is tried up to FRICTION_MOST or up to four times its present value, whichever is larger. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
@@ -52,8 +52,8 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* Up to the position where the domino touches the next one, or is out of reach of the one before
-         * it. */
+        /* The domino moves forwards at most until it touches the next one, or until it is out of reach of the
+         * one before it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),

@@ -31,7 +31,7 @@ static double root_between(struct proof *proof, double low, double high, double 
     return low;
 }
 
-/* The decimals for which a proof is tried are n / unit with whole numbers n. */
+/* The growths for which a proof is tried are decimal numbers n / unit, where n is a whole number. */
 struct grid {
     double unit;
     int decimals;

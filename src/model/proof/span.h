@@ -7,7 +7,7 @@
  * and down(z) are at or beyond the neighbours of z, and so beyond the exact result that was rounded (Rump,
  * Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419).
  * Rounding modes are not changed: the compiler needs no option, and threads do not disturb each other. If a
- * caller has set another mode than to nearest, the functions dom_prove_... prove nothing.
+ * caller has set a rounding mode other than to nearest, the functions dom_prove_... prove nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H

@@ -74,7 +74,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Returns the same as row_end, in the case that domino k or the next one leans when the row stands. */
+/* Returns the same as row_end, for the case that domino k or the next one leans while the row stands. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};

@@ -32,7 +32,7 @@ struct watch {
     dom_moment_visit *visit;
     void *context;
     bool ended;             /* the callback has ended the run */
-    dom_real *tilt, *omega; /* of each domino, in rad and rad/s */
+    dom_real *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;    /* index of the head, and number of moving dominoes */
     struct passage last;    /* the last passage so far */
 };

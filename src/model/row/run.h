@@ -16,7 +16,8 @@ struct run {
     bool forces;   /* find the smallest contact force itself, not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* from the collision that hit the head: J(0) - 1, or A(0) - 1 with friction; 0 without a collision */
+    /* from the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction; 0 without a
+     * collision */
     real inertia_ratio;
     real time;           /* time of the run so far, in s; NaN if it has no value */
     real carried;        /* kinetic energy before the next collision, in J */
@@ -34,7 +35,7 @@ struct descent {
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;
     size_t head;
-    real begins, tau; /* in s */
+    real begins, tau; /* the time when the head was hit, and tau of the head, in s */
 };
 
 /* Sets the state in which the first domino begins to move. */

@@ -2,10 +2,10 @@
 /*
  * Rows with random sizes, of which only the verdict is needed. Most heads certainly go on: they have more
  * energy than the dominoes can take up by rising, and a bound shows that all contacts push. For such a head,
- * one pass down the chain gives the energy that is passed on. The pass computes the tilts when the head is
- * hit and those when the head hits the next domino. The first are the last tilts of the chain of the previous
- * head, so that the pass computes one new chain, not two. If a bound does not suffice, or a domino detaches,
- * the head runs as in any other row (row_head).
+ * one pass down the chain gives the energy that is passed on. The pass needs the tilts when the head is hit
+ * and the tilts when the head hits the next domino. The former are the final tilts of the previous head's
+ * chain, so the pass computes only one new chain instead of two. If a bound does not suffice, or a domino
+ * detaches, the head runs as in any other row (row_head).
  */
 #include "row/run.h"
 #include "row/slide.h"

@@ -17,8 +17,8 @@ struct slide {
 /* Returns the relative error of omegasq that the tolerance of the sums causes. */
 KERNEL real slide_error(const struct geometry *head);
 
-/* Returns true if the head certainly reaches the tilt 2 atan hi. It must be plain (plumb, with sharp edges),
- * and all contacts must push. */
+/* Returns true if the head certainly reaches the tilt 2 atan hi. The head must be plain (plumb, with sharp
+ * edges), and all its contacts must push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
 /* Finds omegasq at the end of the motion of the head, and the possible error of omegasq. The head must be

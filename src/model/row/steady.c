@@ -7,7 +7,7 @@ enum { STEADY_MORE = 2 };
 /* Among the equal dominoes at the end of a row, the geometry is at first made for only this many. */
 enum { STEADY_FIRST = 256 };
 
-/* All heads to come together may still change omegasq by this fraction of the tolerance. */
+/* All later heads together may change omegasq by at most this fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */
