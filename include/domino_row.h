@@ -56,7 +56,9 @@ enum dom_window_of {
     DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since the density stays the same */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
-    DOM_WINDOW_THICKNESS /* the thickness of a domino, and its mass; the gaps beside it stay as they are */
+    /* The thickness of a domino, and its mass, since the density stays the same; the gaps beside it do not
+     * change. */
+    DOM_WINDOW_THICKNESS
 };
 
 /*

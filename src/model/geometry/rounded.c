@@ -312,7 +312,7 @@ static enum dom_status rounded_set(struct geometry *geometry)
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    /* No domino turns beyond theta_inf, and far_turn decreases up to pi/2, so that it has a single root. */
+    /* No domino turns beyond theta_inf, and far_turn decreases up to pi/2, so far_turn has a single root. */
     if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
         return DOM_NOT_CONVERGED;
     geometry->inf = geometry->f = tilt_of(theta_inf);

@@ -24,7 +24,7 @@
 /* Returns h(0) - h(theta) of one domino. */
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
-/* rounded_begin starts a walk at the head, and rounded_next goes on to the follower. rounded_between returns
+/* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. rounded_between returns
  * the same domino half way between two tilts. rounded_arms is the member `arms` of struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);

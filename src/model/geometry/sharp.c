@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of contact of the paper: the edges are sharp, so that the upper edge of a follower touches the flat
- * back of its leader, and a domino turns about the front edge of its foot.
+ * The law of contact of the paper: the edges are sharp, so the upper edge of a follower touches the flat back
+ * of its leader, and a domino turns about the front edge of its foot.
  */
 #include "geometry/far.h"
 #include "geometry/law.h"

@@ -128,7 +128,7 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 
 /*
  * Returns true if a contact meets a sufficient condition for all contacts of the chain to stay closed while
- * its leader moves from b to a. If all contacts meet it, all of them stay closed:
+ * its leader moves from b to a. If all contacts meet the condition, all of them stay closed:
  *
  * The torques on all dominoes from i on, times the factors S of dynamics/friction.c (theta_i' without
  * friction), pass through the contact of domino i with its leader. The part of them that does not accelerate

@@ -66,8 +66,8 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops to true if every train with a separation between lo and hi stops at the growth r, as far as the
- * bounds show that. m is the margin at lo. */
+/* Sets *stops to true if the bounds show that every train with a separation between lo and hi stops at the
+ * growth r. m is the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {

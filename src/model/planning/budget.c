@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How large an error may be for a row to fall with a given probability. */
+/* Finds how large the random errors may be if a row is still to fall with a given probability. */
 #include "planning/draw.h"
 #include "planning/interval.h"
 #include <math.h>

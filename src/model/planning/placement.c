@@ -86,7 +86,8 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* With errors of the friction most rows have friction, which needs memory that is allocated here. */
+        /* If the friction has random errors, most rows have friction, which needs memory that is allocated
+         * here. */
         row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);

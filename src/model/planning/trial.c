@@ -137,7 +137,7 @@ void trial_change(struct trial *t, dom_real value)
         d->lean = value;
         break;
     case DOM_WINDOW_THICKNESS:
-        d->mass *= value / d->thickness; /* its density stays */
+        d->mass *= value / d->thickness; /* the density does not change */
         d->thickness = value;
         break;
     }

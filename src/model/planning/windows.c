@@ -34,8 +34,8 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
 }
 
 /*
- * Returns the thicknesses that are tried, with the same limits as for heights. Two walls, and two rounded
- * edges, fit into a thickness.
+ * Returns the range of thicknesses that are tried, with the same limits as for heights. A thickness must have
+ * room for two walls or for two rounded edges.
  */
 static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
 {

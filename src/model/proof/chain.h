@@ -61,8 +61,8 @@ struct contact {
     struct span x;     /* sin theta_i */
     struct span step;  /* dF/dtheta */
     struct span shift; /* dF/dr */
-    bool held;     /* theta_i is beyond theta_leave in the whole box, so that the follower stays at theta_f */
-    bool may_hold; /* theta_i is beyond theta_leave in a part of the box */
+    bool held;         /* theta_i is beyond theta_leave in the whole box, so the follower stays at theta_f */
+    bool may_hold;     /* theta_i is beyond theta_leave in a part of the box */
 };
 
 struct shape shape_make(double s, double d, double q);

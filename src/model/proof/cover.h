@@ -7,7 +7,7 @@
 #include <signal.h>
 
 enum outcome {
-    OUTCOME_PROVED,  /* the train goes on, for all growths of the interval */
+    OUTCOME_PROVED,  /* the train keeps falling, for all growths of the interval */
     OUTCOME_REFUTED, /* the train stops at the upper end of the interval */
     OUTCOME_OPEN,    /* neither could be shown on so wide an interval */
     OUTCOME_LIMIT,   /* the proof would need more dominoes or boxes than allowed */
@@ -33,12 +33,13 @@ void proof_end(struct proof *proof);
  * milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Proves that the train goes on for every growth from r_low to r_high: K > D for every tilt of the cycle. */
+/* Proves that the train keeps falling for every growth from r_low to r_high:  K > D for every tilt of the
+ * cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
-/* Proves that the train goes on for all growths from *done to r_high, upwards in strips that are no narrower
- * than `finest`. *done moves up with the proof. Unless all is proved, *stop is set to the upper end of the
- * strip that failed. */
+/* Proves that the train keeps falling for all growths from *done to r_high, upwards in strips that are no
+ * narrower than `finest`. *done moves up with the proof. Unless the whole interval is proved, *stop is set to
+ * the upper end of the strip that failed. */
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
 /* Proves that the train stops at every growth from r_low to r_high, because at the tilt 2 sin(theta/2) = top

@@ -30,8 +30,8 @@ struct upright {
 };
 
 /* Finds the train of `shape` with an upright head for the growths r_low to r_high. Dominoes are added until
- * the remainder of the energy is at most `rest`, or more dominoes would make it no smaller. Returns false if
- * more dominoes matter than there is room for, or if numbers are out of range. */
+ * the remainder of the energy is at most `rest`, or until further dominoes would not make the remainder
+ * smaller. Returns false if more dominoes matter than there is room for, or if numbers are out of range. */
 bool upright_find(const struct shape *shape, double r_low, double r_high, double rest,
                   struct upright *upright);
 

@@ -9,7 +9,8 @@
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the root of the margin between a growth at which the train goes on and one at which it stops. */
+/* Estimates the root of the margin between a growth at which the train keeps falling and one at which it
+ * stops. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -61,8 +62,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train goes on at every growth up to a decimal that is at most n / unit, and as close to it
- * as possible. */
+/* Proves that the train keeps falling at every growth up to a decimal that is at most n / unit, and as close
+ * to it as possible. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -144,9 +145,9 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
     return limit;
 }
 
-/* Looks for a growth at which a pair goes on, for a pair that stops with equal dominoes. Returns a growth for
- * which this is proved, a decimal just above the lowest root that samples show where possible. Returns NaN if
- * there is none. */
+/* For a pair that stops if its dominoes are equal, looks for a growth at which the pair keeps falling.
+ * Returns a growth for which this is proved: if possible, a decimal just above the lowest root that samples
+ * show. Returns NaN if no such growth is found. */
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };

@@ -5,10 +5,10 @@
 #include "proof/cover.h"
 
 enum limit_kind {
-    LIMIT_BRACKET, /* the train goes on at every growth from `from` to `low`, and stops at `high` */
-    LIMIT_REACH,   /* the train goes on at every growth from `from` up to 1/s */
-    LIMIT_NONE,    /* the train stops at r = 1, and no larger growth was found at which it goes on */
-    /* the train goes on at every growth from `from` to `low`; nothing is proved for larger growths */
+    LIMIT_BRACKET, /* the train keeps falling at every growth from `from` to `low`, and stops at `high` */
+    LIMIT_REACH,   /* the train keeps falling at every growth from `from` up to 1/s */
+    LIMIT_NONE,    /* the train stops at r = 1, and no larger growth was found at which it keeps falling */
+    /* the train keeps falling at every growth from `from` to `low`; nothing is proved for larger growths */
     LIMIT_PARTLY
 };
 

@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with other sizes of a few neighbouring dominoes.
+ * A row that is run many times, each time with different sizes of a few neighbouring dominoes.
  *
- * The dominoes before the change fall as in the unchanged row, so that a trial begins at the first head that
- * can be affected. A trial may also end early, because a head passes on little of what happened before it.
- * While the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for
- * every law of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the
- * relative deviation of omegasq from that of the unchanged row. At the next head the deviation becomes lambda
- * D, with lambda = gain omegasq / (omegasq of the next head), and lambda < 1 if a fall releases energy. The
- * changed dominoes still belong to the chain that leans on the head, and change the three numbers `need`,
- * `gain` and `offset` of that head. This change is measured at each head (`off`). It decays with the slopes
- * of the chain, so that the ratio of the changes at two successive heads gives the sum of all changes still
- * to come.
+ * The dominoes before the change fall as in the unchanged row, so a trial begins at the first head that can
+ * be affected. A trial may also end early, because a head passes on little of what happened before it. While
+ * the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for every law
+ * of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the relative
+ * deviation of omegasq from that of the unchanged row. At the next head the deviation becomes lambda D, with
+ * lambda = gain omegasq / (omegasq of the next head), and lambda < 1 if a fall releases energy. The changed
+ * dominoes still belong to the chain that leans on the head, and change the three numbers `need`, `gain` and
+ * `offset` of that head. This change is measured at each head (`off`). It decays with the slopes of the
+ * chain, so that the ratio of the changes at two successive heads gives the sum of all changes still to come.
  *
- * A head goes on if omegasq >= need and no contact force is negative. At each tilt a contact force is linear
- * in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of the head,
- * one barely fast enough and one FAST times as fast, show how far that interval reaches. From the end of the
- * row backwards this gives the deviations (`below` and `above`) that do not change the verdict of the
- * unchanged row: half of what each head allows, divided by lambda if lambda > 1. Once the deviation and the
- * sum of the changes together are smaller, no later head can change the verdict, and the trial has the
+ * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt a contact force is
+ * linear in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of
+ * the head, one barely fast enough and one FAST times as fast, show how far that interval reaches. From the
+ * end of the row backwards this gives the deviations (`below` and `above`) that do not change the verdict of
+ * the unchanged row: half of what each head allows, divided by lambda if lambda > 1. Once the deviation and
+ * the sum of the changes together are smaller, no later head can change the verdict, and the trial has the
  * verdict of the unchanged row. Otherwise the trial continues to the end of the row.
  */
 #include "row/run.h"
@@ -97,7 +96,7 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of a head that goes on may deviate, without regard to later heads. */
+/* Finds how far omegasq of a head that keeps falling may deviate, without regard to later heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))

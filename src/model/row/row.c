@@ -2,10 +2,10 @@
 /*
  * A finite row of dominoes of any sizes. While domino k is the head, all dominoes before it lean on it in a
  * chain as in a train, but each has its own size, weight and gap. Energies, the law of motion and the
- * collision are those of a train. There are two differences: no cycle repeats, so that each head begins with
- * the energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that
- * lean on it. As everywhere in the kernels, the units are those of the present head: its height, m g h / 2,
- * and tau.
+ * collision are those of a train. There are two differences: no cycle repeats, so each head begins with the
+ * energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that lean
+ * on it. As everywhere in the kernels, the units are those of the present head: its height, m g h / 2, and
+ * tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows with random sizes, of which only the verdict is needed. Most heads certainly go on: they have more
- * energy than the dominoes can take up by rising, and a bound shows that all contacts push. For such a head,
- * one pass down the chain gives the energy that is passed on. The pass needs the tilts when the head is hit
- * and the tilts when the head hits the next domino. The former are the final tilts of the previous head's
+ * Rows with random sizes, of which only the verdict is needed. Most heads certainly keep falling: they have
+ * more energy than the dominoes can take up by rising, and a bound shows that all contacts push. For such a
+ * head, one pass down the chain gives the energy that is passed on. The pass needs the tilts when the head is
+ * hit and the tilts when the head hits the next domino. The former are the final tilts of the previous head's
  * chain, so the pass computes only one new chain instead of two. If a bound does not suffice, or a domino
  * detaches, the head runs as in any other row (row_head).
  */
@@ -26,8 +26,8 @@ struct random_row {
 };
 
 /* The sums along a chain between two tilts of its head, in plain arithmetic without compensation, since the
- * sign of a margin needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so that the
- * barrier is at most rise^2 / (2 bend). */
+ * sign of a margin needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so the barrier
+ * is at most rise^2 / (2 bend). */
 struct glide {
     real J, dH;
     real rise;  /* dH/dtheta where the motion of the head begins */
@@ -106,8 +106,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* Returns true if head k of a plain row certainly goes on, and sets `at` to the state in which it hits the
- * next domino. The chain at that moment replaces the stored chain of the previous head. */
+/* Returns true if head k of a plain row certainly keeps falling, and sets `at` to the state in which it hits
+ * the next domino. The chain at that moment replaces the stored chain of the previous head. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];

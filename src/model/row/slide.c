@@ -57,7 +57,7 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
 }
 
 /* Returns the omegasq that the head needs to pass the hardest tilt: the maximum of -v, from samples and a
- * parabola through every three neighbouring ones. */
+ * parabola through every three neighbouring samples. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

@@ -13,11 +13,11 @@ struct steady {
     bool found;  /* the next head repeats this motion if its dominoes are also equal */
 };
 
-/* Makes the geometry of the row up to domino k, as far as it is not made yet. */
+/* Makes the geometry of the dominoes up to domino k that have no geometry yet. */
 KERNEL enum dom_status row_ready(struct run *run, size_t k);
 
 /* Returns the number of dominoes whose geometry is made before the run. All later dominoes are equal to the
- * last of these, so that making their geometry cannot fail. */
+ * last of these, so making their geometry cannot fail. */
 KERNEL size_t steady_made(const struct row_request *request);
 
 /* Called when head k begins. Returns true if head k repeats the motion of the previous head: then `fall` is
