@@ -3,8 +3,8 @@
 
 /* ---- Fuel ---- */
 
-/* Returns the error bound of the paper's fuel, which is the difference of two terms: their rounding errors,
- * and the error of theta_f. */
+/* Returns the error bound of the paper's fuel. The fuel is the difference of two terms, so the bound covers
+ * the rounding errors of both terms and the error of theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {
     real s = geometry->s, x = geometry->h.x, y = geometry->h.y;

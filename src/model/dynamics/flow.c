@@ -82,8 +82,8 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 #define FLOW_FINER 64
 
 /*
- * Empties the solution and returns a copy of the geometry with a finer tolerance. Where a sum over the chain
- * ends one domino earlier than at the neighbouring tilt, it jumps, and the jump must stay below what a
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain jumps
+ * where it ends one domino earlier than at the neighbouring tilt, and the jump must stay below what a
  * Chebyshev series resolves.
  */
 static struct geometry flow_begin(const struct geometry *geometry)

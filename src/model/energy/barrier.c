@@ -163,8 +163,8 @@ static bool falls_above_u(const struct geometry *geometry)
 
 /*
  * Returns true if H is proved to be concave up to theta_u, which means that H has a single top. The proof: up
- * to theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14;
- * b10), theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >=
+ * to theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and
+ * (14; b10), theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >=
  * sqrt(1 - r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of
  * which lose height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i
  * is w / (1 - w)^2. A follower that has detached reduces the concavity by less.
@@ -308,8 +308,8 @@ KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *a
 KERNEL real barrier_most(const struct geometry *geometry)
 {
     /* No domino moves beyond the tilt at which its follower begins the cycle, and no domino weighs less than
-     * its follower. So all dominoes together rise by less than one domino between upright and theta_u, which
-     * is h(theta_u) - h(0). */
+     * its follower. So all dominoes together rise by less than one domino does between upright and theta_u,
+     * that is, by less than h(theta_u) - h(0). */
     return geometry_rise_u(geometry);
 }
 

@@ -50,8 +50,8 @@ static real far_rest(const struct far *far, const real *series)
 }
 
 /*
- * Returns a radius inside which the series converge. It is limited by the branch points of f, X = 1 and X =
- * -1, and by the second fixed point of f, theta = -theta_inf.
+ * Returns a radius inside which the series converge. The radius is limited by the branch points of f, where X
+ * = 1 or X = -1, and by the second fixed point of f, which is theta = -theta_inf.
  */
 static real far_radius(const struct geometry *geometry)
 {

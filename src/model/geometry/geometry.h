@@ -81,7 +81,8 @@ struct geometry {
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
-    real leave_at; /* 1 - r^2 s^2, which equals leave_by v at the leader's tilt where its follower detaches */
+    /* 1 - r^2 s^2; equal to leave_by times v of the leader's tilt at which its follower detaches. */
+    real leave_at;
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
     real inertia;  /* r^-(q+1), the factor from one domino to the next in J (20; c2) */

@@ -128,8 +128,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* There is no margin, but there is a verdict: a train that locks stops before, since its energy tends to
-     * 0. */
+    /* A train that locks has no margin, but it has a verdict: since its energy tends to 0, it stops before it
+     * locks. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};

@@ -140,7 +140,7 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* Distance below the height at theta_u. */
+        /* Upper bound of how far h of the head is below h(theta_u) at the maximum of H. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->reach - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));

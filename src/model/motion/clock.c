@@ -12,8 +12,8 @@ struct clock {
     struct tick {
         struct num_series series;
         real begins; /* the time at which the head reaches lo */
-        /* The train stops at the end of this piece. The series is then one of x in slowness_before, which
-         * runs backwards from the stop. */
+        /* The train stops at the end of this piece. The variable of the series is then x of slowness_before,
+         * which runs backwards from the stop. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];

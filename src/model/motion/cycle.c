@@ -124,7 +124,7 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
-                     (1 + 4 * geometry->tol) + /* allows for the second order if the tolerance is loose */
+                     (1 + 4 * geometry->tol) + /* allows for second-order terms if the tolerance is loose */
                  4 * UNIT * theta;
     if (energy)
         *energy = fabs(at.H1) * (real)*error;

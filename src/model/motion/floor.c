@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* Raises *required_friction to the friction that is needed at this tilt, if that is more. *motion receives
- * the friction that the motion needs at this tilt alone. */
+/* Raises *required_friction to the friction that is needed at this tilt, if the latter is larger. *motion
+ * receives the friction that the motion needs at this tilt alone. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {

@@ -14,8 +14,8 @@ static real geometric(real first, real ratio)
     return fabs(ratio) < 1 ? first / (1 - ratio) : first;
 }
 
-/* Finds the contact forces from the tail up to the head: first the torque on each follower that its
- * acceleration leaves over, then the contact force that balances this torque. */
+/* Finds the contact forces from the tail up to the head. For each follower, first finds the part of the
+ * torque that does not accelerate the follower, and then the contact force that balances this part. */
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {

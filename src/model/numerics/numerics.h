@@ -3,8 +3,9 @@
  * Roots, maxima and integrals in the arithmetic of the kernels; nothing here depends on dominoes. A function
  * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE. These functions take the
  * place of those of GSL, which exist only in double precision, because the same source must serve all
- * precisions. tests/unit/test_numerics.c compares the two: for a list of roots the functions here need 65
- * evaluations and Brent's method 73; for integrals of near-stops, they need 4883 and qag 7497.
+ * precisions. tests/unit/test_numerics.c compares the two: for a list of roots, the functions here need 65
+ * evaluations and Brent's method 73; for integrals of trains that nearly stop, the functions here need 4883
+ * and qag 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H

@@ -12,8 +12,8 @@
 #include "numerics/real.h"
 #include <stdlib.h>
 
-/* Separations are multiples of 1/GRID, which is half a tenth of a millimetre for the standard domino. The
- * search for the best separation starts with steps of COARSE/GRID. */
+/* Separations are multiples of 1/GRID, which is about 0.05 mm for the standard domino. The search for the
+ * best separation starts with steps of COARSE/GRID. */
 enum { GRID = 1000, COARSE = 20 };
 
 /* The search tries rows with up to MORE dominoes more than the fewest that may suffice. The search for the

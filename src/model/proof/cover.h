@@ -33,7 +33,7 @@ void proof_end(struct proof *proof);
  * milliseconds. */
 bool proof_interrupted(const struct proof *proof);
 
-/* Proves that the train keeps falling for every growth from r_low to r_high:  K > D for every tilt of the
+/* Proves that the train keeps falling for every growth from r_low to r_high: K > D for every tilt of the
  * cycle. */
 enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 
