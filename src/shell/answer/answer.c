@@ -87,7 +87,7 @@ static void terminal_look(struct answer *a)
     a->layout.width = terminal_width(a->out);
     a->layout.letters = a->layout.width && terminal_utf8();
     a->layout.bold = terminal_colour(a->out);
-    errno = 0; /* isatty and ioctl set it without a terminal */
+    errno = 0; /* if there is no terminal, isatty and ioctl set errno */
 }
 
 void answer_plan(struct answer *a, const struct cell *sample)
@@ -136,9 +136,8 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties the cells whose numbers the precision cannot hold.  Returns the reason of the row, or an
- * explanation of the empty cells if the row has no other reason.  People read that explanation only once,
- * below the table. */
+/* Empties the cells whose numbers the precision cannot hold.  Returns `reason`, or an explanation of the
+ * empty cells if `reason` is NULL or "".  People read this explanation only once, below the table. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {

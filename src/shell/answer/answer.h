@@ -32,14 +32,15 @@ struct layout {
     unsigned bounded; /* bit i: column i has error bounds, which programs get in a separate column */
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
-    const struct cell *sample; /* a row with the usual kinds of cells if the first row has others, or NULL */
+    /* If not NULL, a row with the usual kinds of cells, because the first row may have other kinds. */
+    const struct cell *sample;
 };
 
 struct csv_layout {
-    bool units;       /* the head names the units, because the file can be read back */
+    bool units;       /* the column names include the units, because the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
-    char *last_head;  /* the last head that was written to this file, or NULL */
-    /* texts that are appended, first to the head and then to each row; each ends with a NUL. May be NULL. */
+    char *last_head;  /* the last header line that was written to this file, or NULL */
+    /* Texts to append, first to the header line and then to each row; each ends with a NUL.  May be NULL. */
     const char *extra;
 };
 
@@ -67,7 +68,7 @@ struct answer {
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
     bool told;                                         /* text for people was written without a row */
     int error;                                         /* errno of the first write that failed, or 0 */
-    char late_reason[ANSWER_REASON]; /* the reason of a row that could not be written with that row, or "" */
+    char late_reason[ANSWER_REASON]; /* the reason that could not be written with its row, or "" */
 
     /* If not NULL, the answer belongs to one point of a sweep, and this function receives its rows. */
     void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
@@ -79,7 +80,7 @@ struct failure {
     const char *command; /* NULL if no command was recognised */
     const char *text, *source;
     long line;
-    int column; /* from 1, or 0 for an error of the whole line */
+    int column; /* counted from 1, or 0 for an error in the line as a whole */
 };
 
 /* An output format.  A member function that has nothing to write is NULL. */
@@ -96,7 +97,7 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_head)(const char *line);
-    /* Ends the answer; answer_end returns its result. */
+    /* Ends the answer.  The result is returned by answer_end. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -114,7 +115,7 @@ struct column *answer_columns(struct answer *answer, const struct column *column
 /* Removes a column from the answer.  Rows still have a cell for it. */
 void answer_leave_out(struct answer *answer, const char *key);
 
-/* Changes the meaning of a column in this answer. */
+/* Changes the explanation of a column in this answer. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);
 
 /* Gives a column another unit. */

@@ -65,7 +65,7 @@ static int exact_digits(domq_real number, int all)
     return digits;
 }
 
-/* Returns how many digits of a number to print, at most `all`.  With so many digits, the rounding adds little
+/* Returns how many digits of a number to print, at most `all`.  With that many digits, rounding adds little
  * to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
@@ -122,7 +122,7 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Reads a number in the way of a program that computes with this precision. */
+/* Parses a number as a program that computes with this precision would. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
@@ -130,8 +130,9 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* Returns the style in which a cell is written.  Brief numbers are written in double, since no more of their
- * digits can be known.  So are counts if the precision is float, which cannot hold large counts. */
+/* Returns the style in which a cell is written.  Brief numbers are written in double precision, because no
+ * more of their digits are known.  Counts are also written in double precision if the precision is float,
+ * which cannot hold large counts. */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
@@ -160,8 +161,9 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* Half of the computed numbers need all digits, and most others one less. If the text of that is shorter,
-     * printf has left out zeros at its end, and no digit is too many. */
+    /* Half of the computed numbers need all digits, and most of the others need one digit less.  If the text
+     * with one digit less is shorter than that, printf has removed trailing zeros, and every remaining digit
+     * is needed. */
     if (read_back(style, quad_text(cell.number, all - 1, text)) != cell.number)
         return quad_text(cell.number, all, text);
     char fewer[CELL_TEXT];

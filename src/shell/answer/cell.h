@@ -49,7 +49,7 @@ bool cell_finite(const struct answer_style *style, struct cell cell);
 /* Returns true if a number other than 0 becomes 0 at the precision at which csv and json write it. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
-enum { CELL_TEXT = 128 }; /* room for any cell but a word */
+enum { CELL_TEXT = 128 }; /* size of a buffer for any cell except a word */
 
 /* Returns the text of a cell in a table.  A number has at most `digits` digits.  It is followed by its error
  * bound if `bounds` is set. */

@@ -14,7 +14,7 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Returns the text that is to be appended to the head, and at later calls to each row. */
+/* Returns the text to append to the header line and, in later calls, to each row. */
 static const char *extra_next(struct answer *a)
 {
     const char *extra = a->csv.extra ? a->csv.extra : "";
@@ -47,7 +47,7 @@ static void csv_begin(struct answer *a, const struct cell *cells, const char *re
         memcpy(a->csv.last_head, *extra ? "" : head, *extra ? 1 : sizeof head);
 }
 
-/* A line is a head if each of its cells begins with a letter. */
+/* A line is a header if every cell in it begins with a letter. */
 static bool csv_is_head(const char *line)
 {
     for (const char *cell = line; *cell; cell += strcspn(cell, ","), cell += *cell == ',')

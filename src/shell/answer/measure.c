@@ -19,7 +19,8 @@ static const struct {
 
 struct measure measure_of(const char *unit, domq_real largest)
 {
-    const domq_real almost = 1 + (domq_real)1e-12; /* 10 mm are 1 cm in spite of rounding */
+    /* So that 10 mm is shown as 1 cm in spite of rounding errors. */
+    const domq_real almost = 1 + (domq_real)1e-12;
     for (size_t i = 0; *unit && i < sizeof measures / sizeof *measures; i++)
         if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
             return measures[i].measure;

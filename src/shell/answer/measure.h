@@ -47,9 +47,9 @@ struct axis_unit {
     double size; /* in m */
 };
 
-/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, otherwise m.  This is a
- * larger limit than that for a column of numbers, because a ruler has room for three digits before the
- * decimal point. */
+/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, otherwise m.  These limits
+ * are larger than those for a column of numbers, because a ruler has room for three digits before the decimal
+ * point. */
 struct axis_unit measure_axis(double longest);
 
 #endif

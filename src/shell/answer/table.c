@@ -13,17 +13,17 @@ enum {
     NUMBER_MARGIN = 6, /* the width of a number without its digits: "-0." and "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* the last column, if it contains words, goes below its row if it has less room */
-    WORDS_SHORT = 12,   /* up to this width, a last column of words needs no more room than that */
+    WORDS_LEAST = 30,   /* a last column of words that has less room than this goes below its row */
+    WORDS_SHORT = 12,   /* a last column of words that is at most this wide needs only its own width */
     WORDS_INDENT = 8,   /* the indentation of words that go below their row */
     VALUE_INDENT = 4,   /* the indentation of a value or meaning that goes below its key */
-    MEANING_LEAST = 20, /* a meaning goes below its key if it has less room */
+    MEANING_LEAST = 20, /* a meaning that has less room than this goes below its key */
     DIGITS_LEAST = 3
 };
 
 /* ---- Text ---- */
 
-/* Returns the unit that people see: for angles that of the style, otherwise that of the measure. */
+/* Returns the unit that people see: the unit of the style for angles, otherwise the unit of the measure. */
 static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
                                char text[CELL_TEXT])
 {

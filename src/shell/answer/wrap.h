@@ -11,10 +11,10 @@
 size_t line_break(const char *text, int columns);
 
 /*
- * Writes text in lines that begin at the column `left` and end before the column `right`, or are not broken
- * if `right` is 0.  If some piece does not fit between the two columns, the whole text goes below what stands
- * to the left, with less indentation.  A piece that is longer than a line is not broken, so that it can be
- * copied.  Writes no '\n' at the end.
+ * Writes text in lines that begin at the column `left` and end before the column `right`; if `right` is 0,
+ * lines are not broken.  If a piece does not fit between the two columns, the whole text goes on the lines
+ * below, with less indentation.  A piece that is longer than a line is not broken, so that it can be copied.
+ * Writes no '\n' at the end.
  */
 void write_wrapped(FILE *out, const char *text, int left, int right);
 

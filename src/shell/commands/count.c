@@ -49,9 +49,9 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 /* What is known about a row that would topple a domino of a given height. */
 struct tower {
     struct domq_count count;
-    struct domq_limit limit; /* of the endless train */
+    struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* of the row, with the domino to topple as its last */
+    struct start start;      /* how the row starts whose last domino is the one to topple */
     struct start_growths growths;
     bool falls; /* The row falls. */
 };
@@ -77,7 +77,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Writes how many dominoes are enough with a growth: "16 dominoes". */
+/* Formats how many dominoes are enough with growth r, for example "16 dominoes". */
 static const char *enough_text(const struct query *query, domq_real height, domq_real r, char text[96])
 {
     struct domq_count count;
@@ -91,8 +91,8 @@ static const char *enough_text(const struct query *query, domq_real height, domq
     return text;
 }
 
-/* Says for one kind of domino whether the row falls, and how few would be enough with its largest growths:
- * with that of a train that moves, and with that of a row that has to start. */
+/* Prints for one kind of domino whether the row falls. Also prints how few dominoes would be enough with the
+ * largest growth of a moving train, and with the largest growth at which a row starts. */
 static bool kind_say(const struct query *query, struct answer *a, struct problem *problem,
                      struct domq_train train, domq_real height)
 {
@@ -158,7 +158,7 @@ static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
     return text;
 }
 
-/* Answers the quiz in three lines. */
+/* Prints the answer for people, in three lines. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct tower *t,
                       domq_real height, domq_real first)
 {
@@ -180,8 +180,8 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     answer_say(a, "can it fall? %s", t->falls ? "yes" : "no");
 }
 
-/* Says what the short answer leaves open: why a row does not fall, and whether it would go on once it moves.
- */
+/* Prints what the short answer leaves open: why a row does not fall, and whether it would keep falling once
+ * it moves. */
 static void start_say(const struct query *query, struct answer *a, const struct tower *t)
 {
     char ends[START_TEXT];

@@ -158,8 +158,8 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 
 /*
  * Decides whether a command can print an answer after a computation that ended with `status`. If so, returns
- * true and sets *why to the reason why numbers are missing from the answer, or to NULL if the cycle is
- * complete; the text may be in `reason`. Otherwise sets *problem and returns false.
+ * true. It then sets *why to the reason why numbers are missing from the answer, which may be stored in the
+ * buffer `reason`, or to NULL if the cycle is complete. Otherwise sets *problem and returns false.
  */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)

@@ -79,9 +79,9 @@ static double scene_price(const struct scene *scene)
 }
 
 /*
- * Returns how many seconds an answer takes with an effect and the effects that it needs or, if `on` is false,
- * without the effect and those that need it. Returns NaN if there is no such answer. Other effects than
- * placement are timed without errors of placement, because random rows stop early. The effect floor is turned
+ * Returns how many seconds an answer takes. If `on` is true, the effect and all effects that it needs are on;
+ * otherwise the effect and all effects that need it are off. Returns NaN if there is no such answer. Effects
+ * except placement are timed without placement errors, because random rows stop early. The effect 'floor' is
  * off while placement, feet or bounce is timed, because neither random rows nor the engine can include it.
  */
 static double price_with(const struct query *query, int name, bool on)

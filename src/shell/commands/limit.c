@@ -76,7 +76,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* If a row that has to start needs less growth than a train that moves, says up to which growth it starts,
+/* If a row that has to start tolerates less growth than a moving train, prints up to which growth it starts,
  * and which push it needs with the session's growth. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used)

@@ -6,8 +6,9 @@
 
 /*
  * The number of dominoes that are run to find whether a row starts. A row forgets its start: the energy of
- * each cycle depends linearly on that of the cycle before it, with a slope below 1, so that it approaches the
- * energy of the endless train from one side. If this many dominoes fall, and the train goes on, all fall.
+ * each cycle depends linearly on the energy of the previous cycle, with a slope below 1, so it approaches the
+ * energy of the endless train from one side. If this many dominoes fall, and the endless train keeps falling,
+ * all dominoes fall.
  */
 enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 
@@ -15,11 +16,12 @@ enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 
-/* At the largest growth of a train its margin is 0, so that rounding decides whether a row falls there. A
- * growth that is smaller by less than this share counts as the same. */
+/* At the largest growth of a train its margin is 0, so rounding decides whether a row falls there. Two
+ * growths whose relative difference is below this count as equal. */
 #define START_SAME ((domq_real)1e-8)
 
-/* Makes a copy of the session's scene that has a row of the train's dominoes. The copy borrows its memory. */
+/* Makes a copy of the session's scene that has a row of the train's dominoes. The copy borrows the memory of
+ * the original. */
 static struct scene start_scene(const struct query *query, const struct domq_train *train, size_t count)
 {
     struct scene scene = *query->scene;
@@ -34,8 +36,8 @@ static bool is_beyond_range(enum dom_status status)
     return status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS;
 }
 
-/* Returns the push in rad/s that lifts the first domino off the floor: its centre, h/2 above the hinge, then
- * needs more than the weight of the domino to stay on its circle. */
+/* Returns the push in rad/s that lifts the first domino off the floor. With this push, the weight of the
+ * domino is no longer enough to keep its centre, h/2 above the hinge, on a circle. */
 static domq_real push_lifting(const struct domq_row *row)
 {
     return quad(sqrt)(2 * row->g / row->domino[0].height);

@@ -18,7 +18,7 @@ struct walk_units {
     const char *weight_unit;
 };
 
-/* Returns the units in a cycle. The first cycle has the number 1. */
+/* Returns the units of measurement in a cycle. Cycles are numbered from 1. */
 struct walk_units walk_units(const struct query *query, int cycle);
 
 /* Returns the session's walk, or NULL if there is none or the train has changed since the walk began. */

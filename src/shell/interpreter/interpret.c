@@ -42,7 +42,7 @@ static void run_command_at(struct session *session, struct reader *line)
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
         bool done = run_question(session, &r, &q);
-        /* A command that changes the format, such as 'set output', gets no object. */
+        /* A command that changes the output format, such as 'set output', writes no empty JSON object. */
         bool is_same = session_answers(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);

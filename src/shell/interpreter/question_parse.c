@@ -273,8 +273,8 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside of other commands ---- */
 
-/* Returns the command in a word of the form COMMAND or COMMAND.KEY. Stores the index of the key's column in
- * *key, without a key that of the principal column, or -1 if there is no such column. Returns NULL if the
+/* Returns the command in a word of the form COMMAND or COMMAND.KEY. Stores in *key the index of the column
+ * KEY or, without a key, of the principal column; stores -1 if there is no such column. Returns NULL if the
  * word is not the name of a command that computes something. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {

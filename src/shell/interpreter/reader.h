@@ -27,7 +27,7 @@ struct offer {
     bool is_inside;                    /* The expression begins before the cursor. */
     unsigned kinds;                    /* bits of enum offer_kind */
     const struct command *command;     /* the command whose argument is at the cursor, or NULL */
-    int argument;                      /* index of that argument */
+    int argument;                      /* index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* length of the last command's name as typed, which may be an abbreviation */
     /* If not NULL: one element for each byte of the line. The elements of the bytes that belong to a

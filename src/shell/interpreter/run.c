@@ -94,8 +94,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     return done;
 }
 
-/* Runs a command through the pager, if its answer may be longer than the terminal: a help page, or at the
- * prompt any answer. */
+/* Runs a command through the pager if its answer may be longer than the terminal: a help page or, at the
+ * prompt, any answer. */
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {

@@ -68,13 +68,13 @@ struct resolver {
  * describe. */
 bool resolve(struct resolver *resolver, struct tree *tree);
 
-/* Evaluates a resolved tree in the state of a query. After an error the function returns false, and reports
- * the error in one of two ways: either evaluation->message is set, or the problem is. */
+/* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either
+ * evaluation->message or the problem. */
 bool query_evaluate(const struct query *query, struct evaluation *evaluation, const struct tree *tree,
                     struct quantity *result, struct problem *problem);
 
-/* Copies the query's state to *state, assigns values to parameters of the copy, and sets *changed to the same
- * query about this copy. Returns false with a problem. */
+/* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a copy
+ * of the query that refers to *state. Returns false with a problem. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

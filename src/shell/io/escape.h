@@ -8,7 +8,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { ESCAPE_PIECE = 12 }; /* room for one character: itself, "\x1b", "\u202e" or "\u{e0001}" */
+/* Size of a buffer for one character, escaped if necessary: "a", "\x1b", "\u202e" or "\u{e0001}". */
+enum { ESCAPE_PIECE = 12 };
 
 /*
  * Escapes the first character of a text that is not empty, and returns the number of bytes of this character

@@ -3,8 +3,9 @@
  * Output files after '>' and '>>' are written completely or not at all.  The text first goes to a temporary
  * file without a name, which vanishes however the program ends.  At the end, '>' copies the text to a draft,
  * a new file in the same folder as the target, and renames the draft to the name of the target.  '>>' locks
- * the target and appends the text.  A target that has several names or another owner, or whose folder takes
- * no new file, is locked and overwritten, since a rename would change more than its contents.
+ * the target and appends the text.  A target that has several hard links or another owner, or in whose folder
+ * no file can be created, is locked and overwritten in place, since a rename would change more than its
+ * contents.
  */
 #include "domino_quad.h"
 #include "io/io.h"

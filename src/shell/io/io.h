@@ -55,14 +55,14 @@ FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the only stream of standard output.  On a terminal each line appears at once.  Elsewhere a system
- * call for each short answer would take longer than the answer itself, so text is collected.  A program that
- * reads the output still need not wait: a timer writes flushed text at most 10 ms later, whatever the session
- * is doing at that time.
+ * Returns the only stream of standard output.  On a terminal each line appears at once.  Elsewhere the text
+ * is buffered, because a system call for each short answer would take longer than the answer itself.  A
+ * program that reads the output still need not wait: a timer writes flushed text at most 10 ms later,
+ * whatever the session is doing at that time.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
-/* Writes all text that standard output has collected. */
+/* Writes all buffered text to standard output. */
 void io_stdout_flush(void);
 
 /* Opens a temporary file without a name, which vanishes when it is closed or the program ends.  If `folder`

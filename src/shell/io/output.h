@@ -46,7 +46,7 @@ void output_flush(struct output *output);
 /* Returns the pointer that links to the highest level of this kind, or NULL. */
 struct output **output_find(struct output **top, enum output_kind kind);
 
-/* Returns the level at which text ends that is written to this level: a file, or standard output. */
+/* Returns the level where text that is written to this level ends up: a file, or standard output. */
 struct output *output_end(struct output *output);
 
 /* Returns the highest level below all files and pagers: standard output, or the log or tee above it. */
@@ -73,7 +73,8 @@ bool pager_push(struct output **top, double screens, bool may_run, const volatil
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
-/* Writes all buffered text of log and tee.  Returns NULL, or the reason why one of them had to end. */
+/* Writes all buffered text of the log and the tee.  Returns NULL, or the reason why one of them had to
+ * end. */
 const char *records_flush(struct output **top);
 
 /* Passes commands to the log, if there is one.  Unless `at_once` is set, the log holds them until the next

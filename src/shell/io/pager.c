@@ -164,7 +164,7 @@ static bool page_wanted(const struct pager *p)
     return n > 0 && *answer != 'q' && *answer != 'Q';
 }
 
-/* Writes lines, page by page.  Returns false if the user wants no other page. */
+/* Writes lines, page by page.  Returns false if the user does not want another page. */
 static bool pages_write(struct pager *p, const char *text, size_t size)
 {
     const char *end = text + size;

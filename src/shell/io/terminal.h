@@ -19,15 +19,15 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If the stream `from` has stood for standard output until now, makes the stream `to` stand for it: the
- * terminal of standard output is then also that of `to`.  'log', 'tee' and the pager use such streams, which
- * pass their text on. */
+/* If the stream `from` has stood for standard output until now, makes the stream `to` stand for it: text
+ * written to `to` then counts as shown on the terminal of standard output.  'log', 'tee' and the pager use
+ * such streams, which pass their text on. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */
 bool terminal_utf8(void);
 
-/* Returns true if the locale writes a comma as the decimal point. */
+/* Returns true if the locale uses a comma as the decimal separator. */
 bool terminal_decimal_comma(void);
 
 /* Returns the number of terminal columns of a UTF-8 text.  Wide characters count as one column. */
@@ -46,8 +46,9 @@ void progress_show(double fraction);
 /* A dom_progress that calls progress_show(done / of). */
 void progress_count(size_t done, size_t of, void *context);
 
-/* Makes progress_show in this thread ignored, or effective again.  A thread is muted if its work is only a
- * part of the work whose progress is shown.  Returns the previous setting. */
+/* If `mute` is true, makes this thread ignore calls of progress_show, and otherwise obey them again.  A
+ * thread is muted if its work is only a part of the work whose progress is shown.  Returns the previous
+ * setting. */
 bool progress_mute(bool mute);
 
 #endif

@@ -48,9 +48,10 @@ struct function;
 
 struct tree {
     enum tree_kind kind;
-    enum tree_operator op;     /* for an operand of a chain: the operator before it */
-    const char *op_at;         /* the position that errors of `op` report; for '^' that of the exponent */
-    const char *at;            /* the position that errors of this node report */
+    enum tree_operator op; /* for an operand of a chain: the operator before it */
+    /* The position to report for an error of `op`; for '^', the position of the exponent. */
+    const char *op_at;
+    const char *at;            /* the position to report for an error of this node */
     struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: arguments in parentheses follow the name */

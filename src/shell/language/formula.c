@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How tightly a formula binds. An operand that binds less tightly than its place requires is put between
+/* How tightly a formula binds. An operand that binds less tightly than its position requires is put between
  * parentheses. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 

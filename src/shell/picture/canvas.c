@@ -11,7 +11,7 @@
 static const struct {
     int rgb;
     int of_8;    /* the nearest of the 8 basic colours, as in escape sequences; 0 for the colour of text */
-    char letter; /* the letter of which curves are made where there is no braille */
+    char letter; /* the letter with which curves are drawn on a terminal without braille */
 } inks[INKS] = {
     [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
     [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
@@ -228,8 +228,7 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. `now` is the ink that the terminal has at the moment. Returns the ink that it has
- * afterwards. */
+/* Writes a cell. `now` is the terminal's current ink. Returns the terminal's ink after the cell. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

@@ -92,7 +92,7 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
-    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than 79 columns are wide */
+    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than the width of 79 columns */
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
 }
@@ -118,7 +118,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
 }
 
 /* Writes the script of a picture, with its data, instead of the picture. The script draws into a .pdf file
- * with the name of the script. */
+ * that is named after the script. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
     char terminal[160];
@@ -134,7 +134,7 @@ static bool show_script(const struct answer *a, const struct chart *chart, const
             "terminal %s\n"
             "set output '",
             name, length, name, terminal);
-    for (int i = 0; i < length; i++) /* in a text between ' the same sign is written twice */
+    for (int i = 0; i < length; i++) /* a ' inside a text between ' is written twice */
         fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
     fprintf(a->out, ".pdf'\n");
     if (stage)

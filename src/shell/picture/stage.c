@@ -27,8 +27,8 @@ void drawn_stand(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
-/* The right half of a tower with two square storeys and a lantern, from the ground up: half of its width over
- * the width of the tower, and the height over that of the tower. */
+/* The right half of a tower with two square storeys and a lantern, from the ground up. x is the distance from
+ * the axis, as a fraction of the tower's width, and y is the height, as a fraction of the tower's height. */
 static const struct point silhouette[] = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
                                           {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}};
 enum { SILHOUETTE = sizeof silhouette / sizeof *silhouette };

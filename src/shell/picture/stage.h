@@ -41,7 +41,8 @@ struct drawn {
     struct point corner[CORNERS];
     bool touched; /* its follower touches it at `contact`; otherwise `contact` is NaN */
     struct point contact;
-    double force, of_own; /* push at the contact, in m g of the head and of this domino; NaN if unknown */
+    /* Push at the contact, in units of the weight of the head and of this domino; NaN if unknown. */
+    double force, of_own;
 };
 
 enum { CAPTION = 1024 };
@@ -57,7 +58,7 @@ struct stage {
     char caption[CAPTION];         /* caption of one or more lines */
 };
 
-/* How a painter marks dominoes, in words for captions. */
+/* The words with which captions explain how a painter marks dominoes. */
 struct marks {
     const char *theta, *weakest, *ends;
     const char *contacts; /* explains the marks in a picture of a train */
@@ -77,8 +78,9 @@ void drawn_stand(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Returns true if a tower covers a point: `up` is its height over that of the tower, and `back` its distance
- * from the front over the width of the tower. Every other domino covers all points of its rectangle. */
+/* Returns true if a tower covers a point: `up` is the height of the point as a fraction of the tower's
+ * height, and `back` is its distance from the front as a fraction of the tower's width. Every other domino
+ * covers all points of its rectangle. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
 /* Writes the text below a domino: its number, "next", "tower" or nothing. Returns the length of the text. */
@@ -129,7 +131,7 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
 
 enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
 
-/* The size of a picture in dots, of which SHEET_WIDTH make its width, and the part of the stage that it
+/* The size of a picture in dots, where its width is SHEET_WIDTH, and the part of the stage that the picture
  * shows. */
 struct sheet {
     double width, height, below, above; /* below and above are margins outside the axes */

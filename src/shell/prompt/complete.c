@@ -14,8 +14,9 @@
 struct completion {
     struct session *session;
     const char *line;
-    const char *word;   /* the last word of the line, which may be empty */
-    const char *name;   /* the name at the end of `word`; in an expression an operator may come before it */
+    const char *word; /* the last word of the line, which may be empty */
+    /* The name at the end of `word`; in an expression an operator may come before the name. */
+    const char *name;
     struct offer offer; /* what the parser would accept at `name` */
     void (*emit)(const char *candidate, void *context);
     void *context;

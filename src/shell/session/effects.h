@@ -23,9 +23,10 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
 
 /*
- * Sets the values of an effect. The first may be EFFECT_OFF. If `others` is NULL, an effect that is on keeps
- * its other values, and an effect that is off gets the usual ones. The scene must be a copy that borrows the
- * memory of its row from the original, since the memory is not freed.
+ * Sets the first value of an effect to `value`, which may be EFFECT_OFF, and its other values to `others`. If
+ * `others` is NULL, an effect that is on keeps its other values, and an effect that is off gets the usual
+ * ones. The scene must be a copy that borrows the memory of its row from the original, because this function
+ * does not free the row that it replaces.
  */
 void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 

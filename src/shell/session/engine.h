@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Runs rows in the rigid-body engine, if an effect is on that the model lacks, or after 'set method engine'.
- * The library's searches and studies of such rows also call the engine, through struct dom_engine.
- */
+/* Runs rows in the rigid-body engine if an effect that the model lacks is on, or after 'set method engine'.
+ * The library's searches and studies of such rows also call the engine, through struct dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 

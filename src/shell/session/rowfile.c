@@ -141,8 +141,8 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all rows. Writes the cells of all other columns to `others`, with a NUL byte after each line. Returns
- * false after a problem. */
+/* Reads all rows. Writes the cells of the columns that do not describe dominoes to `others`, with a NUL byte
+ * after each line. Returns false after a problem. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MASS] && csv->column[DENSITY])

@@ -114,7 +114,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
 {
     const struct domq_train *t = &scene->train;
     problem->place = 0;
-    /* These can occur whatever the values of the parameters are. */
+    /* These statuses can occur whatever the values of the parameters are. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)

@@ -50,9 +50,9 @@ struct row_film {
     bool follows;
 };
 
-/* Turns the view of a frame to the front and the dominoes that have just fallen. `head` is the number of the
- * last domino that was hit, from 1. Until the next domino is hit, the view moves towards it and grows
- * geometrically to its size. */
+/* Points the view of a frame at the front and at the dominoes that have just fallen. `head` is the number,
+ * from 1, of the last domino that was hit. Until the next domino is hit, the view moves towards the next
+ * domino and grows geometrically to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
     const struct drawn *own = &f->row.stage.domino[head - 1];
@@ -182,7 +182,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train)
-        a->note = NULL;  /* the note says that the answer is about the train, which is false or known */
+        /* The note says that the answer is about the train: wrong for a row, obvious after 'train'. */
+        a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     return row ? animate_row(&film) : animate_train(&film);
 }

@@ -11,7 +11,7 @@ enum draw_value {
     DRAW_TILT,   /* the tilt of the head at which to show the train */
     DRAW_CYCLES, /* the number of cycles of the train; not checked here */
     DRAW_SPEED,  /* the speed of the film, where 1 is real time */
-    DRAW_RATE,   /* frames per second of the film's time */
+    DRAW_RATE,   /* frames per second of playing time */
     DRAW_VALUES
 };
 

@@ -13,7 +13,7 @@ struct falling_row {
     struct stage stage;
     double *slid;       /* how far each foot has slid at the moment that is shown */
     double end;         /* the time when the motion ends, or NaN if it cannot be computed */
-    struct marks marks; /* how sentences refer to the marked dominoes */
+    struct marks marks; /* the words with which sentences refer to the marked dominoes */
 };
 
 /* Runs the row, and places its dominoes on the stage as they stand before the fall. If this fails, sets

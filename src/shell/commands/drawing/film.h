@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A film of the row or of the train: what the two share. */
+/* The part that is common to films of the row and films of the train. */
 #ifndef SHELL_FILM_H
 #define SHELL_FILM_H
 

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TOWER_WIDTH 0.2   /* of the tower, over its height */
-#define TOO_SMALL   0.012 /* a domino that is smaller, over the height of the tower, is drawn again */
-#define ZOOM_WIDE   0.36  /* the part of the picture that the larger copy takes */
+#define TOWER_WIDTH 0.2   /* width of the tower, as a fraction of its height */
+#define TOO_SMALL   0.012 /* dominoes below this fraction of the tower's height are drawn again, larger */
+#define ZOOM_WIDE   0.36  /* largest width of the larger copy, as a fraction of the width of the picture */
 #define ZOOM_HIGH   0.4
-#define ZOOM_ABOVE  0.52 /* where the copy stands, over the height of the tower */
-#define ZOOM_LEAST  2    /* a copy that is not at least this many times larger shows nothing new */
+#define ZOOM_ABOVE  0.52 /* height at which the copy stands, as a fraction of the tower's height */
+#define ZOOM_LEAST  2    /* a copy that is less than this many times larger is not drawn */
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)
@@ -48,7 +48,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         return;
     const struct drawn *last = &stage->domino[small - 1];
     double room = ZOOM_WIDE * (stage->right - stage->left);
-    for (size_t k = count; k-- > 0;) /* up to the first domino that reaches as high as the copy stands */
+    /* The copy must end before the first domino that is tall enough to reach it. */
+    for (size_t k = count; k-- > 0;)
         if (stage->domino[k].height > (ZOOM_ABOVE - 0.02) * height)
             room = fmin(room, stage->domino[k].foot - 1.5 * stage->domino[k].thickness - left);
     double wide = room / (last->foot - left), high = ZOOM_HIGH * height / last->height,
@@ -80,7 +81,7 @@ bool tower_add(struct falling_row *row, double height)
     if (!more)
         return false;
     stage->domino = more;
-    stage->row = NULL; /* the sizes would not fit */
+    stage->row = NULL; /* there is no room for labels with the sizes */
     struct drawn *tower = &more[stage->count++];
     const struct drawn *last = tower - 1;
     *tower = *last;

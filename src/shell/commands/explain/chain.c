@@ -6,7 +6,7 @@
 struct chain_room {
     struct chain *chain;
     size_t room;
-    bool full; /* There is no memory. */
+    bool full; /* memory ran out */
 };
 
 static bool chain_link(const struct domq_link *link, void *context)

@@ -20,7 +20,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
                                    : snprintf(filled + n, size - n, "%c", *text));
 }
 
-/* Returns a number of the domino of a row. */
+/* Returns the quantity of a hit that has this name, such as "margin". */
 static domq_real fall_value(const struct domq_fall *fall, const char *name)
 {
     return strcmp(name, "margin") == 0    ? fall->margin
@@ -30,7 +30,8 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Computes the number of the library. A number that does not exist is NaN. Returns false with a problem. */
+/* Evaluates an expression with functions of the library or, after '#', reads a member of struct domq_fall.
+ * The result is NaN if the number does not exist. Returns false with a problem. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -145,7 +146,7 @@ static bool sum_value(struct derivation *d, struct step *s)
 
 static struct step *step_add(struct derivation *d, const char *name, int depth);
 
-/* Makes the steps of all names in a tree, and lets the names refer to them. */
+/* Adds a step for every name in a tree, and makes the names refer to these steps. */
 static bool names_add(struct derivation *d, struct step *s, struct tree *t)
 {
     if (t->kind == TREE_NAME) {
@@ -185,7 +186,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     return s;
 }
 
-/* Returns the step of a quantity, with its number. Returns NULL with a problem. */
+/* Returns the step for a quantity, with its value. Returns NULL with a problem. */
 static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
     for (int k = 0; k < d->count; k++) {
@@ -230,7 +231,8 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach ? HAS_REACH : 0u);
 }
 
-/* Sets the separation of the question, and the growth to the largest one if the question is about that. */
+/* If the question is about the largest growth at a separation, sets the separation of the train, sets the
+ * growth to the largest one, and sets *reach to whether the reach limits it. Returns false with a problem. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

@@ -82,7 +82,8 @@ static bool explain_bind(const struct question *q, const struct query *query, st
 
 /* ---- Rows ---- */
 
-/* Writes text with a function into memory. Returns NULL if there is no memory. */
+/* Returns the equation of a step as allocated text, with numbers in place of the names if `numbers` is true.
+ * Returns NULL if there is no memory. */
 static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
 {
     char *text = NULL;

@@ -10,7 +10,7 @@
 #include "interpreter/symbols.h"
 #include "language/formula.h"
 
-/* What a train has that decides which equation holds for it, as bits. */
+/* Properties of a train that decide which equations hold for it, as bits. */
 enum {
     HAS_SLOPE = 1,
     HAS_FRICTION = 2,
@@ -19,18 +19,18 @@ enum {
     HAS_PAPER = 16,    /* the fuel is that of the paper */
     HAS_DETACHED = 32, /* followers detach */
     HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
-    HAS_REACH = 64,    /* the largest growth ends by the reach */
+    HAS_REACH = 64,    /* the reach limits the largest growth */
 };
 
-/* The sum over all dominoes i that an equation is a term of. */
+/* The sum over all dominoes i whose terms an equation gives. */
 enum sum {
     SUM_NONE,
-    SUM_LAUNCH, /* at the tilt 0 of the head */
-    SUM_TILT,   /* at the tilt theta */
-    SUM_TOP,    /* at the tilt theta_m */
+    SUM_LAUNCH, /* with the head at the tilt 0 */
+    SUM_TILT,   /* with the head at the tilt theta */
+    SUM_TOP,    /* with the head at the tilt theta_m */
 };
 
-/* A name in equations: in the form that is typed, with the letters of the field, and in TeX. */
+/* A symbol in equations: as it is typed, with Greek letters, and in TeX. */
 struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
@@ -42,8 +42,8 @@ struct derived {
     unsigned with, without; /* conditions, as bits */
     enum sum sum;
     const char *equation; /* NULL where no equation in closed form exists, so that the derivation ends */
-    const char
-        *library; /* the number of the library, as an expression; '@' stands for the value of the question */
+    /* An expression that computes the quantity with the library; '@' stands for the value in the question. */
+    const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
     const char *words;  /* what the quantity is; where the derivation ends, also why */
@@ -53,7 +53,7 @@ extern const struct derived derived_list[];
 /* A number that is given rather than derived. */
 struct given {
     struct symbol_names names;
-    const char *parameter; /* the parameter or effect whose value it is, or NULL */
+    const char *parameter; /* the parameter or effect whose value the number is, or NULL */
     const char *unit, *words;
 };
 extern const struct given given_list[];
@@ -78,61 +78,63 @@ struct step {
     const struct derived *derived; /* NULL for a number that is given, and for a term of a sum */
     const struct given *given;
     const char *unit;
-    const struct tree *tree; /* of the equation, or NULL */
+    const struct tree *tree; /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
-    domq_real value; /* the number of the library; NaN if there is none */
-    domq_real *term; /* of a sum: the values of its terms */
+    domq_real value; /* the number that the library computes; NaN if there is none */
+    domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
     domq_real computed; /* the value of the equation */
     int depth;          /* 0 for an answer to the question */
 };
 
 struct derivation {
-    struct query query;  /* of the changed state below */
-    struct state *state; /* borrows the memory of the session's */
+    struct query query; /* a query about the changed state below */
+    /* A changed copy of the session's state, which borrows the memory of the original. */
+    struct state *state;
     struct problem *problem;
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
     const struct domq_fall *fall; /* the domino of a row that is explained, or NULL */
-    const char *energy_unit;      /* the unit of the energies of that row */
+    const char *energy_unit;      /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
-    /* The tilts of the dominoes and their slopes at the tilt of the sum that is computed, and at launch. */
+    /* The tilts of the dominoes and their slopes: at launch, and at the head's tilt of the current sum. */
     struct chain {
         domq_real *theta, *slope;
         size_t count;
     } launch, at;
-    size_t i; /* the domino of the term that is computed */
+    size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes the steps of a question, about a domino of a row if `fall` is not NULL. Returns false with a problem.
- * Call derivation_end in both cases. */
+/* Makes the steps of a question. If `fall` is not NULL, the question is about a domino of a row. Returns
+ * false with a problem. The caller must call derivation_end in both cases. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt, and then,
- * up to `least` and two more, with dominoes that have detached or lie at the end of the train. */
+/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. Then
+ * appends dominoes at theta_f, which have detached or lie at the end of the train: at least two, and enough
+ * for the chain to have `least` + 2. */
 bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta, size_t least);
 void chain_free(struct chain *chain);
 
 const char *step_words(const struct step *step);
 
-/* Writes the equation of a step with numbers in place of the names. Of a sum, writes the first terms, and the
- * sum of the others as one number. */
+/* Writes the equation of a step with numbers in place of the names. For a sum, writes the first terms, and
+ * the total of the other terms as one number. */
 void step_numbers(const struct derivation *derivation, const struct step *step, const struct formula *formula,
                   int digits);
 
-/* What follows the question. */
+/* The arguments after the name of the question. */
 struct explain_bound {
-    domq_real value; /* NaN without a value */
+    domq_real value; /* NaN if there is no value */
     bool deep;
 };
 
-/* Writes the answer for people, or for a lesson into the file of the answer. */
+/* Writes a derivation for people or, if the answer goes to a lesson file, as a lesson. */
 void explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command paper: all that the paper states or draws and that can be recomputed. */
+/* The command paper, which recomputes numbers and figures of the paper, to compare them with those in print. */
 #include "commands/explain/recipe.h"
 #include "language/quad.h"
 
@@ -15,7 +15,7 @@ const struct column paper_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* What all rows share: the train of the paper, whose d is 7/48, and how to compute. */
+/* The data that all rows of the table share: the paper's train, whose d is 7/48, and how to compute. */
 struct table {
     struct answer *answer;
     struct domq_train train;
@@ -39,7 +39,7 @@ static void paper_row(struct table *t, const char *where, const char *what, domq
                    NULL);
 }
 
-/* Returns r_max with one of the fuels at a separation, and what ends it. */
+/* Returns r_max at a separation with one of the fuels, and what limits it. */
 static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fuel)
 {
     struct domq_limit limit = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE};
@@ -50,7 +50,7 @@ static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fu
     return limit;
 }
 
-/* Finds the separation beyond which the reach, r = 1/s, ends the growth. */
+/* Finds the separation beyond which the reach, r = 1/s, limits the growth. */
 static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
 {
     domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;
@@ -61,7 +61,8 @@ static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
     return high;
 }
 
-/* The figure of the growth as a function of the separation, by points, with its optimum and its drop-off. */
+/* Writes rows for the figure of the growth as a function of the separation: points of the curve, its maximum,
+ * and the separation at which the drop-off begins. */
 static void growth_rows(struct table *t)
 {
     struct domq_best best[2] = {{.s = DOMQ_NAN}, {.s = DOMQ_NAN}};
@@ -83,7 +84,7 @@ static void growth_rows(struct table *t)
     paper_row(t, "Fig. growth", "the drop-off r = 1/s begins at s", DOMQ_NAN, paper, exact, weights);
 }
 
-/* The figure of two dominoes, in which no fuel occurs. */
+/* Writes rows for the figure of two dominoes, in which the fuel plays no part. */
 static void pair_rows(struct table *t)
 {
     for (int k = 2; k <= 9; k++) {
@@ -97,7 +98,7 @@ static void pair_rows(struct table *t)
     }
 }
 
-/* What the paper prints about one train. */
+/* Writes rows for the numbers that the paper prints about one train. */
 static void cycle_rows(struct table *t)
 {
     struct domq_fuels fuels = {.exact = DOMQ_NAN};
@@ -115,8 +116,8 @@ static void cycle_rows(struct table *t)
               "the factor J(theta_c) was lost in print");
 }
 
-/* The quiz: how many dominoes topple the Domtoren, with the growth that the paper quotes and with the
- * largest. */
+/* Writes rows for the quiz: how many dominoes topple the Domtoren with the growth that the paper quotes, and
+ * how many with the largest growth. */
 static void quiz_rows(struct table *t)
 {
     const struct domq_scale scale = domq_scale_default();

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command recipe: the steps of the paper to find the largest growth, beside what the program does. */
+/* The command recipe, which carries out the paper's steps to find the largest growth and compares the results
+ * with those of the program. */
 #include "commands/explain/recipe.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -13,10 +14,10 @@ const struct column recipe_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The recipe raises theta and r in steps, of a size that gives about this error. */
+/* The recipe raises theta and r in steps whose size gives about this error. */
 #define RECIPE_TOL ((domq_real)1e-6)
 
-/* Two values that are closer than this share count as equal. */
+/* Two values whose relative difference is below this count as equal. */
 #define RECIPE_SAME ((domq_real)1e-4)
 
 /* The results of the recipe, or of the program. Numbers that do not exist are NaN. */
@@ -24,7 +25,8 @@ struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Where the train climbs to its highest point, the rest of its motion is (K - B) / J(theta_m). */
+/* Finds theta_m, the tilt at which the train climbs highest, its barrier, and tau^2 omega^2 at theta_m, which
+ * is (K - B) / J(theta_m). */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {
@@ -43,7 +45,7 @@ static enum dom_status highest_find(const struct domq_train *train, const struct
     return status;
 }
 
-/* Does the steps for one train. */
+/* Carries out the steps of the recipe for one train. */
 static enum dom_status results_find(struct domq_train train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {
@@ -64,7 +66,7 @@ static enum dom_status results_find(struct domq_train train, const struct domq_c
     status = domq_limit_rmax(&train, compute, &limit);
     if (status == DOM_OK && limit.ends != DOM_END_NONE)
         f->r_max = limit.r_max;
-    /* The recipe does not say how to choose s, so that both use the search of the program. */
+    /* The recipe does not say how to choose s, so both results use the program's search. */
     if (status == DOM_OK || status == DOM_NOT_CONVERGED)
         status = domq_limit_best(&train, ours, &best);
     if (status == DOM_OK) {

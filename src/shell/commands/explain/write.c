@@ -6,7 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* What formula->context points to while a step is written. */
+/* The struct that formula->context points to while a step is written. */
 struct writing {
     const struct derivation *derivation; /* NULL to write names rather than numbers */
     int digits;
@@ -49,7 +49,7 @@ static void step_symbols(const struct step *s, const struct formula *formula)
     formula_write(&f, s->tree);
 }
 
-/* Writes the first terms of a sum, and the sum of the others as one number. */
+/* Writes the first terms of a sum, and the total of the other terms as one number. */
 static void terms_write(const struct step *s, const struct formula *f, int digits, size_t shown)
 {
     domq_real rest = 0;
@@ -90,10 +90,10 @@ struct writer {
     struct formula formula;
     int digits;
     bool tex, markdown;
-    domq_real value; /* of the question, or NaN */
+    domq_real value; /* the value in the question, or NaN */
 };
 
-/* Writes the words of a quantity. TeX would take '^' and '_' for signs of its own. */
+/* Writes the words of a quantity. For TeX, escapes '^' and '_', which have a special meaning there. */
 static void words_write(const struct writer *w, const struct step *s)
 {
     for (const char *c = step_words(s); *c; c++)

@@ -157,7 +157,8 @@ static void look_between(struct scan *s, struct point a, struct point b)
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    if (a.f == 0 && b.f == 0) /* in an interval of roots, of which only the two ends are listed */
+    /* Both points are in an interval of roots, of which only the two ends are listed. */
+    if (a.f == 0 && b.f == 0)
         return;
     if (a.f == 0)
         root_add(s, edge_between(s, a.x, b.x, is_zero), b.f > a.f ? "rising" : "falling");

@@ -11,8 +11,9 @@
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };
 
 /*
- * Finds the largest standard deviation in the chart: well above the one at which half of the rows fall, and
- * above `now`, that of the session, unless it is NaN. A rough result, from a few random rows, is enough.
+ * Finds the largest standard deviation in the chart. It is well above the deviation at which half of the rows
+ * fall, and above `now`, the deviation of the session, unless `now` is NaN. A rough result, from a few random
+ * rows, is enough.
  */
 static enum dom_status sigma_most(const struct scene_row *scene, const struct domq_placement *placement,
                                   domq_real now, domq_real *most)

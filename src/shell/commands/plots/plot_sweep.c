@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * plot sweep: one number of any answer, plotted against one or two parameters. One parameter gives a curve.
- * Two parameters give a curve for each value of one of them if these values are few, and a map otherwise.
- */
+/* plot sweep: one number of any answer, plotted against one or two parameters. One parameter gives a curve.
+ * Two parameters give a map or, if one of them has only a few values, a curve for each of these values. */
 #include "commands/plots/plots.h"
 #include "commands/sweeps/sweep.h"
 #include <stdlib.h>

@@ -41,11 +41,11 @@ struct plot_axis {
      * numbers. */
     const char *key;
     const char *label; /* the label without "in" and the unit, which are appended */
-    bool percent;      /* show the numbers in percent */
+    bool percent;      /* show the numbers as percentages */
 };
 
-/* A curve that shows the column `key`. If it shows ranges, they extend from the column "low" to the column
- * "high". */
+/* A curve that shows the column `key`. For a curve of ranges, each range extends from the column "low" to the
+ * column "high". */
 struct plot_curve {
     const char *key, *title;
     enum chart_kind kind;
@@ -59,14 +59,14 @@ enum { PLOT_CURVES = 5 };
 struct plot {
     const char *name;
     plot_run *run;
-    const char *keys; /* the keys of its columns, with blanks between them */
+    const char *keys; /* the keys of the plot's columns, with blanks between them */
     const char *title;
     struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
     struct plot_curve curve[PLOT_CURVES]; /* if there are fewer, a NULL title ends the list */
     /* If not NULL, this function draws the rows, and the axes and curves above are not used. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);
-    const struct argument *argument; /* the argument that may follow its name, or NULL */
+    const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
 /* Writes the rows of a plot for programs, or draws a chart of them for people, as the user wants it to look.

@@ -127,7 +127,7 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
                                  "a domino of this row leans, and rounded edges need upright ones; enter "
                                  "'effect edges off', or a row whose file has no column lean and no radius");
     if (status < DOM_BAD_COUNT ||
-        status > DOM_BAD_MASS) /* the statuses in between are about the size or mass of a domino */
+        status > DOM_BAD_MASS) /* the statuses between these two are about the size or mass of a domino */
         return problem_status(problem, query->scene, status);
     if (engine)
         return problem_no_answer(problem,

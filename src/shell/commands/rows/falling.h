@@ -14,7 +14,7 @@ struct row_run {
     struct domq_verdict verdict;
     struct domq_fall *fall; /* filled by row_run: an element for each domino that was hit, in order */
     size_t hits;
-    bool timeless; /* a domino almost stops, so that the times after it cannot be computed */
+    bool timeless; /* a domino almost stops, so later times cannot be computed */
 };
 
 /* Makes the row of the scene without running it. If this fails, sets *problem and returns false; nothing

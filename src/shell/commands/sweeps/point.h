@@ -37,9 +37,9 @@ struct sweeper {
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the sweeping command, for messages */
-    struct means means;        /* the means for each point, without a shard */
-    bool styled;               /* the grid changes the number of digits */
-    struct answer answer;      /* the answer of the sweep, from which its parts are made */
+    struct means means;   /* the means for computing one point, which do not include the shard of the sweep */
+    bool styled;          /* the grid changes the number of digits */
+    struct answer answer; /* the answer of the sweep, from which its parts are made */
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a row of the sweep, set by point_probe */
     struct tally tally;
