@@ -613,7 +613,7 @@ enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom
  * there is no contact. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
-    dom_real theta; /* the tilt of the head at that force */
+    dom_real theta; /* the tilt of the head at which this force occurs */
     size_t domino;  /* the domino that is pushed, 0 = head */
     dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
@@ -713,7 +713,7 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 
 /* ---- Effects ---- */
 
-/* An argument of an effect, which is a number. */
+/* An argument of an effect. Its value is a number. */
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest; /* the range of the argument; both ends are allowed */
@@ -722,7 +722,7 @@ struct dom_effect_argument {
     bool optional;       /* this argument and those after it may be left out */
     bool whole;          /* the argument is a whole number */
     const char *or_file; /* the kind of file that may replace the number, or NULL */
-    /* The words that may be given instead of a number, or NULL if the argument is a number. The first word
+    /* The words that stand for the values, or NULL if the argument is given as a number. The first word
      * stands for 0, the second for 1, and so on. A NULL ends the list. */
     const char *const *words;
 };

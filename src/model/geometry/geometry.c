@@ -40,8 +40,7 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
     *cosine = geometry_height(geometry, geometry->c) / u;
 }
 
-/* ---- Errors of tilts, as angles: each coordinate of a tilt has a relative error of a few rounding units
- * ---- */
+/* ---- Errors of tilts, as angles: a coordinate has a relative error of a few rounding units ---- */
 
 KERNEL real tilt_error(struct tilt t, real units)
 {

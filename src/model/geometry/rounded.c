@@ -28,8 +28,8 @@ enum { TURN_STEPS = 40 };
 
 /*
  * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
- * with a step so short that third-order terms in it are negligible, in the final sine and cosine and, where
- * the left side is curved, in the step itself.
+ * when a step is so short that its third-order terms are negligible in the final sine and cosine and, where
+ * the left side is curved, also in the step itself.
  */
 static real turn_iterate(real l, real c, real G, real turn, real *sine, real *cosine)
 {

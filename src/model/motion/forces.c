@@ -254,12 +254,12 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples, and the relative tolerance of a minimum between them, which is found to within a
- * thousandth of their distance. */
+/* The number of samples, and the relative tolerance of a search for a minimum between two samples: a
+ * thousandth of the distance of the samples. */
 #define LEAST_SAMPLES 24
 #define LEAST_LONG                                                                                           \
-    100000 /* number of dominoes above which a train, whose s is then tiny, moves so smoothly that a third   \
-              of the samples is enough */
+    100000 /* a train of more dominoes, whose s is tiny, moves so smoothly that a third of the samples is    \
+              enough */
 #define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi], where forces do not jump. */

@@ -25,8 +25,8 @@ enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 #define ROUGHER  1000
 #define ROUGHEST ((dom_real)1e-6)
 
-/* The state of a search. Once the status is not DOM_OK, no train or row is computed any more, and none passes
- * a test. */
+/* The state of a search. Once the status is not DOM_OK, no further train or row is computed, and every test
+ * counts as failed. */
 struct planner {
     struct dom_train train;
     /* settings of the search, which computes in double for every precision of the result */

@@ -43,8 +43,8 @@ enum outcome proof_strip(struct proof *proof, double r_low, double r_high);
 enum outcome proof_range(struct proof *proof, double *done, double r_high, double finest, double *stop);
 
 /* Proves that the train stops at every growth from r_low to r_high, because at the tilt 2 sin(theta/2) = top
- * its kinetic energy is less than the energy that it needs to climb so far. Returns false if that could not
- * be shown. */
+ * its kinetic energy is less than the energy that it needs to reach this tilt. Returns false if that could
+ * not be shown. */
 bool proof_stops(struct proof *proof, double r_low, double r_high, double top);
 
 /* Proves that D < level for all tilts at all growths of the interval. */
