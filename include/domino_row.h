@@ -173,7 +173,8 @@ struct dom_fall {
     dom_real theta_m; /* rad, the tilt that takes the most energy to pass */
     dom_real theta;   /* rad, the tilt at which it hits the next domino, lies on the floor, or rests */
     size_t moving;    /* the number of dominoes that move when it is hit, including it */
-    /* As in struct dom_floor, but dominoes are numbered from 1. NaN and 0 unless row->floor is set. */
+    /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
+     * are NaN and the numbers of the dominoes are 0. */
     dom_real floor_motion, floor_hit;
     size_t floor_domino, floor_hit_domino;
 };
@@ -286,8 +287,9 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
-/* The window of one gap, place, height, friction or lean: the values with which all dominoes fall while all
- * other values stay as they are. A friction has no unit, a lean is in rad, and all others are in m. */
+/* The window of one gap, place, height, thickness, friction or lean: the values with which all dominoes fall
+ * while all other values stay as they are. A friction has no unit, a lean is in rad, and all others are in
+ * m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
     dom_real now;  /* the present value */
@@ -300,11 +302,11 @@ struct dom_window {
 };
 
 /*
- * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights or leans
- * (row->count windows), or of the friction (one window). If the row falls, the window is the interval around
- * the present value, low <= now <= high. If the row does not fall, the window is the nearest interval on
- * either side of the present value; dominoes more than one place after the domino at which the row ends have
- * no window.
+ * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights,
+ * thicknesses or leans (row->count windows), or of the friction (one window). If the row falls, the window is
+ * the interval around the present value, low <= now <= high. If the row does not fall, the window is the
+ * nearest interval on either side of the present value; dominoes more than one place after the domino at
+ * which the row ends have no window.
  *
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
  * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4

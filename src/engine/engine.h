@@ -123,10 +123,10 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
 struct engine_settled {
     struct engine_fall fall;
     double steps; /* steps of the last run, as in struct engine_grain */
-    /* The largest change of a time when the steps were last halved, relative to the duration; NaN if
-     * the verdict changed or times were not requested. */
+    /* The largest change of a time when the length of the steps was last halved, relative to the duration;
+     * NaN if the verdict changed or times were not requested. */
     double change;
-    bool same; /* the verdict did not change when the steps were last halved */
+    bool same; /* the verdict did not change when the length of the steps was last halved */
 };
 
 /* The largest relative change of a time that counts as settled, and the finest resolution to try. */

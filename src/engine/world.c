@@ -8,7 +8,7 @@
 static const double parallel = 0.999;
 /* Friction coefficient of a floor on which rounded feet roll without slipping. */
 static const double rough = 1000;
-/* Tilt in rad, beyond that of balance on the edge, with which a box that is let go starts. */
+/* Tilt in rad at which a released box starts, measured from the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
 enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose penetration is recorded */
 

@@ -19,7 +19,7 @@ enum dom_status precision_check(enum dom_precision precision)
                                              : DOM_NO_PRECISION;
 }
 
-/* Sets `status` to that of the first parameter that is outside its range. */
+/* Sets `status` to the status for the first parameter that is outside its range. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;

@@ -10,7 +10,7 @@
 #include "growth/limit.h"
 
 #define BEST_RATIO    ((real)0.9) /* ratio of one sample of s to the next larger one */
-#define BEST_PATIENCE 8           /* sampling ends after this many lower samples in a row */
+#define BEST_PATIENCE 8           /* sampling ends after this many lower samples in succession */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
 #define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* narrowest interval before a growth is found */

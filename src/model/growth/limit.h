@@ -87,7 +87,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 /* Finds the error bound of r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Starts to count the work of a search, which ends with DOM_TOO_LONG if it exceeds its limit. */
+/* Starts to count the work of a search. The search ends with DOM_TOO_LONG if its work exceeds the limit. */
 KERNEL void limit_begin(struct margin_context *c);
 
 #endif

@@ -5,7 +5,7 @@
 /* The approximate number of passes that use the far tail computed for one growth. */
 #define FAR_PASSES 2
 
-/* Finds the barrier to which the kinetic energy is compared, by the method c->how. `near` holds the sums at
+/* Finds the barrier with which the kinetic energy is compared, by the method c->how. `near` holds the sums at
  * the tilt from barrier_near, or is NULL. */
 static enum dom_status margin_barrier(const struct geometry *geometry, struct margin_context *c,
                                       const struct sums *near, struct margin *m)

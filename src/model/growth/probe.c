@@ -19,8 +19,8 @@ static real probe_place(real span, real s, int k)
     return k - far > PROBE_DECADES ? span / s : fmax((1 - short_of) * span / s, 1);
 }
 
-/* The largest number of bisections of an interval. An interval of the factor e^(1/8) then becomes 1e-3 r
- * wide. */
+/* The largest number of bisections of an interval. They divide an interval from r to r e^(1/8) into parts
+ * that are 1e-3 r wide. */
 #define PROBE_HALVES 7
 
 /*

@@ -29,7 +29,7 @@ struct segment {
     struct barrier barrier; /* the barrier over [lo, hi] */
     struct sums end;        /* the sums at hi, with dH relative to lo; segment_next finds them */
     struct room *room;      /* memory for the computation of forces; may be NULL */
-    enum dom_status status; /* error status of the function under a root search or an integral */
+    enum dom_status status; /* error status of the function that a root search or an integral evaluates */
 };
 
 /* Lowers hi to the tilt at which a domino detaches, if one does. *stay receives the number of dominoes that

@@ -6,7 +6,7 @@
 /* ---- Gaps ---- */
 
 /* The gap at which the row ends and this many gaps before it are tried. A change of an earlier gap has no
- * effect so many dominoes later. */
+ * effect on a domino so many places further on. */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Finds the gap closest in size to the present one, between the present one and `end`, with which all

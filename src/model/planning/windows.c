@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Windows: how far each gap, position, height or lean of a row, or its friction, may change while all
- * dominoes still fall. */
+/* Windows: how far each gap, position, height, thickness or lean of a row, or its friction, may change while
+ * all dominoes still fall. */
 #include "planning/trial.h"
 
 /* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction
@@ -9,8 +9,8 @@
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Heights on a slope, and leans, keep this relative distance from the values at which a domino falls over by
- * itself. The distance is larger than the rounding error of a float. */
+/* Heights on a slope, thicknesses and leans keep this relative distance from the values at which a domino
+ * falls over by itself. The distance is larger than the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */

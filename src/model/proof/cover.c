@@ -120,7 +120,7 @@ static bool strip_begin(struct proof *proof, double r_low, double r_high, double
 
 static enum outcome cover_all(struct proof *proof, const struct level *level)
 {
-    /* A wide strip that needs many boxes is better halved. */
+    /* It is better to halve a wide strip that needs many boxes. */
     const struct span r = proof->box.growth.r;
     size_t left = r.hi - r.lo > 1e-4 * r.hi ? PER_WIDE_STRIP : PER_STRIP;
     return cover_tilts(proof, level, 0, upright_hit_above(&proof->box), 0, &left);

@@ -16,7 +16,7 @@ enum limit_kind {
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
-    /* number of decimal places of `low` and `high`, each of which is the double nearest to such a decimal */
+    /* number of decimal places; `low` and `high` are the doubles nearest to decimals with so many places */
     int decimals;
     enum outcome outcome; /* with LIMIT_PARTLY, the reason why nothing more is proved */
 };
