@@ -118,7 +118,7 @@ void answer_leave_out(struct answer *answer, const char *key);
 /* Changes the explanation of a column in this answer. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);
 
-/* Gives a column another unit. */
+/* Changes the unit of a column in this answer. */
 void answer_unit(struct answer *answer, const char *key, const char *unit);
 
 /*

@@ -34,10 +34,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/*
- * Counts the work of one answer of the scene without random errors, because the work of random rows is not
- * counted. With `random` it adds the work of one random row. Returns false with a problem.
- */
+/* Counts the work of one answer of the scene without random errors, because the work of random rows is not
+ * counted. If `random` is true, adds the work of one random row. Returns false with a problem. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -80,13 +78,14 @@ static double scene_price(const struct scene *scene)
 
 /*
  * Returns how many seconds an answer takes. If `on` is true, the effect and all effects that it needs are on;
- * otherwise the effect and all effects that need it are off. Returns NaN if there is no such answer. Effects
- * except placement are timed without placement errors, because random rows stop early. The effect 'floor' is
- * off while placement, feet or bounce is timed, because neither random rows nor the engine can include it.
+ * otherwise the effect and all effects that need it are off. Returns NaN if there is no such answer. All
+ * other effects with random errors are off, because random rows stop early. The effect 'floor' is off while
+ * random errors or an effect of the rigid-body engine, such as feet, are timed, because neither random rows
+ * nor the engine can include it.
  */
 static double price_with(const struct query *query, int name, bool on)
 {
-    struct scene scene = *query->scene; /* borrows the row */
+    struct scene scene = *query->scene; /* the copy borrows the row */
     errors_off(&scene);
     if (name == DOM_EFFECT_placement)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);

@@ -285,8 +285,9 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
             }
             if (topic.parameter)
                 snprintf(topic.usage, sizeof topic.usage, "%s%s",
-                         !topic.parameter->effect             ? "set "
-                         : strlen(topic.parameter->name) > 12 ? "" /* no room beside its summary */
+                         !topic.parameter->effect ? "set "
+                         /* There is no room for "effect " beside the summary. */
+                         : strlen(topic.parameter->name) > 12 ? ""
                                                               : "effect ",
                          topic.parameter->name);
             topic_entry(session->output->out, "", topic.usage, topic.summary);

@@ -32,8 +32,8 @@ static void effect_say(const struct query *query, struct answer *a, const struct
  * factor. */
 #define SLIP_OF_UNIT 50
 
-/* Rejects a height without a unit that is far from the session's height, because 'set h 5' would mean 5 m
- * where 5 cm was probably meant. If so, sets *problem and returns false. */
+/* If a height without a unit is far from the session's height, sets *problem and returns false: 'set h 5'
+ * would mean 5 m, and the user probably means 5 cm. */
 static bool height_likely(const struct query *query, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -48,8 +48,8 @@ static bool height_likely(const struct query *query, struct problem *problem)
                          measured(now, "m", 4).text, quad_shown(given->number[1]).text);
 }
 
-/* Says that s and r do not change a row whose dominoes are from a file. With csv and json it is a note on
- * standard error. */
+/* Prints that s and r do not change a row whose dominoes come from a file. If the output is for programs,
+ * prints a note to standard error instead. */
 static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
     char text[EFFECT_SETTING + 160], setting[EFFECT_SETTING];
@@ -74,7 +74,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* Not said in a script, because the next line of the script may set the other parameter, too. */
+    /* This is not reported in a script, because the next line of the script may set the other parameter,
+     * too. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;

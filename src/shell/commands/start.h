@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How a row of the dominoes of a train starts from its standing first domino. A train that moves already may
- * grow more than a row that has to be started. */
+/* Finds whether a row of a train's dominoes starts from its first domino, which stands at rest. A train that
+ * already moves may have a larger growth than a row that has to be started. */
 #ifndef SHELL_START_H
 #define SHELL_START_H
 
@@ -23,8 +23,9 @@ struct start {
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
-/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. Both are NaN if there is
- * no such growth, or if the engine runs rows, which would take too long. Returns false with a problem. */
+/* Finds the smallest and the largest growth, up to `highest`, at which a row of the train's dominoes starts.
+ * Both are NaN if there is no such growth, or if the engine runs rows, which would take too long. Returns
+ * false with a problem. */
 struct start_growths {
     domq_real r_min, r_max;
 };

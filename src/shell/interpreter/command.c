@@ -122,7 +122,7 @@ int command_principal(const struct command *c)
 const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
 {
     int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
-    bool inside = false; /* of the brackets around the values of an effect */
+    bool inside = false; /* between the brackets around the values of an effect */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
         n += snprintf(usage + n, (size_t)(USAGE_SIZE - n), " %s%s%s", a->optional && !inside ? "[" : "",

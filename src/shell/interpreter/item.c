@@ -184,7 +184,7 @@ static int word_find(struct reader *r, names_list *list, const void *context, co
     return k;
 }
 
-/* A list for names.h: the words of the argument of an effect. */
+/* A names_list (see names.h) of the words of the argument that is the context. */
 static const char *argument_words(const void *argument, int k)
 {
     return ((const struct domq_effect_argument *)argument)->words[k];

@@ -26,7 +26,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Returns true if value i of an effect may be left out, and the word is one of a value after it. */
+/* Returns true if value i of an effect may be left out, and `word` is a word for a later value of the
+ * effect. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
@@ -37,8 +38,8 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
     return false;
 }
 
-/* Parses argument i, a value of the parameter that the question names. A file may stand for all its values.
- */
+/* Parses argument i of a question, which is a value of question->parameter. If the parameter allows it, the
+ * name of a file may stand for all values. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -63,7 +64,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word || problem_error(r->problem, "%s", unclosed);
     }
-    if (word_is_later(p, i, word)) { /* this argument has its usual value */
+    /* The word belongs to a later value, so this one gets its usual value. */
+    if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
     }

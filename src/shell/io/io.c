@@ -38,7 +38,7 @@ bool io_wait(int file, short events, const struct timespec *longest, const volat
     return !dom_raised(interrupt);
 }
 
-/* Returns true if the file is a FIFO.  Keeps errno. */
+/* Returns true if the file is a FIFO. Does not change errno. */
 static bool is_fifo(const char *path)
 {
     struct stat status;

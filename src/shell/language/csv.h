@@ -18,7 +18,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The most cells of a line, bytes of a line with its line end, and bytes of a file. */
+/* The maximum number of cells in a line, of bytes in a line including its line end, and of bytes in a
+ * file. */
 enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
 /* A position in a file: the number of the line, and of the character in that line, both from 1. */

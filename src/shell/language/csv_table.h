@@ -12,8 +12,8 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* A row that is saved must be readable again, with all columns of its kind and all other columns of its file.
- */
+/* A row that is saved must be readable again, with all columns of its kind and all other columns of its
+ * original file. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
 /* The traits of a column. */

@@ -26,7 +26,8 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    c->curves -= c->curves == CHART_CURVES; /* if all are used, replace the last; no caller needs more */
+    /* If all curves are used, the last one is replaced; no caller needs more. */
+    c->curves -= c->curves == CHART_CURVES;
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
     va_start(arguments, format);
@@ -250,7 +251,7 @@ struct ticks axis_ticks(const struct chart_axis *a, int most)
 
 struct event_spot event_spot(const struct chart *c, int event, double letter)
 {
-    double end[CHART_EVENTS] = {0}; /* for each row, the place where the next name may begin */
+    double end[CHART_EVENTS] = {0}; /* for each row, the position where the next name may begin */
     struct event_spot spot = {0, 0};
     for (int k = 0; k <= event; k++) {
         double wide = letter * (double)strlen(c->event[k].name), place = axis_place(&c->x, c->event[k].x);

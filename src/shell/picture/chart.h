@@ -52,15 +52,14 @@ struct chart_event {
     char name[32];
 };
 
-/* How a chart is drawn into a file. The texts are NULL, and the numbers 0, for what the user has not chosen.
- */
+/* How a chart is drawn into a file. A text that the user has not chosen is NULL, and such a number is 0. */
 struct chart_look {
-    const char *title, *x, *y; /* texts in place of the title and of the labels of the axes */
+    const char *title, *x, *y; /* texts that replace the title and the labels of the axes */
     double width, height;      /* in cm */
     double font;               /* in points */
 };
 
-/* The size of a picture in a file, if the user has not chosen it. */
+/* The size of a picture in a file, unless the user has chosen another size. */
 #define CHART_WIDTH  16.0 /* cm */
 #define CHART_HEIGHT 12.0
 #define CHART_FONT   11.0 /* points */
@@ -110,10 +109,11 @@ void chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Replaces the texts of a chart by those that the user has chosen. */
+/* Replaces texts of the chart by the texts that the user has chosen. */
 void chart_dress(struct chart *chart);
 
-/* Returns the size of a picture and of its letters, with what the user has not chosen. */
+/* Returns the size of the picture and of its letters: what the user has chosen, and defaults for the
+ * remainder. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.

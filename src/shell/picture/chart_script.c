@@ -8,10 +8,11 @@
 
 enum { ROOM = 320 };
 
-/* The height of a line of text in cm, for letters of one point. */
+/* The height of a line of text in cm, divided by the size of its letters in points. */
 #define LINE_CM 0.048
 
-/* Returns the width of a picture in letters, if it has this width in cm and letters of this size. */
+/* Returns how many letters fit side by side into a picture, given its width in cm and the size of the letters
+ * in points. */
 static int columns_in(double width, double font)
 {
     const double usual = 64;
@@ -38,13 +39,15 @@ static int lines_around(const struct chart *c, int columns)
     int lines = 3, longest, across = legend_across(c, columns, &longest);
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
-    const int high = longest >= columns ? 2 : 1; /* each entry of the legend, if a title is broken */
+    /* Lines for each entry of the legend, which has two if a title is broken. */
+    const int high = longest >= columns ? 2 : 1;
     return lines + (c->map.value ? 0 : high * ((c->curves + across - 1) / across));
 }
 
 struct chart_look chart_size(const struct chart *c)
 {
-    /* The axes are at least this part of the width high. In a narrow picture the letters are smaller. */
+    /* `least_high` is the least height of the axes, as a fraction of the width of the picture. In a picture
+     * that is less than `narrow` cm wide the letters are smaller, down to `least_font`. */
     const double least_high = 0.45, least_font = 7, narrow = 10;
     struct chart_look look = c->look;
     look.width = look.width > 0 ? look.width : CHART_WIDTH;
@@ -57,7 +60,7 @@ struct chart_look chart_size(const struct chart *c)
     return look;
 }
 
-/* Returns the width of a picture in letters. */
+/* Returns how many letters fit side by side into the picture. */
 static int columns_of(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
@@ -118,7 +121,7 @@ static void legend_script(const struct chart *c, FILE *out)
     char title[ROOM];
     for (int k = 0; k < c->curves; k++)
         broken += lines_make(c, c->curve[k].title, title) > 1;
-    /* gnuplot leaves no room for the second line of a title. */
+    /* gnuplot leaves no room for a second line of a title. */
     fprintf(out, "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
             broken ? 1.4 : 0.6, broken ? 2.0 : 1.0, across, longest > 16 ? -longest / 4 : 0);
 }

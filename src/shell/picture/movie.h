@@ -8,7 +8,7 @@
 #include "picture/picture.h"
 
 struct movie {
-    struct picture picture; /* its script gets a plot command for each frame */
+    struct picture picture; /* the picture whose script gets a plot command for each frame */
     struct output *file;
     const struct movie_kind *kind;
     FILE *frames; /* the frames for ffmpeg; NULL for a gif */

@@ -97,12 +97,12 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
                  : stage_text(stage, look, width, height, a->out);
 }
 
-/* Writes the gnuplot terminal for a chart in a file with this ending. */
+/* Writes the gnuplot terminal for a chart in a file with the extension of `path`. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look look = chart_size(chart);
     const char *usual = ending_of(path)->terminal, *ending = ending_of(path)->text;
-    /* The dots of a centimetre, and of a point, in the pictures of the usual size. */
+    /* The numbers of dots per cm and per point below are those of pictures of the usual size. */
     if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0))
         snprintf(terminal, size, "%s enhanced", usual);
     else if (strcmp(ending, ".svg") == 0)

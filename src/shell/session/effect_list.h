@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of all effects: first those of the library, then those of the rigid-body engine, which a train
- * with one degree of freedom cannot have, and then the errors of random rows (error_list.c). To add an effect
- * of the engine, write its name here, its description into effect_list.c, and what it does into src/engine/.
+ * Descriptions of all effects: first the effects of the library, then the effects that only the rigid-body
+ * engine can compute, because a train with one degree of freedom cannot have them, and then the errors of
+ * random rows (error_list.c). To add an effect of the engine, add its name here, its description to
+ * effect_list.c, and its code to src/engine/.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
@@ -13,8 +14,8 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* Errors of a random row besides those of the effect 'placement', which are the gaps and the heights: each is
- * an effect, such as error_place. */
+/* The errors of a random row that have a separate effect, such as error_place. The errors of gaps and heights
+ * belong to the effect 'placement'. */
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {
@@ -56,7 +57,7 @@ bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 enum { EFFECT_USAGE = 64 };
 const char *effect_usage(int name, char usage[EFFECT_USAGE]);
 
-/* Writes commands that show an effect. */
+/* Returns commands that demonstrate an effect. */
 enum { EFFECT_EXAMPLE = 192 };
 const char *effect_example(int name, char example[EFFECT_EXAMPLE]);
 

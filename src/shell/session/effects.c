@@ -11,7 +11,7 @@ const char *effect_file(const struct scene *scene, int name)
     return name == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
 }
 
-/* Returns true if argument i and all after it may be left out, since they have their usual values. */
+/* Returns true if argument i and all later ones may be left out, because they have their usual values. */
 static bool usual_from(const struct domq_effect *e, const struct effect_state *state, int i)
 {
     bool usual = i > 0;

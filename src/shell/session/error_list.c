@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of the errors of random rows, besides those of gaps and heights, which the effect 'placement'
- * has. To add one, add it to DOM_ERRORS, write its name into ERROR_EFFECTS, its description here, and how it
- * changes a row into src/model/planning/draw.c.
+ * Descriptions of the errors of random rows. Only the errors of gaps and heights are missing, because they
+ * belong to the effect 'placement'. To add an error, add it to DOM_ERRORS, its name to ERROR_EFFECTS, its
+ * description here, and the way in which it changes a row to src/model/planning/draw.c.
  */
 #include "session/effect_list.h"
 
@@ -12,7 +12,7 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 
-/* The arguments of every error. */
+/* Initialises the arguments that all errors have. */
 #define SIZED(unit_, meaning_, highest_, usual_)                                                             \
     .source = SOURCE, .plan = PLAN,                                                                          \
     .argument = {{.name = "SIZE",                                                                            \

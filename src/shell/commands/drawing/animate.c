@@ -40,7 +40,9 @@ enum { FRAMES_MOST = 3000 };
 /* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
 #define FOLLOWED 30
 #define HELD     1 /* seconds for which the last frame is shown */
-#define SHORTEST 9 /* seconds of motion that are shown at most, unless the user gives the speed */
+/* Longest playing time of the motion, in s; a longer motion is shown faster, unless the user gives the
+ * speed. */
+#define SHORTEST 9
 
 struct row_film {
     struct film film;

@@ -115,8 +115,8 @@ static bool train_film_make(struct train_film *f)
     return true;
 }
 
-/* Scales and shifts the dominoes of a cycle to the size and position of its head, and adds those that stand
- * beyond the next domino. */
+/* Scales and shifts the dominoes of a cycle to the size and position of its head, and adds the dominoes that
+ * stand beyond the next one. */
 static void stage_place(struct stage *stage, const struct train_film *f, struct place p)
 {
     const struct drawn next = stage->domino[0];

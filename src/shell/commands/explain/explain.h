@@ -35,8 +35,8 @@ struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
 
-/* A quantity, and how it follows from others. Several rows may have the same name: the first one whose
- * conditions the train fulfils is used. */
+/* A quantity, and how it follows from other quantities. Several entries of the list may have the same name:
+ * the first entry whose conditions the train fulfils is used. */
 struct derived {
     struct symbol_names names;
     unsigned with, without; /* conditions, as bits */
@@ -66,7 +66,8 @@ struct explained {
 };
 extern const struct explained explained_list[];
 
-/* The names of the questions, and after them those of the quantities, for names.h. */
+/* Lists the names of the questions, and after them the names of the quantities, in the form that names.h
+ * expects. */
 const char *explained_names(const void *context, int k);
 
 /* ---- A derivation ---- */
@@ -96,7 +97,7 @@ struct derivation {
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    const struct domq_fall *fall; /* the domino of a row that is explained, or NULL */
+    const struct domq_fall *fall; /* the domino of a row to explain, or NULL */
     const char *energy_unit;      /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;

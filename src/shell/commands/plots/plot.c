@@ -125,14 +125,14 @@ static const char *plot_names(const void *context, int k)
     return plots[k].name;
 }
 
-/* What follows the name of a plot, as it was parsed. */
+/* The parsed text after the name of a plot. */
 struct plot_parsed {
     struct look_parsed look;
-    bool has_argument; /* the argument of the plot was given */
-    void *argument;    /* of a grid: what sweep_parse_grid has made */
+    bool has_argument; /* the plot has been given an argument */
+    void *argument;    /* for a grid: the result of sweep_parse_grid */
 };
 
-/* The same with its values. */
+/* The bound values of the members of plot_parsed. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;
@@ -150,13 +150,13 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, plot->argument, &q->item[1]);
     default:
-        r->last = false; /* words about the look may follow */
+        r->last = false; /* words about the look of the chart may follow */
         return item_parse(r, plot->argument, &q->item[1]);
     }
 }
 
-/* Parses the look of a chart, the argument of the plot, and more about the look. A grid goes on to the end.
- */
+/* Parses words about the look of the chart, the argument of the plot, and further words about the look. A
+ * grid extends to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -213,7 +213,7 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     const struct plot *plot = &plots[(int)query->given->number[0]];
     const struct plot_given *more = query->given->count > 1 ? query->given->bound : NULL;
     const struct chart_look usual = {.title = NULL};
-    /* The plots see their own argument alone. */
+    /* A plot sees only its own argument, without the look of the chart. */
     struct arguments given = *query->given;
     struct query own = *query;
     given.count = more && more->has_argument ? 2 : 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the user chooses about the look of a chart: its texts, its size and its letters. */
+/* The look of a chart as the user chooses it: its texts, its size and its letters. */
 #include "commands/plots/plots.h"
 
 enum { LOOK_WIDTH, LOOK_HEIGHT, LOOK_FONT, LOOK_TITLE, LOOK_X, LOOK_Y, LOOK_WORDS };
@@ -11,13 +11,13 @@ static const char *look_names(const void *context, int k)
     return names[k];
 }
 
-/* The sizes that a picture for print has, in cm, and its letters, in points. */
+/* The ranges of the size of a picture for print, in cm, and of its letters, in points. */
 #define SIZE_LEAST 6
 #define SIZE_MOST  30
 #define FONT_LEAST 5
 #define FONT_MOST  30
 
-/* Parses the value of one word. */
+/* Parses the value that follows the word with the index k. */
 static bool word_parse(struct reader *r, struct look_parsed *p, int k)
 {
     static const struct argument size[] = {{.name = "width", .kind = ARGUMENT_HEIGHT},

@@ -69,12 +69,12 @@ struct plot {
     const struct argument *argument; /* the argument that may follow the plot's name, or NULL */
 };
 
-/* Writes the rows of a plot for programs, or draws a chart of them for people, as the user wants it to look.
- */
+/* Writes the rows of a plot for programs, or draws a chart of them for people. `look` is what the user chose
+ * about the look of the chart. */
 bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
                struct answer *a, struct problem *problem);
 
-/* Parses words about the look of a chart, such as 'title "..." width 8 cm', as far as they follow. */
+/* Parses all words about the look of a chart that come next, such as 'title "..." width 8 cm'. */
 struct look_parsed {
     struct chart_look look;
     struct item size[3];

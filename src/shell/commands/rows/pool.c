@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Studies of placement that are computed in parts. A study counts how many random rows fall, and counts can
- * be added. Each part of a study writes the counts of some blocks of 100 rows, and
- * 'pool' reads the blocks of all parts, adds them up and gives the answer that 'placement' would have given.
+ * Studies of random rows that are computed in parts. A study counts how many random rows fall, and such
+ * counts can be added. Each part of a study writes the counts for some blocks of 100 rows. The command pool
+ * reads the blocks of all parts, adds them up, and prints the answer that 'placement' would have printed.
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
@@ -74,8 +74,8 @@ struct blocks {
     enum dom_status status;
 };
 
-/* Writes how many rows stop at which domino: "5:12 6:3" for 12 rows at domino 5 and 3 at domino 6, each after
- * a prefix. Returns the length. */
+/* Writes how many rows stop at each domino, for example "5:12 6:3" if 12 rows stop at domino 5 and 3 at
+ * domino 6. Each entry begins with the prefix. Returns the length of the text. */
 static int stops_text(const size_t *stops, size_t count, const char *prefix, char *text, int size)
 {
     int n = 0;
@@ -86,8 +86,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes what the errors cost: "gap:98 gap@5:1 friction:99 friction@5:2" if 98 rows fall without errors of
- * the gaps, of which one stops at domino 5 with them. */
+/* Writes what each kind of error costs. For example, "gap:98 gap@5:1" means that 98 rows fall without errors
+ * of the gaps, and that one of these rows stops at domino 5 with such errors. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -111,7 +111,7 @@ static bool block_write(void *own, size_t block, FILE *out)
     char stops[STOPS_TEXT], errors[ERRORS_TEXT], *without = malloc(WITHOUT_TEXT);
     p.first = block * BLOCK_ROWS;
     p.rows = all - p.first < BLOCK_ROWS ? all - p.first : BLOCK_ROWS;
-    p.parallel = NULL; /* because whole blocks are computed in parallel */
+    p.parallel = NULL; /* rows within a block are not computed in parallel, because whole blocks are */
     b->status = study_make(&b->scene->row, &b->scene->compute, &p, &study);
     if (!without)
         b->status = DOM_NO_MEMORY;
@@ -227,8 +227,8 @@ static bool pool_begin(struct pool *p, struct csv_table *csv)
     return p->study.stops || csv_wrong(&csv->file, csv->row.at, "out of memory");
 }
 
-/* Adds the count of a text such as "5:12" to a list, and skips it. Returns the count, or 0 if the text is
- * wrong. */
+/* Parses an entry such as "5:12" at *text, adds its count to the list `stops`, and moves *text past the
+ * entry. Returns the count, or 0 if the entry is wrong. */
 static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
 {
     unsigned long domino, count;
@@ -241,7 +241,8 @@ static size_t stop_add(const char **text, size_t *stops, size_t dominoes)
     return count;
 }
 
-/* Parses a text such as "5:12 6:3", adds its counts to the stops, and returns their sum in *sum. */
+/* Parses a text such as "5:12 6:3", adds its counts to p->study.stops, and sets *sum to their sum. Returns
+ * false if the text is wrong. */
 static bool stops_add(struct pool *p, const char *text, size_t *sum)
 {
     for (*sum = 0; *text;) {
@@ -253,7 +254,8 @@ static bool stops_add(struct pool *p, const char *text, size_t *sum)
     return true;
 }
 
-/* Parses the text of without_text, and adds its counts. */
+/* Parses a text that without_text has written, and adds its counts to p->study. Returns false if the text is
+ * wrong. */
 static bool without_add(struct pool *p, const char *text)
 {
     struct study *study = &p->study;

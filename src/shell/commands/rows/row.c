@@ -58,8 +58,8 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
 
 /* ---- place ---- */
 
-/* Rejects a gap without a unit that is wider than the dominoes on both sides are tall, because a user who
- * types 25 means 25 mm and not 25 m. If so, sets *problem and returns false. */
+/* If a gap without a unit is wider than the dominoes on both sides are tall, sets *problem and returns false:
+ * a user who types 25 means 25 mm and not 25 m. */
 static bool gap_check(const struct query *query, size_t k, domq_real gap, struct problem *problem)
 {
     struct scene_row scene;

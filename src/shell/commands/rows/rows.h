@@ -38,23 +38,24 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count);
 /* The message for a domino that is lifted off the floor. */
 extern const char foot_lifted[];
 
-/* A study of random rows. */
+/* The results of a study of random rows. */
 struct study {
     domq_real sigma, heights;
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
     bool causes; /* the rows were also run without each error */
     struct domq_study counts;
-    size_t without[DOM_ERROR_COUNT]; /* as domq_placement_causes writes them */
-    size_t count, *stops;            /* the dominoes of the row; what domq_placement_causes writes */
+    size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
+    /* The number of dominoes in the row; the lists of stops that domq_placement_causes fills in. */
+    size_t count, *stops;
 };
 
-/* Makes a study. It also finds what each error costs if there are several. The caller frees study->stops,
- * also after a failure. */
+/* Runs a study. If the rows have several kinds of errors, also finds what each kind costs. The caller frees
+ * study->stops, even after a failure. */
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
-/* Returns the list of stops because of one kind of error. */
+/* Returns the list that counts at which dominoes rows stop because of one kind of error. */
 size_t *study_stops(const struct study *study, int kind);
 
 /* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */

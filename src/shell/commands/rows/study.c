@@ -45,7 +45,8 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     const enum dom_status status = study_make(&t->scene.row, &t->scene.compute, &t->placement, &study);
     const size_t rows = study.counts.rows;
     bool interrupted =
-        status == DOM_INTERRUPTED && rows > 0 && !a->sink; /* an interrupted sweep has no answer here */
+        /* Within a sweep, an interrupted study has no answer. */
+        status == DOM_INTERRUPTED && rows > 0 && !a->sink;
     snprintf(partial, sizeof partial, "interrupted after %zu of %zu rows", rows, t->placement.rows);
     if (status == DOM_OK || interrupted)
         study_answer(a, &study, interrupted ? partial : NULL);
@@ -109,21 +110,21 @@ static domq_real two_digits(domq_real sigma)
     return round_digits(sigma * (1 + (domq_real)1e-12), 2, false);
 }
 
-/* What a budget is about. */
+/* The parameters of a budget. */
 struct budget_call {
     const struct trials *trials;
     domq_real share;
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns a size in its unit, or a factor. */
+/* Returns the size of an error in its unit or, for a budget of all errors, the factor. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
     return measured(size, *unit || call->kind == DOM_ERROR_COUNT ? unit : "share", 2);
 }
 
-/* Says how precise the row must be: "Place the gaps within 2 mm (one standard deviation)". */
+/* Writes how precise the row must be, for example "Place the gaps within 2 mm (one standard deviation)". */
 static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
 {
     const bool all = call->kind == DOM_ERROR_COUNT;
@@ -147,7 +148,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  size_words(call, size).text, uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Says how precise the row must be, and how many rows then fall. */
+/* Runs a study with the size of the budget, rounded to two digits, and prints how precise the row must be and
+ * how many rows then fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
@@ -173,7 +175,7 @@ static enum dom_status budget_say(struct answer *a, const struct budget_call *ca
     return DOM_OK;
 }
 
-/* Says what the search had found when ^C interrupted it. */
+/* Prints what the search had found when ^C interrupted it. */
 static void interrupted_say(struct answer *a, const struct budget_call *call, const struct domq_budget *b)
 {
     const bool open = !isfinite(b->high);
@@ -183,7 +185,7 @@ static void interrupted_say(struct answer *a, const struct budget_call *call, co
                open ? "" : size_words(call, b->high).text);
 }
 
-/* Describes why there is no budget. */
+/* Reports why there is no budget. Returns false. */
 static bool budget_none(struct problem *problem, const struct budget_call *call)
 {
     bool others = false;
@@ -198,11 +200,11 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
                              call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
 }
 
-/* Describes the problem of a budget of an error that the scene cannot have. */
+/* Returns true if the scene can have errors of this kind. Otherwise reports the problem. */
 static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
                          struct problem *problem)
 {
-    struct scene with = *query->scene; /* borrows the row */
+    struct scene with = *query->scene; /* the copy borrows the row */
     if (kind == DOM_ERROR_COUNT)
         return t->has_errors ||
                problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
@@ -214,7 +216,7 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     return errors_check(&with, problem);
 }
 
-/* Writes the answer. */
+/* Writes the row of the answer. */
 static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
                        bool interrupted)
 {
@@ -250,7 +252,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_shown(call.share).text);
     if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
-                     false /* nobody knows how many studies the search takes */, &t))
+                     false /* how many studies the search takes is not known */, &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
     enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A study of random rows, and its answer: how many fall, where the others stop, and what each error costs. */
+/* Runs a study of random rows, and prints its answer: how many rows fall, where the others stop, and what
+ * each kind of error costs. */
 #include "commands/rows/rows.h"
 #include "session/errors.h"
 #include <stdlib.h>
@@ -49,8 +50,9 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
 }
 
 /*
- * Lists the dominoes at which rows stop, the most frequent first: returns the index of the domino after
- * `last`, or the first one if `last` is count. Returns count at the end of the list.
+ * Steps through the dominoes at which rows stop, from the most frequent to the least frequent one. Returns
+ * the index of the domino after `last`, or of the first domino if `last` is count. Returns count after the
+ * last domino.
  */
 static size_t stop_next(const size_t *stops, size_t count, size_t last)
 {
@@ -63,8 +65,9 @@ static size_t stop_next(const size_t *stops, size_t count, size_t last)
     return next;
 }
 
-/* Returns the kind of error that costs more than any other after `last`, which is DOM_ERROR_COUNT at first.
- * Returns DOM_ERROR_COUNT at the end of the list. */
+/* Steps through the kinds of errors, from the one that costs most rows to the one that costs fewest. Returns
+ * the kind after `last`, or the first kind if `last` is DOM_ERROR_COUNT. Returns DOM_ERROR_COUNT after the
+ * last kind. */
 static int cause_next(const struct study *s, int last)
 {
     int next = DOM_ERROR_COUNT;
@@ -78,14 +81,15 @@ static int cause_next(const struct study *s, int last)
     return next;
 }
 
-/* Returns the number of the domino at which most rows stop because of an error, or 0. */
+/* Returns the number of the domino at which most rows stop because of one kind of error, or 0 if there is
+ * none. */
 static size_t cause_stops(const struct study *s, int kind)
 {
     const size_t most = stop_next(study_stops(s, kind), s->count, s->count);
     return most < s->count ? most + 1 : 0;
 }
 
-/* Says what each error costs. */
+/* Prints what each kind of error costs. */
 static void causes_say(struct answer *a, const struct study *s)
 {
     static const char *const names[] = {
@@ -138,7 +142,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     if (*text)
         answer_say(a, "The others stop at domino %s.", text);
     causes_say(a, s);
-    if (answer_for_people(a)) /* the sentences have them */
+    if (answer_for_people(a)) /* people read the same numbers in sentences */
         for (const char *const *key =
                  (const char *[]){"errors", "costs_most", "without", "stops_there", NULL};
              *key; key++)
