@@ -162,8 +162,8 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see '^64$'
     see_last "$prompt"
     # To its end, in two pages, and a text that fits.
-    terminal resize-window -x 80 -y 66
-    until_true rows_are 66
+    terminal resize-window -x 80 -y 72
+    until_true rows_are 72
     press Enter
     type_in help
     press Enter

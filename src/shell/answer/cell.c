@@ -170,7 +170,7 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     for (int n = all < 15 ? all - 2 : 15; n < all - 1 && strlen(text) + 1 >= (size_t)all;
          n = n < all - 2 ? all - 2 : all)
         if (read_back(style, quad_text(cell.number, n, fewer)) == cell.number)
-            return strcpy(text, fewer);
+            return memcpy(text, fewer, strlen(fewer) + 1);
     return text;
 }
 

@@ -204,14 +204,12 @@ static const char *count_reason(const struct query *query, const struct answer *
     char name[32];
     if (!isfinite(t->count.dominoes))
         snprintf(reason, START_TEXT, "r = 1: the dominoes do not grow, no number of them is enough");
-    else if (t->falls)
+    else if (t->falls || (!t->stops && answer_for_people(a)))
         return NULL;
     else if (t->stops)
         snprintf(reason, START_TEXT, "not possible at s = %.6g with %s%s: %s", (double)train->s,
                  mass_name(train->q, name), parameter_word(parameter_find("q"), train->q) ? " dominoes" : "",
                  t->stops);
-    else if (answer_for_people(a))
-        return NULL;
     else
         start_problem(query, &t->start, reason);
     return reason;

@@ -8,9 +8,14 @@
  * parentheses. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 
+static enum binding binding(const struct tree *t);
+
 static enum binding chain_binding(const struct tree *chain)
 {
-    const enum tree_operator op = chain->child->next->op;
+    const struct tree *second = chain->child->next;
+    if (!second)
+        return binding(chain->child);
+    const enum tree_operator op = second->op;
     return op == OPERATOR_POWER                          ? BINDS_POWER
            : op == OPERATOR_TIMES || op == OPERATOR_OVER ? BINDS_PRODUCT
            : op == OPERATOR_PLUS || op == OPERATOR_MINUS ? BINDS_SUM

@@ -121,13 +121,13 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
  * that is named after the script. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
-    char terminal[160];
+    char terminal[160] = "";
     const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
     const int length = (int)(strrchr(name, '.') - name);
     const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
     if (stage)
         sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
-    else
+    else if (chart)
         chart_terminal(chart, a->path, terminal, sizeof terminal);
     fprintf(a->out,
             "# A picture by domino, with its data: 'gnuplot %s' draws %.*s.pdf.\nset encoding utf8\nset "
@@ -150,7 +150,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 {
     struct picture picture;
     struct sheet sheet;
-    char terminal[160];
+    char terminal[160] = "";
     int width = SHEET_WIDTH, height = STAGE_MOST;
     FILE *drawing = a->path ? a->out : io_temporary(NULL);
     if (!drawing)
@@ -166,7 +166,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
         graphics_terminal(a->out, width, height, stage != NULL, terminal, sizeof terminal);
     else if (stage)
         sheet_terminal(&sheet, a->path, terminal, sizeof terminal);
-    else
+    else if (chart)
         chart_terminal(chart, a->path, terminal, sizeof terminal);
     bool drawn = picture_begin(&picture, drawing, terminal, interrupt, problem);
     if (drawn && stage)

@@ -68,7 +68,8 @@ static void domino_outline(struct grid *g, const struct drawn *k)
 {
     struct canvas *c = &g->canvas;
     bool filled = drawn_marked(k);
-    double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[OUTLINE], y[OUTLINE];
+    double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[OUTLINE] = {0},
+           y[OUTLINE] = {0};
     struct point outline[OUTLINE];
     /* The rounding of edges is too small to be seen. */
     bool is_tower = k->number == NUMBER_TOWER;

@@ -175,14 +175,15 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     struct step *s = &d->step[d->count++];
     *s = (struct step){.derived = derived_find(d->has, name), .computed = DOMQ_NAN, .value = DOMQ_NAN};
     s->depth = depth;
-    s->given = s->derived ? NULL : given_find(name);
-    s->unit = s->derived ? s->derived->unit : s->given->unit;
-    if (d->fall && strcmp(s->unit, "mgh/2") == 0)
-        s->unit = d->energy_unit;
-    if (!s->derived && !s->given->names.text[0]) {
+    const struct given *given = s->derived ? NULL : given_find(name);
+    if (!s->derived && (!given || !given->names.text[0])) {
         problem_error(d->problem, "there is no equation of %s for this train", name);
         return NULL;
     }
+    s->given = given;
+    s->unit = given ? given->unit : s->derived->unit;
+    if (d->fall && strcmp(s->unit, "mgh/2") == 0)
+        s->unit = d->energy_unit;
     return s;
 }
 

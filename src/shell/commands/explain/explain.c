@@ -187,7 +187,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     struct state *state = malloc(sizeof *state);
     bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
                            : problem_status(problem, query->scene, DOM_NO_MEMORY);
-    if (done)
+    if (done && d)
         explain_answer(a, d, e, bound);
     if (d)
         derivation_end(d);

@@ -13,9 +13,8 @@ static const char *look_names(const void *context, int k)
 
 /* The ranges of the size of a picture for print, in cm, and of its letters, in points. */
 #define SIZE_LEAST 6
-#define SIZE_MOST  30
+#define MOST       30
 #define FONT_LEAST 5
-#define FONT_MOST  30
 
 /* Parses the value that follows the word with the index k. */
 static bool word_parse(struct reader *r, struct look_parsed *p, int k)
@@ -57,7 +56,7 @@ bool look_bind(const struct look_parsed *p, const struct text *text, const struc
     for (int k = 0; k <= LOOK_FONT; k++) {
         domq_real value;
         const bool is_font = k == LOOK_FONT;
-        const double least = is_font ? FONT_LEAST : SIZE_LEAST, most = is_font ? FONT_MOST : SIZE_MOST;
+        const double least = is_font ? FONT_LEAST : SIZE_LEAST, most = MOST;
         if (!p->size[k].argument)
             continue;
         if (!item_bind(&p->size[k], text, query, NULL, &value, problem))

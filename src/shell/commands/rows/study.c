@@ -179,8 +179,10 @@ static enum dom_status budget_say(struct answer *a, const struct budget_call *ca
 static void interrupted_say(struct answer *a, const struct budget_call *call, const struct domq_budget *b)
 {
     const bool open = !isfinite(b->high);
-    answer_say(a, "Interrupted: with %s at least %s rows fall%s%s.",
-               size_words(call, two_digits(b->sigma)).text, share_words(call->share).text,
+    const bool all = call->kind == DOM_ERROR_COUNT;
+    answer_say(a, "Interrupted: with %s%s%s at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
+               size_words(call, two_digits(b->sigma)).text, all ? " times as large" : "",
+               share_words(call->share).text,
                open ? "; how many fall with larger errors is not known" : ", and fewer with ",
                open ? "" : size_words(call, b->high).text);
 }
