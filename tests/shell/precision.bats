@@ -121,7 +121,7 @@ quad() { # COMMANDS KEY DIGITS
         bounds=0
         for key in $expected; do
             value=$(values "$key" <<<"$answer")
-            if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle " != *" $key "* ]] &&
+            if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle push r_start stops_at " != *" $key "* ]] &&
                 [[ $call != cycle* || $key != theta* ]]; then
                 [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+(e[-+][0-9]+)?$ ]] || same "$call: $key" 'a bound' "$answer"
                 bounds=$((bounds + 1))

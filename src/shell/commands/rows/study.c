@@ -77,7 +77,7 @@ static const struct column budget_columns[] = {
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
-    {"error", "", "the error of which sigma is the size; all: sigma multiplies all errors", 0},
+    {"scaled", "", "the error of which sigma is the size; all: sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -230,7 +230,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     if (call->kind != DOM_ERROR_gap)
         answer_means(a, "sigma", "the size of the error, or the factor of all, with which this share falls");
     else if (answer_for_people(a))
-        answer_leave_out(a, "error");
+        answer_leave_out(a, "scaled");
     answer_row(a,
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
