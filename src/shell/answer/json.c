@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: each row is an object on a separate line.  A command without rows and an error also give
- * an object. */
+/* The format json: each row is an object on a separate line. A command without rows, or an error, is also
+ * written as an object. */
 #include "answer/answer.h"
 #include "io/escape.h"
 

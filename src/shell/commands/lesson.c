@@ -78,7 +78,8 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
                 struct problem *problem)
 {
     (void)given;
-    struct session reader; /* has default parameters, and leaves those of `session` alone */
+    /* A separate session with default parameters, so that those of `session` do not change. */
+    struct session reader;
     bool in_file = session->source.stream && strcmp(session->source.name, "stdin") != 0;
     int width, height;
     bool waits = isatty(STDIN_FILENO) && terminal_size(session->output->out, &width, &height);

@@ -84,7 +84,7 @@ static void expression_offer(const struct reader *r, const struct argument *a, c
         offer_kind(&behind, OFFER_UNIT);
 }
 
-/* The `with` of struct parse: parses "with NAME VALUE ..." after a value in parentheses. */
+/* The callback `with` of struct parse: parses "with NAME VALUE ..." after a value in parentheses. */
 static struct tree *with_parse(struct parse *p, struct tree *value)
 {
     struct reader *outer = p->context, r = *outer;
@@ -222,7 +222,7 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
     return item_parse(r, a, item);
 }
 
-/* Writes all names of a list. */
+/* Writes all names of a list, separated by commas. */
 enum { NAMES_ALL = 384 };
 static void names_all(names_list *list, char all[NAMES_ALL])
 {

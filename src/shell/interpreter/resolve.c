@@ -97,8 +97,9 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of the column of the key in "ans.margin" or "rmax.r", or of the principal column if the
- * name has no key, and sets the tree's unit to that of the column. Returns -1 after an error. */
+/* Returns the index of a column of the command's answer: the column with the key in a name such as
+ * "ans.margin" or "rmax.r" or, if the name has no key, the principal column. Sets the tree's unit to the unit
+ * of this column. Returns -1 after an error. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

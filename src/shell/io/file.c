@@ -26,8 +26,9 @@ struct file {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target.  If that folder takes no new files but the target
- * exists, opens it in the usual folder for temporary files.  Returns NULL with errno on failure. */
+/* Opens the temporary file in the folder of the target.  If no file can be created there but the target
+ * exists, opens the temporary file in the usual folder for temporary files.  Returns NULL with errno on
+ * failure. */
 static FILE *held_open(const struct target *t)
 {
     char *folder = strndup(t->path, (size_t)(strrchr(t->path, '/') + 1 - t->path));

@@ -36,7 +36,7 @@ struct drawn {
     enum part part;
     double height, thickness, theta;
     double foot;   /* position of the hinge, its lower front edge while it stands */
-    double radius; /* radius of its rounded edges; 0 for sharp ones */
+    double radius; /* radius of the rounded edges; 0 for sharp edges */
     /* The corners as if edges were sharp: front foot, front top, back top and back foot. */
     struct point corner[CORNERS];
     bool touched; /* its follower touches it at `contact`; otherwise `contact` is NaN */

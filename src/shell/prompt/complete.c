@@ -88,8 +88,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The `emit` of is_unasked: sets *context to the candidate if it is the first one and a command, and
- * otherwise to "". */
+/* The callback that collects the candidates for is_unasked: sets *context to the candidate if it is the first
+ * one and a command, and otherwise to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;

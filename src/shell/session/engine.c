@@ -151,7 +151,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
                                      .spare = DOMQ_NAN};
 }
 
-/* The function through which the library runs a row in the engine, see struct dom_engine. */
+/* The function through which the library runs a row in the engine; see struct dom_engine. */
 static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)

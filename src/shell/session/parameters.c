@@ -193,7 +193,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
 /* Returns the rank of a parameter in parameter_in_order, which lists parameters by increasing rank. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are on come last. Of the effects that are off, those that need another effect come
+    /* Effects that are on come last. Among the effects that are off, those that need another effect come
      * first. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;

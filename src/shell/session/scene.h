@@ -58,7 +58,7 @@ struct scene {
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of solid dominoes in kg/m^3; 0 if it is not known */
     domq_real seed;    /* the seed of random rows */
-    unsigned method;   /* what runs rows, METHOD_MODEL or METHOD_ENGINE; see engine.h */
+    unsigned method;   /* METHOD_MODEL or METHOD_ENGINE, which decides what runs rows; see engine.h */
     struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed;
     struct walk walk;

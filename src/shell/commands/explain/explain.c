@@ -151,7 +151,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
                                                         : "no energy decides how this row ends, at domino "
                                                           "%zu: %s",
                                  v.domino, dom_row_end_text(v.end));
-    a->note = NULL; /* the note says that the answer is about the train */
+    a->note = NULL; /* the note says that the answer is about the train, but this answer is about the row */
     answer_say(a,
                v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
                                       : "Of %zu dominoes, k = %zu is the one at which the row stops.",

@@ -169,8 +169,8 @@ static void look_between(struct scan *s, struct point a, struct point b)
 }
 
 /* If the middle one of three neighbouring points is an extremum, refines it with a golden-section search,
- * because the answer may cross the value between the points of the grid. If it does, finds the roots on both
- * sides of the extremum. */
+ * because the answer may cross the value between the points of the grid. If the answer does so, finds the
+ * roots on both sides of the extremum. */
 static void look_around(struct scan *s, struct point a, struct point m, struct point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

@@ -192,8 +192,8 @@ static bool more_bind(const struct question *q, const struct query *query, struc
     return look_bind(&p->look, q->text, query, &g->look, problem);
 }
 
-/* Chooses the columns of a plot, in the order of its keys. Of columns with the same key, takes the one whose
- * meaning mentions the plot. */
+/* Chooses the columns of a plot, in the order of its keys. If several columns have the same key, chooses the
+ * one whose meaning mentions the plot. */
 static void columns_choose(const struct plot *plot, struct column *chosen)
 {
     int n = 0;
