@@ -72,12 +72,12 @@ const char *dom_version(void);
     X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
     X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \
     X(BAD_RHO, "the radius rho of the edges is outside its range")                                           \
-    X(BAD_FUEL, "the fuel is none of enum dom_fuel")                                                         \
-    X(BAD_TOL, "the tolerance tol is outside its range, or below the floor of the precision")                \
-    X(BAD_PRECISION, "the precision is none of enum dom_precision")                                          \
-    X(BAD_METHOD, "the method is none of enum dom_method")                                                   \
+    X(BAD_FUEL, "the fuel is not a value of enum dom_fuel")                                                  \
+    X(BAD_TOL, "the tolerance tol is outside its range, or below the smallest that the precision can reach") \
+    X(BAD_PRECISION, "the precision is not a value of enum dom_precision")                                   \
+    X(BAD_METHOD, "the method is not a value of enum dom_method")                                            \
     X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
-    X(BAD_TIME, "the time is outside [0, the next hit]")                                                     \
+    X(BAD_TIME, "the time is negative, or later than the next hit")                                          \
     X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
     X(BAD_PUSH, "the push is outside its range")                                                             \
     X(BAD_COUNT, "the row has no dominoes")                                                                  \
@@ -86,12 +86,12 @@ const char *dom_version(void);
     X(BAD_GAP, "a gap is outside its range")                                                                 \
     X(BAD_MASS, "a mass is outside its range")                                                               \
     X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
-    X(BAD_LEAN, "a lean is outside its range: with more, the domino falls over when it is set up")           \
+    X(BAD_LEAN, "a lean is outside its range: a domino that leans more falls over when it is set up")        \
     X(BAD_ERROR, "the size of an error is outside its range")                                                \
-    X(BAD_ROWS, "the number of rows is 0, or less than the number counted among them")                       \
+    X(BAD_ROWS, "the number of rows is 0, or smaller than the number counted as fallen or unknown")          \
     X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
-    X(BAD_SAFETY, "the safety is not a finite number above 1")                                               \
-    X(BAD_HALL, "the hall is not longer than the last domino is tall")                                       \
+    X(BAD_SAFETY, "the safety factor is not a finite number above 1")                                        \
+    X(BAD_HALL, "the length of the hall is not greater than the height of the last domino")                  \
     X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
     X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
     X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
@@ -101,14 +101,15 @@ const char *dom_version(void);
       "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
     X(NO_ROUND,                                                                                              \
-      "edges of this radius do not fit: the radius must be at most half of the thickness, rho <= d/2")       \
+      "the radius of the edges is too large: it must be at most half of the thickness, rho <= d/2")          \
     X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \
-    X(NO_MARGIN, "the margin is 0 to rounding, so times have no value here; use a slightly smaller r")       \
-    X(NO_GROWTH, "even equal dominoes (r = 1) do not go on falling at this separation")                      \
-    X(TOO_LONG, "the answer needs more dominoes than can be computed")                                       \
+    X(NO_MARGIN,                                                                                             \
+      "the margin is 0 within rounding errors, so that times cannot be computed; use a slightly smaller r")  \
+    X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
+    X(TOO_LONG, "more dominoes contribute to the answer than can be computed")                               \
     X(UNDERFLOW, "r^(2q+1) is outside the range of the precision; use a smaller r or q")                     \
-    X(NO_PRECISION, "this machine does not have that precision")                                             \
-    X(NO_METHOD, "this method does not give this answer")                                                    \
+    X(NO_PRECISION, "this machine does not support the requested precision")                                 \
+    X(NO_METHOD, "the requested method cannot compute this answer")                                          \
     X(NOT_FINITE, "an intermediate value is not finite")                                                     \
     X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
     X(NO_MEMORY, "out of memory")                                                                            \
@@ -261,9 +262,9 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
 /* The parameters of a train: X(name, default, lowest, highest, unit, meaning). Both ends of a range are
  * allowed. */
 #define DOM_TRAIN_PARAMETERS(X)                                                                              \
-    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: gap before a domino over its height")                  \
-    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how much larger each domino is than the one before")          \
-    X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness over height")                                         \
+    X(s, (dom_real)4 / 10, 1e-6, 1, "h", "separation: the gap before a domino divided by its height")        \
+    X(r, (dom_real)3 / 2, 1, 1e6, "", "growth: how many times as large each domino is as the one before")    \
+    X(d, (dom_real)7 / 48, 1e-12, 100, "h", "thickness divided by height")                                   \
     X(q, 4, 1e-6, 100, "", "exponent of mass times height: hollow = 3, solid = 4")
 
 /* The largest friction coefficient between dominoes. */

@@ -23,10 +23,10 @@ extern "C" {
 #define DOM_PROOF_GAPS(X)                                                                                    \
     X(NONE, "nothing is missing")                                                                            \
     X(EFFECT, "trains with friction, a slope or rounded edges have no proof")                                \
-    X(ROUNDING, "the two sides differ by less than the rounding of double precision")                        \
-    X(BOXES, "the proof takes more boxes or dominoes than are allowed")                                      \
+    X(ROUNDING, "the energy and the barrier differ by less than the rounding error of double precision")     \
+    X(BOXES, "the proof would need more boxes or dominoes than the limit allows")                            \
     X(INTERRUPTED, "interrupted")                                                                            \
-    X(MODE, "the rounding mode is not to nearest: call fesetround(FE_TONEAREST) first")
+    X(MODE, "the rounding mode is not round-to-nearest: call fesetround(FE_TONEAREST) first")
 
 enum dom_proof_gap {
 #define DOM_PROOF_GAP_ENUM(name, text) DOM_PROOF_##name,

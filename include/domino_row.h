@@ -16,13 +16,15 @@ extern "C" {
 /* How a row ends: X(name, meaning). */
 #define DOM_ROW_ENDS(X)                                                                                      \
     X(FALLS, "all fall")                                                                                     \
-    X(STOPS, "its energy is not enough to tip it over")                                                      \
+    X(STOPS, "it has too little energy to tip over")                                                         \
     X(MISSES, "it misses the next domino: the gap is larger than its height")                                \
-    X(PASSES, "its upper edge passes above the next domino, a contact that the model does not include")      \
+    X(PASSES, "its upper edge passes above the next domino, and the model does not include the contact "     \
+              "that follows")                                                                                \
     X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
     X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
     X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
-    X(SKEWED, "as one of them leans, it touches the next already, or where the model has no contact")
+    X(SKEWED, "because one of the dominoes leans, it already touches the next one, or would touch it in a "  \
+              "way that the model does not include")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,

@@ -25,7 +25,7 @@ load common
     same message '-e:1: assert: not true: all dominoes fall' "$stderr"
     same 'goes on' 7 "${lines[-1]}"
     run -1 --separate-stderr "$DOMINO" --bail -e 'set r 2.2; assert barrier; print 77'
-    same bail '-e:1: assert: not true: the train goes on' "$stderr"
+    same bail '-e:1: assert: not true: the train keeps falling' "$stderr"
     [[ $output != *77* ]]
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'assert design 8 m hall 9 m'
     same design '-e:1: assert: not true: a row fits the wishes' "$stderr"
@@ -35,7 +35,7 @@ load common
     same file 'all fall' "$(tail -n 1 verdict.csv | cut -d , -f 1)"
     "$DOMINO" -e 'assert prove verdict; assert prove rmax 0.4; assert prove count 1' >proved
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'set r 2; assert prove verdict'
-    same proof '-e:1: assert: not true: there is a proof that the train goes on' "$stderr"
+    same proof '-e:1: assert: not true: there is a proof that the train keeps falling' "$stderr"
     wrong 'assert rmax' "'rmax' has no verdict; commands that have one: barrier, .*fall, verdict, design"
     wrong 'assert' 'COMMAND is missing; usage: assert COMMAND'
     wrong 'assert verdit' "did you mean 'verdict'"

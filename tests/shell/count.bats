@@ -54,7 +54,7 @@ can it fall? yes' "$("$DOMINO" -e 'count 112' | head -n 3)"
         '4|the 11th domino' '6|the 12th domino' '9|the 13th domino' '200|the 21st domino'; do
         [[ $("$DOMINO" -e "count ${pair%|*}") == *"; ${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
     done
-    same 'tall enough' 'No domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
+    same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
     # A train that misses the next domino is a "no", too: the number is there all the same.
     answer=$(json "set s 0.9; count 112")
     same "r s > 1" "20 false" "$(values dominoes <<<"$answer") $(values feasible <<<"$answer")"
@@ -103,16 +103,16 @@ END
 @test "count says how a row ends that does not start, and how few start by themselves" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
     for words in '^16 dominoes, .* would be needed' '^can it fall? no$' \
-        'just tips over it ends at domino 2: its energy is not enough .* a push of 6\.766 rad/s is enough' \
-        'A train that already moves goes on\.' 'solid *no;.* 1\.64423 .* 16 dominoes; up to 1\.59459 .* 17 dominoes'; do
+        'just tips over the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
+        'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423 .* 16 dominoes; .* up to 1\.59459: 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112 m 1.64' "$words" "$answer"
     done
     answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2')
     grep -q 'ends at domino 1: the first touches the second before it tips over' <<<"$answer"
-    grep -q 'hollow *no; .* none starts by itself' <<<"$answer"
+    grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
     # The longest row that starts is that of 'rowmax', and the reason is in json.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
-    json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over it ends at domino 2'
+    json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over the row ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
     answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm')
     grep -q '^can it fall? yes$' <<<"$answer"

@@ -112,9 +112,9 @@ END
     rows=$(json 'set r 1.7; cycle 4')
     same 'stops' stop "$(tail -n 1 <<<"$rows" | values event)"
     same 'at rest' 0 "$(tail -n 1 <<<"$rows" | values omega)"
-    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops, because it has too little energy to go on'
+    "$DOMINO" -e 'set r 1.7; cycle 4' | grep -q 'The train stops, because it has too little energy to keep falling'
     run -0 "$DOMINO" -e 'set s 0.001; cycle'
-    [[ $output == *'no domino effect: falling sets no energy free, so no cycle begins (25; c7)'* ]]
+    [[ $output == *'no domino effect: falling releases no energy, so no cycle begins (25; c7)'* ]]
 }
 
 @test "step: launch, top, hit, then the next cycle, sqrt(r) slower and r times larger" {
@@ -156,13 +156,13 @@ END
 1e-9|effect friction 0.2; set q hollow; set s 0.5; set r 1.8
 1e-9|effect friction 0.2; set s 0.6; set r 1.4
 END
-    "$DOMINO" -e 'set fuel paper; step' | grep -q "The ledger is open by -0.009769 mgh/2, since the paper's fuel is not a balance"
+    "$DOMINO" -e 'set fuel paper; step' | grep -q "The balance of energy is off by -0.009769 mgh/2, because the paper's closed form of the fuel does not follow"
 }
 
 @test "step where the train stops: up to there, says where and why, and no further" {
     run -1 "$DOMINO" --keep-going -e 'set r 1.7; step; step; step; print 1'
     [[ $output == *'The train stops at theta = 0.0280216 rad'* ]]
-    [[ $output == *"step: the train has stopped; 'why' says more"* ]]
+    [[ $output == *"step: the train has stopped; 'why' explains it"* ]]
     same 'the session goes on' 1 "${lines[-1]}"
     run -1 "$DOMINO" --keep-going -e 'set r 1.7; step 9'
     [[ $output == *'The train stops at theta'* ]]
@@ -187,25 +187,25 @@ END
 
 @test "other parameters begin the walk again, and say so" {
     run -0 "$DOMINO" -e 'step 2; set r 1.4; where'
-    [[ $output == *'The parameters have changed: the walk begins again.'* ]]
+    [[ $output == *'The parameters have changed, so the steps begin again at the launch.'* ]]
     same 'launch' launch "$(json 'step 2; set r 1.4; where' | tail -n 1 | values event)"
     same 'output does not count' top "$(json 'step 2; set digits 5; where' | tail -n 1 | values event)"
 }
 
 @test "why: the verdict, the term that decides, and that dominoes stay in contact" {
     run -0 "$DOMINO" -e 'why'
-    for words in 'The train goes on: it has 730 % of the energy that it needs to push the next domino over.' 'K >= B (26; c8)' \
+    for words in 'The train keeps falling: it has 730 % of the energy that it needs to push the next domino over.' 'K >= B (26; c8)' \
         'may be up to 1.64423 times as large' 'The dominoes stay in contact, as the paper assumes'; do
         [[ $output == *"$words"* ]] || same "$words" "$words" "$output"
     done
     run -0 "$DOMINO" -e 'set r 1.7; why'
     [[ $output == *'The train stops: it has 62 % of the energy that it needs to push the next domino over.'*'K < B (26; c8)'* ]]
     run -0 "$DOMINO" -e 'set s 0.001; why'
-    [[ $output == *'The train does not fall: falling sets no energy free.'*'(25; c7)'* ]]
+    [[ $output == *'The train does not fall: falling releases no energy.'*'(25; c7)'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
-    [[ $output == *'it has nothing to climb, and any motion is enough'* ]]
+    [[ $output == *'it has nothing to climb, so that any motion is enough'* ]]
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
-    [[ $output == *'Growth ends by reach: beyond r = 1/s = 1.25'* ]]
+    [[ $output == *'The growth is limited by the reach: with r above 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
     # The first two sentences need no symbol, and advise: closer or farther apart, less growth, thinner dominoes.
     while IFS='|' read -r scene advice; do
@@ -223,7 +223,7 @@ END
     run -0 "$DOMINO" -e 'set r 1.00001*rmax; barrier'
     [[ ${lines[0]} =~ ^'The train stops: it has 99.9'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '99.9... %' "${lines[0]}"
     run -0 "$DOMINO" -e 'set r 0.99999*rmax; barrier'
-    [[ ${lines[0]} =~ ^'The train goes on: it has 100.0'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '100.0... %' "${lines[0]}"
+    [[ ${lines[0]} =~ ^'The train keeps falling: it has 100.0'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '100.0... %' "${lines[0]}"
 }
 
 @test "where and draw agree on whether the walk still is in this train" {
@@ -247,12 +247,12 @@ END
     local change where
     for change in 'set s 0.3' 'set r 1.4' 'set d 0.2' 'set q 3' 'set tol 1e-9' 'set fuel paper' \
         'set precision quad' 'effect friction 0.3'; do
-        [[ $("$DOMINO" -e "goto 0.2; $change; where") == *'the walk begins again'* ]]
+        [[ $("$DOMINO" -e "goto 0.2; $change; where") == *'the steps begin again at the launch'* ]]
         same "$change" "$("$DOMINO" -e "$change > /dev/null; draw 0")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change > /dev/null; draw")"
     done
     for change in 'set h 1' 'set mass 2' 'set digits 5' 'set seed 3' 'effect row 5' 'effect floor 0.4'; do
-        [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the walk begins again'* ]]
+        [[ $("$DOMINO" -e "goto 0.2; $change; where") != *'the steps begin again at the launch'* ]]
         same "$change" "$("$DOMINO" -e "$change; draw train 0.2")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw train")"
     done

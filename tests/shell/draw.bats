@@ -90,7 +90,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line "'9' is one argument too many; usage: draw, draw at 2.5 s, " 'draw forces 9'
     one_line "'sideways' is neither a value nor one of the words; usage: draw" 'draw sideways'
     one_line "'forces' is one argument too many; usage: draw" 'draw forces forces'
-    one_line 'it stops at 0.02802163121 rad, below the barrier' 'set r 1.7; draw 0.3 > a.svg'
+    one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
     one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
     one_line 'use the ending .gif, .webm or .mp4' 'animate a.png'

@@ -99,7 +99,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'out of reach' 'none null' "$(values ends_by <<<"$row") $(values r_max <<<"$row")"
     [[ $(values reason <<<"$row") == *'fall past each other'* ]]
     wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*up to 1.08726646'
-    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'beyond r = 1.08727 the head'* ]]
+    [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'with r above 1.08727 the head'* ]]
 }
 
 @test "edges: step, why, thetac and scene name their equations; no paper fuel, no proof; a file of the row keeps radii" {
@@ -114,7 +114,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in 41; A17 and 42; A18)|0.0625102'; do
         IFS='|' read -r effect label keeps <<<"$with"
         run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step"
-        [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"it keeps $keeps."* ]]
+        [[ $output == *"Domino 1 detaches from domino 0"*"$label"*"and keeps $keeps."* ]]
     done
     same 'no paper fuel' null "$(json 'effect edges 0.01; fuel' | values fuel_paper)"
     same 'no proof' 'not proved: trains with friction, a slope or rounded edges have no proof' "$(json 'effect edges 0.01; prove rmax' | values reason)"

@@ -157,7 +157,7 @@ END
 15|curve 0.1 0.9 -5|^curve: N = -5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 2.5|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 1e12|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
-0|curve 0.1 0.9 1|^curve: one row .*at least 2, for example
+0|curve 0.1 0.9 1|^curve: one value of s .*at least 2, for example
 7|count 0|^count: H = 0 .*metres, larger than 0$
 7|count -112|^count: H = -112 .*metres, larger than 0$
 11|count 112 0.5|^count: R = 0.5 is out of range; R is a value of r, 1 \.\. 1e\+06$

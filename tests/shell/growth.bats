@@ -38,7 +38,7 @@ END
 @test "rmax says why exact and paper differ, and only where they do" {
     "$DOMINO" -e rmax | grep -q '^They differ because'
     same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
-    "$DOMINO" -e 'rmax 0.9' | grep -q '^Both end by the reach'
+    "$DOMINO" -e 'rmax 0.9' | grep -q '^Both are limited by the reach'
     same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
 }
 
@@ -61,12 +61,12 @@ set s 0.001; omega 0|omegasq omega|fuel P is not positive
 set s 0.001; barrier|kinetic margin|fuel P is not positive
 set s 0.001; duration|duration seconds speed|fuel P is not positive
 set s 0.001; set fuel paper; launch|omega0sq omega0 kinetic|fuel P is not positive
-rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*no energy free
+rmax 0.001|r_max r_max_exact r_max_paper|no growth possible.*release no energy
 pair 0.1|r_max|no growth possible
 set d 1; best|s r_max|no growth possible
-set r 1.8; duration|duration seconds speed|below the barrier
-set r 1.8; omega 0.2|omegasq omega|below the barrier
-set r 1.8; barrier||too little energy, and stops at theta.*below the barrier
+set r 1.8; duration|duration seconds speed|before the top of the barrier
+set r 1.8; omega 0.2|omegasq omega|before the top of the barrier
+set r 1.8; barrier||too little energy and stops at theta.*before the top of the barrier
 END
 }
 
@@ -92,12 +92,12 @@ END
 
 @test "rmax names both limits where a row needs less growth to start than a train to go on" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
-    for words in '1\.64423 times as large' 'just tips over falls up to growth 1\.59459' \
-        'With growth 1\.64 it needs a push of 6\.766 rad/s'; do
+    for words in '1\.64423 times as large' 'just tips over falls with growth up to 1\.59459' \
+        'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do
         grep -q "$words" <<<"$answer" || same rmax "$words" "$answer"
     done
     "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'just tips over does not fall with any growth'
-    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls up to growth 1\.63'
+    "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls with growth up to 1\.63'
     # Both limits are the same where the reach ends them.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
     ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is a train that moves'

@@ -50,7 +50,7 @@ growth paper|solid,~the~paper's~fuel hollow,~the~paper's~fuel
 marginal|solid~pair hollow~pair hollow~train solid~train reach: now:
 sweep s 0.2 0.6 5 : rmax|rmax~over~s r_max s,~separation
 sweep q 3, 4 s 0.2 0.6 5 : rmax|q~=~3 q~=~4 r_max
-sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~over~height
+sweep s 0.2 0.6 9 d 0.1 0.3 7 : print 2*rmax|2\*rmax: d,~thickness~divided~by~height
 END
     differ "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth paper' | grep -c "paper's")"
     same "the paper's fuel only on request" 0 "$("$DOMINO" -e 'plot growth' | grep -c "paper's" || true)"

@@ -8,11 +8,11 @@ root=$BATS_TEST_DIRNAME/../..
 
 @test "prove says in words what is proved, and r_max lies in it" {
     run -0 "$DOMINO" -e 'set d 7/48; prove rmax 0.4'
-    [[ $output == *'Proved: for every growth from 1 to 1.644229039535 the train goes on; at 1.644229039536 it stops.'* ]]
+    [[ $output == *'Proved: for every growth from 1 to 1.644229039535 the train keeps falling; at 1.644229039536 it stops.'* ]]
     run -0 "$DOMINO" -e 'set tol 1e-4; prove rmax 0.4'
-    [[ $output == *'for every growth from 1 to 1.6442 the train goes on; at 1.6443 it stops.'* ]]
+    [[ $output == *'for every growth from 1 to 1.6442 the train keeps falling; at 1.6443 it stops.'* ]]
     run -0 "$DOMINO" -e 'prove rmax 0.7'
-    [[ $output == *'Proved: for every growth from 1 up to 1/s the train goes on.'* ]]
+    [[ $output == *'Proved: for every growth from 1 up to 1/s the train keeps falling.'* ]]
     run -0 "$DOMINO" -e 'prove rmax 0.005'
     [[ $output == *'Proved: at growth 1 the train stops.'* ]]
     run -0 "$DOMINO" -e 'set q hollow; prove pair 0.3'
@@ -103,7 +103,7 @@ root=$BATS_TEST_DIRNAME/../..
 @test "prove count says what it computes without a proof: whether the row starts" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"
-    grep -q '"reason":"with a first domino that just tips over it ends at domino 2' <<<"$answer"
+    grep -q '"reason":"with a first domino that just tips over the row ends at domino 2' <<<"$answer"
     same 'with growth 1.5' 'goes on' "$(json 'prove count 112' | values result)"
     "$DOMINO" -e 'prove count 112' | grep -q 'Computed, but not proved: .* the row starts'
     run -1 "$DOMINO" -e 'set r 1.64; assert prove count 112'

@@ -80,7 +80,7 @@ END
     [[ $("$DOMINO" -n -e 'effect row 1; verdict') == 'It falls.'* ]]
     [[ $("$DOMINO" -n -e "$push; verdict") =~ 'it has '[0-9]{4,}' times the energy that it needs.' ]]
     [[ $("$DOMINO" -n -e "$push; draw") =~ 'with '[0-9]{4,}' times the energy that it needs.' ]]
-    "$DOMINO" -n -e step | grep -q ' m g s; all push'
+    "$DOMINO" -n -e step | grep -q ' m g s; all of them push'
 }
 
 @test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {

@@ -73,7 +73,7 @@ END
     same 'row below' 'all fall' "$(json "set q hollow; set r 5/3; effect row 11; effect friction $limit*0.999999; verdict" | values verdict)"
     same 'row above' stops "$(json "set q hollow; set r 5/3; effect row 11; effect friction $limit*1.000001; verdict" | values verdict)"
     run -0 "$DOMINO" -e 'set r 1.2; solve friction 0 0.2 : barrier'
-    same always 'barrier: the train goes on for every friction = 0 .. 0.2.' "$output"
+    same always 'barrier: the train keeps falling for every friction = 0 .. 0.2.' "$output"
 }
 
 @test "solve: none is an answer with its reason, and what is wrong is one line" {

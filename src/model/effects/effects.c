@@ -4,10 +4,10 @@
 
 const struct dom_effect dom_energy_balance = {
     .name = "energy balance",
-    .adds = "no effect: contacts without friction take no energy",
-    .help = "Kinetic energy and height are kept through a cycle (21; c3), and the collision keeps "
-            "angular momentum (22; c4), so a train that repeats itself has its kinetic energy in closed form "
-            "(24; c6).",
+    .adds = "no effect: contacts without friction dissipate no energy",
+    .help = "The sum of kinetic and potential energy is constant during a cycle (21; c3), and the collision "
+            "conserves angular momentum (22; c4), so that the kinetic energy of a train that repeats itself "
+            "is known in closed form (24; c6).",
     .source = "J. M. J. van Leeuwen, Domino Magnification",
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
@@ -20,24 +20,19 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "friction",
             .synonyms = "mu rub rough sandpaper slippery coefficient",
-            .adds = "Coulomb friction between dominoes, also in the collision",
-            .help =
-                "Wood on wood has 0.2 to 0.5; 0 is the paper's model. The tip of each follower slides down "
-                "the "
-                "face of its leader; there the force mu N acts along the face, where N is the contact force. "
-                "The "
-                "arms of a contact become a = Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the "
-                "follower. The torques add up with S_0 = 1, S_{i+1} = S_i a_i/b_i. For w = tau^2 omega^2 the "
-                "equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B = "
-                "sum "
-                "r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). The collision keeps (A(0) - "
-                "1)/A(0) of the angular velocity. The barrier is the kinetic energy that the train needs to "
-                "come "
-                "over the hardest tilt. The verdict 'locks' exists with friction only: near r s = 1 the "
-                "force on "
-                "the struck domino passes on the wrong side of its hinge and cannot turn it. 'fuel paper' "
-                "cannot "
-                "be combined with friction: there is no closed form of the fuel.",
+            .adds = "Coulomb friction between dominoes, in motion and in the collision",
+            .help = "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's "
+                    "model. The tip of each follower slides down the face of its leader; the friction force "
+                    "mu N acts along the face, where N is the contact force. The arms of a contact become a "
+                    "= Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the follower. The torques add "
+                    "up with S_0 = 1, S_{i+1} = S_i a_i/b_i. For w = tau^2 omega^2 the equation of motion is "
+                    "(A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B = sum r^-(q+1)i S_i "
+                    "theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision the angular velocity "
+                    "is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic energy that the train "
+                    "needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
+                    "friction: near r s = 1 the force on the struck domino passes on the wrong side of its "
+                    "hinge and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's "
+                    "closed form of the fuel does not include this effect.",
             .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
             .plan = "equation of motion, linear in omega^2: Chebyshev series",
             .dissipates = true,
@@ -53,19 +48,15 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "slope",
             .synonyms = "alpha hill incline ramp tilt downhill uphill",
             .adds = "a floor that slopes, downhill where ALPHA > 0",
-            .help =
-                "An upright domino stands only where |ALPHA| is below theta_u, the angle at which it tips "
-                "over, "
-                "tan theta_u = d. One degree changes r_max by 5 to 8 %. Tilts are measured from the normal "
-                "of "
-                "the floor. The potential energy of a domino is then h(theta) = cos(theta + alpha) + d "
-                "sin(theta "
-                "+ alpha), in H, in the fuel P, in the barrier and in the forces; with friction C = 1/2 sum "
-                "r^-qi S_i (sin(theta_i + alpha) - d cos(theta_i + alpha)). 'fuel paper' cannot be combined "
-                "with "
-                "a slope: there is no closed form of the fuel.",
+            .help = "An upright domino stands only where |ALPHA| is below theta_u, the angle at which it "
+                    "tips over, tan theta_u = d. A slope of one degree changes r_max by 5 to 8 %. Tilts are "
+                    "measured from the normal of the floor. The potential energy of a domino is then "
+                    "h(theta) = cos(theta + alpha) + d sin(theta + alpha), which changes H, the fuel P, the "
+                    "barrier and the forces; with friction, C = 1/2 sum r^-qi S_i (sin(theta_i + alpha) - d "
+                    "cos(theta_i + alpha)). 'fuel paper' cannot be combined with a slope: the paper's closed "
+                    "form of the fuel does not include this effect.",
             .source = "the potential energy of a block on an inclined plane",
-            .plan = "the potential energy turned by alpha",
+            .plan = "the potential energy, with the tilt increased by alpha",
             .argument = {{.name = "ALPHA",
                           .unit = "rad",
                           .meaning = "angle by which the floor falls in the direction of the train",
@@ -79,27 +70,23 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .synonyms = "box hollow boards plywood inertia shell",
             .adds = "the moment of inertia of boxes of six walls",
             .help =
-                "Without it a domino is a solid block, also where 'q' is hollow. A train has dominoes of one "
-                "shape, "
-                "each with walls of the same share of its height: only times change, since the moment of "
-                "inertia is "
-                "in tau alone; thin walls take 2.8 % longer. In a row all dominoes are boxes of the same "
-                "boards, of "
-                "THICKNESS times the height of the first domino, or of a length such as 'effect walls 12 "
-                "mm': "
-                "inertia and masses that follow from a density are those of the boxes. Walls of half of the "
-                "thickness make a solid block. A domino is half as wide as tall. The moment of inertia about "
-                "the "
-                "lower edge is that of a solid block of the same mass, times 1 + v (1 - u)/(4 (1 - v)), with "
-                "the "
-                "volume of the hollow v = (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 "
-                "t)^2)/(1 + "
-                "d^2).",
-            .source = "moments of inertia of two blocks, one cut out of the other; the parallel axis",
+                "Without this effect the moment of inertia is that of a solid block, even if 'q' is hollow. "
+                "In a train, the thickness of the walls is the same fraction of the height for every domino: "
+                "only times change, because the moment of inertia enters only tau. With thin walls times are "
+                "2.8 % longer. In a row all dominoes are boxes of the same boards, whose thickness is "
+                "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. The "
+                "moments of inertia, and masses that follow from a density, are then those of the boxes. "
+                "Walls half as thick as the domino make a solid block. A domino is half as wide as it is "
+                "tall. The moment of inertia about the lower edge is that of a solid block of the same mass, "
+                "times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 t/d)(1 "
+                "- 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+            .source =
+                "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "one factor of the moment of inertia, in closed form",
             .argument = {{.name = "THICKNESS",
                           .unit = "h",
-                          .meaning = "thickness of the walls over the height of the domino, or a length",
+                          .meaning =
+                              "thickness of the walls divided by the height of the domino, or a length",
                           .lowest = (dom_real)1 / 1000000000,
                           .highest = 1,
                           .usual = (dom_real)1 / 48}},
@@ -109,29 +96,24 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "edges",
             .synonyms = "rho rounded round radius corner bevel rolling foot",
-            .adds = "edges rounded with a radius, which roll on the floor",
-            .help =
-                "The radius of the edges is RADIUS times the height, the same share for each domino of a "
-                "train; "
-                "a file of a row may give each domino a radius of its own. It is at most half of the "
-                "thickness. "
-                "Edges rounded by 1 % of the height, as dominoes on sale have them, raise r_max by about 7 "
-                "%. "
-                "The foot rolls on the floor without slipping, and the round upper edge of a follower slides "
-                "down the flat back of its leader. With l = 1 - 2 rho the potential energy of a domino is "
-                "h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta. The inertia is that about the line "
-                "of "
-                "contact with the floor: J = sum r^-(q+1)i i(theta_i) theta_i'^2, and the collision keeps "
-                "(J(0) "
-                "- i(0))/J(0) of the angular velocity. The head hits the next domino where rho theta_c + l "
-                "sin "
-                "theta_c = r s. No error bounds are known, and growths are sampled, as with friction. 'fuel "
-                "paper' cannot be combined with rounded edges: there is no closed form of the fuel.",
+            .adds = "rounded edges, on which dominoes roll over the floor",
+            .help = "The radius of the edges is RADIUS times the height, for every domino of a train; in a "
+                    "row from a file each domino can have a radius of its own. The radius is at most half of "
+                    "the thickness. Edges rounded by 1 % of the height, as dominoes on sale have them, raise "
+                    "r_max by about 7 %. The foot rolls on the floor without slipping, and the round upper "
+                    "edge of a follower slides down the flat back of its leader. With l = 1 - 2 rho the "
+                    "potential energy of a domino is h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta. "
+                    "The moment of inertia is taken about the line of contact with the floor: J = sum "
+                    "r^-(q+1)i i(theta_i) theta_i'^2, and in the collision the angular velocity is "
+                    "multiplied by (J(0) - i(0))/J(0). The head hits the next domino where rho theta_c + l "
+                    "sin theta_c = r s. No error bounds are known, and r_max is found from samples of the "
+                    "growth, as with friction. 'fuel paper' cannot be combined with rounded edges: the "
+                    "paper's closed form of the fuel does not include this effect.",
             .source = "rigid bodies that roll and slide, after J. M. J. van Leeuwen, Domino Magnification",
             .plan = "contacts by Newton's method, inertia i(theta)",
             .argument = {{.name = "RADIUS",
                           .unit = "h",
-                          .meaning = "radius of the edges over the height",
+                          .meaning = "radius of the edges divided by the height",
                           .lowest = 0,
                           .highest = (dom_real)0.49,
                           .usual = (dom_real)0.01}},
@@ -141,24 +123,19 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "row",
             .synonyms = "file csv load measurements list finite spacing",
             .adds = "a finite row of dominoes, equal or not, instead of the endless train",
-            .help = "With N, domino k is h r^(k-1) tall; its gap is s times its own height, and its mass is "
-                    "what q says. "
-                    "FILE is a csv file with a line for each domino and the columns height, thickness, gap "
-                    "and, if "
-                    "known, mass or density; units are in its first line, as in 'height (mm)', or in its "
-                    "cells. The row "
-                    "starts with a push ('effect push'), or with its first domino tipped over its edge. "
-                    "'fall' runs it. "
-                    "Domino j leans on k = j + 1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos "
-                    "theta_k - d_k. "
-                    "The energy is H = sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, "
-                    "and the "
-                    "collision is that of the train with these sums. The model ends, and the answer says so, "
-                    "where an "
-                    "upper edge would pass above the next domino and where a contact would have to pull.",
+            .help = "With a number N, domino k is h r^(k-1) tall, the gap before it is s times its height, "
+                    "and q decides its mass. FILE is a csv file with a line for each domino and the columns "
+                    "height, thickness, gap and, if known, mass or density. Units stand in the first line, "
+                    "as in 'height (mm)', or in the cells. The row starts with a push ('effect push'), or "
+                    "with its first domino just tipping over. 'fall' runs the row. Domino j leans on k = j + "
+                    "1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k. The energy is H "
+                    "= sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
+                    "collision is that of the train, computed with these sums. Where an upper edge would "
+                    "pass above the next domino, or a contact would have to pull, the model does not apply, "
+                    "and the answer ends there with a message.",
             .source =
                 "energy balance and collision of the paper, (19; c1) to (22; c4), with sizes for each domino",
-            .plan = "for each head: kinetic energy against the top of H",
+            .plan = "for each head: kinetic energy compared with the maximum of H",
             .argument = {{.name = "N",
                           .unit = "",
                           .meaning = "number of dominoes",
@@ -173,15 +150,11 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "push",
             .synonyms = "start finger kick speed velocity",
             .adds = "a push of the first domino, which then starts upright",
-            .help = "Without a push the first domino starts on its edge, where it just tips over (tan "
-                    "theta_u = d), "
-                    "and is let go; the clock starts when it hits the second domino. With a push it starts "
-                    "upright, "
-                    "and the clock starts with the push. A standard domino needs about 2.5 rad/s to tip "
-                    "over; with a "
-                    "weaker push the verdict is that the row stops at domino 1. A row whose first domino "
-                    "touches the "
-                    "second before it tips over needs a push.",
+            .help = "Without a push the first domino is let go where it just tips over its edge (tan theta_u "
+                    "= d), and the clock starts when it hits the second domino. With a push the first domino "
+                    "starts upright, and the clock starts with the push. A standard domino needs about 2.5 "
+                    "rad/s to tip over; with a weaker push the row stops at domino 1. If the first domino "
+                    "touches the second before it tips over, the row needs a push.",
             .source = "energy of a single domino, (6; b2) and (9; b5)",
             .plan = "omega^2 of the first domino",
             .argument = {{.name = "OMEGA",
@@ -197,20 +170,19 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "placement",
             .synonyms = "probability chance errors precision accuracy error_gap error_height gaps heights",
             .adds = "random errors of the gaps, and of the heights if HEIGHTS is given",
-            .help =
-                "The row is set up again and again. Each gap has a normal error of its own with the standard "
-                "deviation SIGMA, which is a length; each height has a relative error with the standard "
-                "deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, and all errors "
-                "within them are equally likely. Dominoes that would overlap touch. 'placement' counts how "
-                "often all dominoes fall, with the exact 95 % interval of Clopper and Pearson, and reports "
-                "where rows stop. 'budget' finds the SIGMA that a probability allows. Row number i is the "
-                "same "
-                "for the same 'seed', with any number of 'threads'. More errors are effects of their own: "
-                "error_place, error_thickness, error_mass, error_lean and error_radius of each domino, and "
-                "error_friction, error_slope, error_floor and error_push of the whole row.",
+            .help = "The row is set up many times. Each gap has a normally distributed error with the "
+                    "standard deviation SIGMA, which is a length, and each height has a relative error with "
+                    "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "
+                    "and all errors within them are equally likely. Dominoes that would overlap touch. "
+                    "'placement' counts how often all dominoes fall, gives the exact 95 % interval of "
+                    "Clopper and Pearson, and reports where rows stop. 'budget' finds the SIGMA with which a "
+                    "given share of the rows falls. With the same 'seed', row number i is always the same, "
+                    "with any number of 'threads'. More errors are effects of their own: error_place, "
+                    "error_thickness, error_mass, error_lean and error_radius of each domino, and "
+                    "error_friction, error_slope, error_floor and error_push of the whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                       "generators of GSL",
-            .plan = "many rows, verdicts only, on all processors",
+            .plan = "many rows, of which only the verdicts are computed, on all processors",
             .argument = {{.name = "SIGMA",
                           .unit = "m",
                           .meaning = "standard deviation of every gap",
@@ -239,21 +211,17 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .name = "floor",
             .synonyms = "feet foot slip slide slippery ground",
             .adds = "the friction that the floor needs so that no foot slips",
-            .help = "With it, 'fall' and 'slip' report the friction coefficient that the floor needs so that "
-                    "no foot "
-                    "slips. The motion is computed for feet that do not slip: the answer says where a domino "
-                    "would first "
-                    "slip on a floor with MU. Newton's law for the centre of each block gives the force R of "
-                    "the floor "
-                    "at its hinge: mass times acceleration, minus gravity and the forces of the contacts. "
-                    "The hinge "
-                    "holds while |R_x|/R_z is below MU. In the collision the same holds for the impulses; "
-                    "for the struck "
+            .help = "With this effect, 'fall' and 'slip' report the friction coefficient that the floor "
+                    "needs so that no foot slips, and which domino would slip first on a floor with the "
+                    "friction MU. The motion is computed for feet that do not slip. Newton's law for the "
+                    "centre of each block gives the force R of the floor on its foot: mass times "
+                    "acceleration, minus gravity and the contact forces. The foot does not slip while "
+                    "|R_x|/R_z is below MU. In the collision the same holds for the impulses; for the struck "
                     "domino the ratio is |1/2 - (1 + d^2)/(3 a)|/(d/2), which is 0 if the domino is hit at "
-                    "its centre of "
-                    "percussion. A domino that would be lifted needs more friction than any floor has.",
+                    "its centre of percussion. If a domino would be lifted off the floor, no friction is "
+                    "enough.",
             .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
-            .plan = "forces at samples, closer around the largest",
+            .plan = "forces at sampled tilts, with closer samples around the largest force",
             .argument = {{.name = "MU",
                           .unit = "",
                           .meaning = "friction coefficient of the floor",

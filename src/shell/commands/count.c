@@ -6,17 +6,17 @@
 #include <string.h>
 
 const struct column count_columns[] = {
-    {"height", "m", "the domino to topple is at least this tall", 0},
-    {"r", "", "growth: how much larger each domino is than the one before", 0},
-    {"dominoes", "", "how many it takes: the smallest n with first_height r^n >= height", 0},
-    {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
+    {"height", "m", "the height H of the domino to topple", 0},
+    {"r", "", "growth: how many times as large each domino is as the one before", 0},
+    {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
+    {"exact", "", "ln(height / first_height) / ln r, which is n before rounding up", 0},
     {"first_height", "m", "height of the first domino", 0},
-    {"last_height", "m", "height of the toppled one, first_height r^n", 0},
-    {"feasible", "", "whether such a row falls when its first domino starts it", 8},
-    {"goes_on", "", "whether an endless train with this growth goes on once it moves", 7},
+    {"last_height", "m", "height of the domino that is toppled, first_height r^n", 0},
+    {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
+    {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
     {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},
-    {"push", "rad/s", "the weakest push with which it would fall", 0},
-    {"r_start", "", "the largest growth with which such a row starts and goes on", 0},
+    {"push", "rad/s", "the weakest push with which such a row would fall", 0},
+    {"r_start", "", "the largest growth with which such a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -38,10 +38,10 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
     struct domq_barrier barrier;
     enum dom_status status = domq_barrier_find(train, compute, &barrier);
     *why = status == DOM_OUT_OF_REACH ? "each domino falls past the next one without touching it (r s > 1)"
-           : status == DOM_STOPS      ? "the train has too little energy to go on"
-           : status == DOM_NO_FUEL    ? "falling sets no energy free"
+           : status == DOM_STOPS      ? "the train has too little energy to keep falling"
+           : status == DOM_NO_FUEL    ? "falling releases no energy"
            : status == DOM_LOCKS      ? "friction locks the train"
-           : status == DOM_UNDERFLOW  ? "r is so large that no energy is left"
+           : status == DOM_UNDERFLOW  ? "r is too large for the precision"
                                       : NULL;
     return *why ? DOM_OK : status;
 }
@@ -103,14 +103,14 @@ static bool kind_say(const struct query *query, struct answer *a, struct problem
     if (!tower_find(query, &train, height, &t, problem))
         return false;
     if (t.limit.ends == DOM_END_NONE) {
-        answer_say(a, "  %-7s no; not even equal dominoes go on", kind);
+        answer_say(a, "  %-7s no; not even equal dominoes keep falling", kind);
         return true;
     }
     if (isnan(t.growths.r_max) && !t.start.engine)
-        snprintf(starts, sizeof starts, "; none starts %s", by);
+        snprintf(starts, sizeof starts, "; but no such row starts %s", by);
     else if (t.growths.r_max < t.limit.r_max)
-        snprintf(starts, sizeof starts, "; up to %.6g a row starts %s: %s", (double)t.growths.r_max, by,
-                 enough_text(query, height, t.growths.r_max, starting));
+        snprintf(starts, sizeof starts, "; a row starts %s with growth up to %.6g: %s", by,
+                 (double)t.growths.r_max, enough_text(query, height, t.growths.r_max, starting));
     answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind, t.falls ? "yes;" : "no;",
                (double)t.limit.r_max, enough_text(query, height, t.limit.r_max, moving), starts);
     return true;
@@ -165,7 +165,8 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     const struct domq_count *count = &t->count;
     char number[WIDE_TEXT], growth[WIDE_TEXT], nth[WIDE_TEXT + 16];
     if (count->dominoes == 0) {
-        answer_say(a, "No domino is needed: the first is already %s tall.\n", measured(first, "m", 6).text);
+        answer_say(a, "No other domino is needed: the first is already %s tall.\n",
+                   measured(first, "m", 6).text);
         return;
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
@@ -187,7 +188,7 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     char ends[START_TEXT];
     if (!t->start.falls) {
         start_problem(query, &t->start, ends);
-        answer_say(a, "W%s.%s", ends + 1, t->stops ? "" : " A train that already moves goes on.");
+        answer_say(a, "W%s.%s", ends + 1, t->stops ? "" : " A train that is already moving keeps falling.");
     } else if (t->stops) {
         answer_say(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count, t->stops);
     }
@@ -203,7 +204,7 @@ static const char *count_reason(const struct query *query, const struct answer *
 {
     char name[32];
     if (!isfinite(t->count.dominoes))
-        snprintf(reason, START_TEXT, "r = 1: the dominoes do not grow, no number of them is enough");
+        snprintf(reason, START_TEXT, "with r = 1 dominoes do not grow, so no number of them is enough");
     else if (t->falls || (!t->stops && answer_for_people(a)))
         return NULL;
     else if (t->stops)

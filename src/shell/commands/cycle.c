@@ -9,22 +9,22 @@ static const char *no_fuel(const struct query *query)
 {
     struct domq_fuels fuels;
     if (domq_law(&query->scene->train)->dissipates)
-        return "no domino effect: friction and the larger dominoes take up all the energy that a cycle sets "
-               "free; 'rmax' shows how large r may be";
+        return "no domino effect: friction and the larger dominoes take up all the energy that a cycle "
+               "releases; 'rmax' shows how large r may be";
     if (domq_fuel_find(&query->scene->train, &query->scene->compute, &fuels) == DOM_OK && fuels.paper > 0)
-        return "no domino effect: at this growth r the fuel P is not positive, the smaller dominoes give "
-               "less energy than the head takes up; 'rmax' shows how large r may be";
-    return "no domino effect: the fuel P is not positive, a fallen domino is as high as an upright one (s is "
-           "too small for this d)";
+        return "no domino effect: at this growth r the fuel P is not positive, since the smaller dominoes "
+               "release less energy than the head takes up; 'rmax' shows how large r may be";
+    return "no domino effect: the fuel P is not positive, since a domino that has fallen is as high as an "
+           "upright one (s is too small for this d)";
 }
 
 static const struct column thetac_columns[] = {
     {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
-    {"theta_u", "rad", "a single domino tips over: tan theta_u = d (4; b1)", 0},
+    {"theta_u", "rad", "a single domino just tips over: tan theta_u = d (4; b1)", 0},
     {"theta_inf", "rad", "followers far behind come to rest: cos theta_inf = d/(s+d) (40; A16)", 0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18), or theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
-    {"detaches", "", "yes if followers are too short to lean on their leaders to the end (41; A17)", 9},
+    {"detaches", "", "whether followers are too short to lean on their leaders to the end (41; A17)", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -38,7 +38,7 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     if (query->scene->train.rho != 0) {
         answer_means(a, "theta_c",
                      "the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_means(a, "theta_u", "a single domino tips over, with its rounded foot");
+        answer_means(a, "theta_u", "a single domino with its rounded foot just tips over");
         answer_means(a, "theta_inf", "followers far behind come to rest");
     }
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
@@ -62,7 +62,7 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
     enum dom_status status = domq_contact_find(&query->scene->train, &compute, theta, &c);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    const char *why = isnan(c.arm_a) ? "the follower has detached: it lies at theta_f" : NULL;
+    const char *why = isnan(c.arm_a) ? "whether the follower has detached and rests at theta_f" : NULL;
     return answer_row(
         a,
         ROW(cell_real(theta), CELL_OF(c, theta_1), CELL_OF(c, slope), CELL_OF(c, arm_a), CELL_OF(c, arm_b)),
@@ -71,11 +71,11 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
 
 static const struct column chain_columns[] = {
     {"i", "", "number of the domino; 0 is the head", 5},
-    {"theta_i", "rad", "its tilt (27; A2)", 0},
+    {"theta_i", "rad", "tilt of this domino (27; A2)", 0},
     {"slope_i", "", "d theta_i / d theta (33; A9)", 0},
-    {"arm_a", "h", "lever arm of the force from its follower", 0},
-    {"arm_b", "h", "lever arm of this force on the follower", 0},
-    {"weight", "", "r^(-q i), its share in the energy (19; c1)", 0},
+    {"arm_a", "h", "lever arm of the force from the follower", 0},
+    {"arm_b", "h", "lever arm of the same force on the follower", 0},
+    {"weight", "", "r^(-q i), the weight of this domino in the energy (19; c1)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -114,7 +114,7 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
 }
 
 static const struct column fuel_columns[] = {
-    {"fuel", "mgh/2", "P, as 'set fuel' chooses it, less what friction takes", 0},
+    {"fuel", "mgh/2", "P, computed as 'set fuel' says, minus the energy lost to friction", 0},
     {"fuel_exact", "mgh/2", "P from the balance of energy over one cycle", 0},
     {"fuel_paper", "mgh/2", "the paper's closed form, 1 - cos theta_f - d sin theta_f (25; c7)", 0},
     {NULL, NULL, NULL, 0},
@@ -153,7 +153,8 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
         snprintf(place, sizeof place, " at theta = %s %s,",
                  quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
     snprintf(reason, ANSWER_REASON,
-             "no domino effect: the train has too little energy, and stops%s below the barrier", place);
+             "no domino effect: the train has too little energy and stops%s before the top of the barrier",
+             place);
 }
 
 /*
@@ -167,8 +168,8 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
     *why = status == DOM_NO_FUEL ? no_fuel(query)
            : status == DOM_STOPS ? reason
            : status == DOM_LOCKS
-               ? "no domino effect: friction locks the collision, the force on the struck domino points past "
-                 "its hinge and cannot turn it; a smaller r s or friction leaves it free"
+               ? "no domino effect: friction locks the collision, since the force on the struck domino "
+                 "passes its hinge on the wrong side and cannot turn it; use a smaller r s or less friction"
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);
@@ -228,11 +229,11 @@ static bool run_omega(const struct query *query, struct answer *a, struct proble
 }
 
 static const struct column barrier_columns[] = {
-    {"theta_m", "rad", "where the train is highest", 0},
+    {"theta_m", "rad", "tilt of the head at the maximum of the potential energy", 0},
     {"barrier", "mgh/2", "the energy that the train needs: the maximum of H(theta) - H(0)", 0},
-    {"kinetic", "mgh/2", "the energy that the train has: its motion, J(0) tau^2 omega(0)^2", 0},
-    {"margin", "mgh/2", "kinetic - barrier; at least 0 if the train goes on (26; c8, corrected)", 0},
-    {"verdict", "", "goes on, stops, locks (by friction), or no fuel (no energy)", 7},
+    {"kinetic", "mgh/2", "the energy that the train has: the kinetic energy J(0) tau^2 omega(0)^2", 0},
+    {"margin", "mgh/2", "kinetic - barrier; not negative if the train keeps falling (26; c8, corrected)", 0},
+    {"verdict", "", "goes on, stops, locks (friction) or no fuel (no energy)", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -262,8 +263,8 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
 static const struct column duration_columns[] = {
     {"duration", "tau", "t_f / tau, from one collision to the next", 0},
     {"tau", "s", "unit of time (1; a1); for a solid block sqrt((h^2+d^2)/(3gh))", 0},
-    {"seconds", "s", "t_f in seconds; the next cycle lasts sqrt(r) times as long", 0},
-    {"speed", "m/s", "speed of the front in this cycle, (s+d) r h / t_f", 0},
+    {"seconds", "s", "t_f in seconds; the next cycle takes sqrt(r) times as long", 0},
+    {"speed", "m/s", "speed at which the front advances in this cycle, (s+d) r h / t_f", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -312,9 +313,9 @@ const struct command cycle_commands[] = {
      .synonyms = "profile shape lean",
      .train = true,
      .argument = {{TILT}},
-     .summary = "every domino behind the head that matters, at tilt T",
+     .summary = "the dominoes that matter behind a head with tilt T",
      .equation = "(27; A2) (31; A6) (33; A9)",
-     .help = "How many dominoes matter depends on 'tol': see 'help tol'.",
+     .help = "How many dominoes are listed depends on 'tol': see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
      .see = "theta1 energy",
      .rows = true,
@@ -332,11 +333,12 @@ const struct command cycle_commands[] = {
     {.name = "fuel",
      .synonyms = "energy",
      .train = true,
-     .summary = "the energy that one cycle sets free",
+     .summary = "the energy that one cycle releases",
      .equation = "(25; c7)",
-     .help = "The paper gives the fuel in two forms (25; c7). The sum over the train is the balance of "
-             "energy. The closed form, with which the paper computes, leaves out the weights r^(-q i), and "
-             "is right only for r = 1. After 'set fuel paper' answers are those of the paper's figures.",
+     .help = "The paper gives two formulas for the fuel (25; c7). The sum over the train follows from the "
+             "balance of energy. The closed form, which the paper uses for its figures, leaves out the "
+             "weights r^(-q i) and is right only for r = 1. After 'set fuel paper' the program uses the "
+             "closed form, too.",
      .example = "fuel",
      .see = "launch rmax",
      .principal = "fuel",
@@ -364,22 +366,23 @@ const struct command cycle_commands[] = {
     {.name = "barrier",
      .synonyms = "stop topple climb energy",
      .train = true,
-     .summary = "the energy that the train needs, and whether it has it",
+     .summary = "the energy that the train needs, and whether it has enough",
      .equation = "(26; c8)",
-     .help = "The barrier is at the highest point of the whole cycle. Near r s = 1 the train falls first, "
-             "and climbs after the follower that pushes the head has detached.",
+     .help = "The barrier is the largest potential energy of the train in the whole cycle. Near r s = 1 the "
+             "potential energy decreases first, and increases after the follower that pushes the head has "
+             "detached.",
      .example = "barrier",
      .see = "launch rmax",
      .principal = "barrier",
-     .holds = "the train goes on",
+     .holds = "the train keeps falling",
      ANSWER(barrier)},
     {.name = "duration",
      .synonyms = "time fast velocity seconds",
      .train = true,
-     .summary = "how long a cycle lasts, and how fast the front runs",
+     .summary = "how long a cycle takes, and how fast the front advances",
      .equation = "(1; a1) (21; c3)",
-     .help = "The seconds are those of solid blocks. A hollow box has a larger moment of inertia, and is "
-             "slower: see 'help walls'.",
+     .help = "Times in seconds are those of solid blocks. A hollow box has a larger moment of inertia and "
+             "falls more slowly: see 'help walls'.",
      .example = "duration",
      .see = "omega",
      .principal = "duration",

@@ -16,13 +16,13 @@ static domq_real argument_or(const struct arguments *call, int i, domq_real fall
 static const char *no_growth(struct domq_limit limit)
 {
     return limit.ends != DOM_END_NONE ? NULL
-           : limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) set "
-                                        "no energy free, a fallen one is as high as an upright one"
+           : limit.why == DOM_NO_FUEL ? "no growth possible: at this s and d even equal dominoes (r = 1) "
+                                        "release no energy, since a fallen one is as high as an upright one"
            : limit.why == DOM_LOCKS   ? "no growth possible: friction locks even equal dominoes (r = 1)"
            : limit.why == DOM_OUT_OF_REACH ? "no growth possible: edges this round let even equal dominoes "
                                              "(r = 1) fall past each other at this s; use a smaller s"
                                            : "no growth possible: at this s and d even equal dominoes (r = "
-                                             "1) have too little energy to go on";
+                                             "1) have too little energy to keep falling";
 }
 
 /* Finds the largest growth with each of the two formulas for the fuel. The paper's formula does not cover
@@ -41,10 +41,10 @@ static enum dom_status limits_find(struct domq_train train, const struct domq_co
 
 static const struct column rmax_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"r_max", "", "largest growth with which the train goes on", 0},
-    {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
-    {"r_max_exact", "", "r_max with the fuel from the balance of energy", 0},
-    {"r_max_paper", "", "r_max with the paper's closed form of the fuel", 0},
+    {"r_max", "", "largest growth with which the train keeps falling", 0},
+    {"ends_by", "", "its limit: barrier (energy), reach (misses the next) or none", 7},
+    {"r_max_exact", "", "r_max when the fuel is computed from the balance of energy", 0},
+    {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -52,13 +52,14 @@ static const struct column rmax_columns[] = {
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
     if (used->ends == DOM_END_NONE)
-        answer_say(a, "No domino can be larger than the one before: not even equal ones go on.\n");
+        answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.\n");
     else
         answer_say(a,
                    "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
                    (double)train->s, measured(used->r_max, "", 6).text,
-                   used->ends == DOM_END_REACH ? "A larger one falls past the next without touching it."
-                                               : "With a larger growth there is too little energy to go on.");
+                   used->ends == DOM_END_REACH
+                       ? "Dominoes that grow more fall past the next one without touching it."
+                       : "With a larger growth there is too little energy to keep falling.");
 }
 
 /* Prints why the two formulas for the fuel give different limits or the same one, or why one limit is
@@ -70,7 +71,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
         answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
                    domq_dynamics(train)->name);
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
-        answer_say(a, "Both end by the reach, r = 1/s, where the fuel does not matter.");
+        answer_say(a, "Both are limited by the reach, r = 1/s, which does not depend on the fuel.");
     else if (used->ends != DOM_END_NONE)
         answer_say(a, "They differ because the paper's closed form of the fuel leaves out the weights r^(-q "
                       "i) (25; c7).");
@@ -95,15 +96,19 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
         if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
             return false;
         if (isfinite(start.push))
-            snprintf(push, sizeof push, " With growth %.6g it needs a push of %.4g rad/s.", (double)train->r,
-                     (double)start.push);
+            snprintf(push, sizeof push, " With growth %.6g the row needs a push of %.4g rad/s.",
+                     (double)train->r, (double)start.push);
     }
     start_words(query, words);
     if (starts)
-        answer_say(a, "This is a train that moves. A row that starts %s falls up to growth %.6g.%s", words,
-                   (double)growths.r_max, push);
+        answer_say(a,
+                   "This is for a train that is already moving. A row that starts %s falls with growth up to "
+                   "%.6g.%s",
+                   words, (double)growths.r_max, push);
     else
-        answer_say(a, "This is a train that moves. A row that starts %s does not fall with any growth.%s",
+        answer_say(a,
+                   "This is for a train that is already moving. A row that starts %s does not fall with any "
+                   "growth.%s",
                    words, push);
     return true;
 }
@@ -130,7 +135,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
 static const struct column pair_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"r_max", "", "largest growth with which the first domino topples the second", 0},
-    {"ends_by", "", "barrier (too little energy), reach (misses the next), none", 7},
+    {"ends_by", "", "its limit: barrier (energy), reach (misses the next) or none", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -155,7 +160,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column best_columns[] = {
-    {"s", "h", "separation with which dominoes can grow most", 0},
+    {"s", "h", "separation with which r_max is largest", 0},
     {"r_max", "", "the largest growth", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -169,8 +174,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
         return problem_status(problem, query->scene, status);
     if (status == DOM_OK)
         answer_say(a,
-                   "Dominoes grow most with gaps of %.4g heights: each can be %.4g times as large as the one "
-                   "before.\n",
+                   "Dominoes can grow most with gaps of %.4g heights: each can be %.4g times as large as the "
+                   "one before.\n",
                    (double)best.s, (double)best.r_max);
     return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
                       status == DOM_OK
@@ -180,10 +185,10 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
 
 static const struct column curve_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
-    {"exact", "", "r_max with the fuel from the balance of energy", 0},
-    {"paper", "", "r_max with the paper's closed form of the fuel", 0},
+    {"exact", "", "r_max when the fuel is computed from the balance of energy", 0},
+    {"paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
     {"pair", "", "r_max of the two-domino model", 0},
-    {"reach", "", "1/s, or less with rounded edges: with more growth dominoes miss the next", 0},
+    {"reach", "", "largest growth with which dominoes reach the next: 1/s, or less with rounded edges", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -232,9 +237,10 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     struct cell number = cell_real(0);
     bool by_point;
     if (c.n == 1 && c.from != c.to)
-        return problem_error(problem,
-                             "one row cannot cover %g to %g; N is at least 2, for example 'curve 0.1 0.9 5'",
-                             (double)c.from, (double)c.to);
+        return problem_error(
+            problem,
+            "one value of s cannot cover %g to %g; N must be at least 2, for example 'curve 0.1 0.9 5'",
+            (double)c.from, (double)c.to);
     answer_plan(a, ROW(number, number, number, number, number));
     c.answer = *a;
     const struct workers workers = {
@@ -242,7 +248,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     if (!points_answer(query, problem, a, workers, &by_point))
         return by_point ? problem_status(problem, query->scene, c.status) : false;
     if (c.has_missing)
-        answer_say(a, "-: no growth possible; 'rmax S' and 'pair S' say why");
+        answer_say(a, "'-' means that no growth is possible; 'rmax S' and 'pair S' explain why");
     return true;
 }
 
@@ -253,13 +259,13 @@ const struct command limit_commands[] = {
      .synonyms = "maximum ratio factor larger",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth r, with gaps of S heights (or s)",
+     .summary = "the largest growth, with gaps of S heights (or s heights)",
      .equation = "(26; c8)",
-     .help = "r increases from 1 until a domino has less energy than it needs to topple the next one, or "
-             "until it reaches 1/s (less with rounded edges), where a domino falls past the next one without "
-             "touching it. This is the limit of a train that already moves. If a row that starts with a "
-             "first domino that just tips over, or with the push of the session, needs a smaller growth, the "
-             "answer names that limit as well; 'count.r_start' is its value.",
+     .help = "The growth r is raised from 1 until a domino has less energy than it needs to topple the next "
+             "one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
+             "without touching it. This is the limit for a train that is already moving. A row that starts "
+             "from rest, with a first domino that just tips over or with the push of 'effect push', may need "
+             "a smaller growth. The answer then gives that limit as well; its value is 'count.r_start'.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
@@ -269,7 +275,7 @@ const struct command limit_commands[] = {
      .synonyms = "two maximum",
      .train = true,
      .argument = {{SEPARATION}},
-     .summary = "the largest growth for two dominoes, of which the first just tips over",
+     .summary = "the largest growth at which one domino topples a second",
      .equation = "(9; b5) (15; b11) (17; b13)",
      .example = "pair 0.3",
      .see = "rmax curve",
@@ -279,7 +285,7 @@ const struct command limit_commands[] = {
     {.name = "best",
      .synonyms = "optimum optimal spacing distance maximum",
      .train = true,
-     .summary = "the gap with which dominoes can grow most",
+     .summary = "the gap with which the growth can be largest",
      .example = "best",
      .see = "rmax curve",
      .principal = "s",
@@ -290,7 +296,7 @@ const struct command limit_commands[] = {
      .argument = {{.name = "FROM", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "TO", .kind = ARGUMENT_OF, .of = "s"},
                   {.name = "N", .kind = ARGUMENT_COUNT}},
-     .summary = "the largest growth with N different gaps, as in the paper's figures",
+     .summary = "the largest growth at N gaps, as in the paper's figures",
      .example = "set q hollow; curve 0.1 0.9 5",
      .see = "rmax pair best",
      .rows = true,
@@ -299,20 +305,21 @@ const struct command limit_commands[] = {
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
-     .summary = "how many dominoes topple one H tall, with growth R (or r)",
+     .summary = "how many dominoes topple one of height H (growth R or r)",
      .help =
-         "n is the smallest integer with h r^n >= H: n dominoes, of which the first is h tall, topple "
-         "one that is at least H tall. The n-th domino is smaller than H, and topples the next one. The row "
-         "starts with a first domino that just tips over, or with the push of the session, and 'feasible' "
-         "says whether it falls. If it does not, 'stops_at' is where it ends, and 'push' the weakest push "
-         "with which it would fall. 'goes_on' is about an endless train that already moves, and 'r_start' "
-         "is the largest growth with which a row starts and goes on. The row has the gaps of 's', even if "
-         "the session has another row; the engine runs it if one of the engine's effects is on.",
+         "The number n of dominoes is the smallest integer with h r^n >= H: n dominoes, the first of which "
+         "is h tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "
+         "next one. The row starts with a first domino that just tips over, or with the push of 'effect "
+         "push', and 'feasible' tells whether the row falls. If not, 'stops_at' is the domino at which the "
+         "row ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
+         "endless train that is already moving keeps falling, and 'r_start' is the largest growth with which "
+         "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
+         "row. If an effect of the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",
      .principal = "dominoes",
-     .holds = "such a row falls, and grows enough",
+     .holds = "such a row falls and reaches the height H",
      ANSWER(count)},
     {.name = NULL},
 };

@@ -82,7 +82,7 @@ static const char *gap_reason(enum dom_proof_gap gap, char reason[ANSWER_REASON]
 static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
 {
     const char *falls =
-        pair ? "a first domino that just tips over topples the next one" : "the train goes on";
+        pair ? "a first domino that just tips over topples the next one" : "the train keeps falling";
     /* Slightly less than the proved bound: printing 12 digits may round up and so claim too much. */
     double low = p->low * (1 - 6e-12);
     if (p->ends == DOM_PROVED_BARRIER)
@@ -191,7 +191,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
                                                                : "no start",
               proof.work,
               !is_known                 ? "not proved: the last digit of a height or of r decides"
-              : !is_enough              ? "r = 1: the dominoes do not grow, no number of them is enough"
+              : !is_enough              ? "with r = 1 dominoes do not grow, so no number of them is enough"
               : goes_on && !start.falls ? ends
                                         : NULL);
     if (is_enough)
@@ -242,7 +242,7 @@ const struct command prove_commands[] = {
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",
      .echo = "s",
-     .holds = "there is a proof that the train goes on",
+     .holds = "there is a proof that the train keeps falling",
      ANSWER(prove)},
     {.name = NULL},
 };

@@ -128,7 +128,8 @@ const char *start_problem(const struct query *query, const struct start *start, 
         snprintf(push, sizeof push, "; a push of %.4g rad/s is enough", (double)start->push);
     else if (!start->engine && start->end != DOM_ROW_MISSES)
         snprintf(push, sizeof push, "; no push is enough that leaves the first domino on the floor");
-    snprintf(text, START_TEXT, "%s it ends at domino %zu: %s%s", start_words(query, words), start->stops_at,
+    snprintf(text, START_TEXT, "%s the row ends at domino %zu: %s%s", start_words(query, words),
+             start->stops_at,
              start->end == DOM_ROW_LEANS ? "the first touches the second before it tips over"
                                          : dom_row_end_text(start->end),
              push);

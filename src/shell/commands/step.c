@@ -15,11 +15,12 @@ static const struct column walk_columns[] = {
     {"omega", "rad/s", "angular velocity of the head (21; c3)", 0},
     {"before", "mgh/2", "kinetic energy before the collision", 0},
     {"lost", "mgh/2", "kinetic energy lost in the collision (22; c4)", 0},
-    {"gained", "mgh/2", "energy set free since the launch, H(0) - H(theta); negative after a climb", 0},
-    {"fallen", "mgh/2", "the part of 'gained' from dominoes that have detached", 0},
+    {"gained", "mgh/2", "energy released since the launch, H(0) - H(theta); negative where H has increased",
+     0},
+    {"fallen", "mgh/2", "energy released by dominoes that have detached, a part of 'gained'", 0},
     {"kinetic", "mgh/2", "kinetic energy now: before - lost + gained", 0},
     {"potential", "mgh/2", "potential energy now, H(theta) - H(0)", 0},
-    {"rubbed", "mgh/2", "what friction has taken since the launch", 0},
+    {"rubbed", "mgh/2", "energy lost to friction since the launch", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -32,7 +33,7 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
     if (walk_now(query))
         return true;
     if (w->count > 0)
-        answer_say(answer, "The parameters have changed: the walk begins again.");
+        answer_say(answer, "The parameters have changed, so the steps begin again at the launch.");
     *w = (struct walk){.train = query->scene->train,
                        .compute = query->scene->compute,
                        .tol = query->scene->compute.tol,
@@ -77,7 +78,9 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
         answer_say(a, "Energies are in mgh/2 of the first head; 'set mass' gives them in J.");
     domq_real open = s.before - s.lost - s.climbed - s.friction_work - s.kinetic;
     if (quad(fabs)(open) > 100 * w->compute.tol * (s.before + quad(fabs)(s.climbed)))
-        answer_say(a, "The ledger is open by %.4g %s, since the paper's fuel is not a balance of energy.",
+        answer_say(a,
+                   "The balance of energy is off by %.4g %s, because the paper's closed form of the fuel "
+                   "does not follow from it.",
                    (double)(open * u.energy), u.energy_unit);
     return true;
 }
@@ -119,12 +122,12 @@ static bool walk_backward(struct walk *w)
 static bool walk_ended(const struct walk *w, struct problem *problem, bool forward)
 {
     if (!forward)
-        return problem_no_answer(problem, "this is the launch of the first cycle; 'step' goes on");
+        return problem_no_answer(problem,
+                                 "this is the launch of the first cycle; 'step' goes to the next event");
     if (w->verdict == DOM_STOPS)
         return problem_no_answer(problem,
-                                 "the train has stopped; 'why' says more, 'goto launch' begins again");
-    return problem_no_answer(problem, "after %d cycles the walk ends; 'goto launch' and 'back' lead back",
-                             CYCLES_MAX);
+                                 "the train has stopped; 'why' explains it, and 'goto launch' begins again");
+    return problem_no_answer(problem, "steps end after %d cycles; enter 'goto launch' or 'back'", CYCLES_MAX);
 }
 
 /* Moves by the number of steps that the arguments give, or by one. If the walk ends earlier, still prints an
@@ -217,10 +220,10 @@ const struct command walk_commands[] = {
                    .of = "way to space rows",
                    .choices = cycle_by,
                    .optional = true}},
-     .summary = "one cycle in N rows, with equal steps of time or tilt",
+     .summary = "a table of one cycle, in N equal steps of time or tilt",
      .equation = "(12; b8) (21; c3)",
-     .help = "N is 12 if it is left out, and BY, which is time or tilt, is time. The events have rows of "
-             "their own, too. Energies are in J if 'mass' or 'density' is set.",
+     .help = "By default N is 12. BY is 'time', which is the default, or 'tilt'. Each event has a line of "
+             "its own in the table, too. Energies are in J if 'mass' or 'density' is set.",
      .example = "cycle 5 tilt",
      .see = "step omega duration",
      .rows = true,
@@ -229,10 +232,11 @@ const struct command walk_commands[] = {
      .synonyms = "next walk forward",
      .train = true,
      .argument = {{.name = "N", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "go to the next event, and say what happens there",
+     .summary = "go to the next event, and explain what happens there",
      .equation = "(2; a2) (21; c3) (22; c4) (24; c6) (25; c7) (26; c8) (41; A17)",
-     .help = "The first step goes to the launch of the first cycle. After the hit comes the next cycle, "
-             "which is larger and slower. The table is a ledger of energy: before - lost + gained = kinetic.",
+     .help =
+         "The first 'step' goes to the launch of the first cycle. After the hit the next cycle begins, which "
+         "is larger and slower. The table shows the balance of energy: before - lost + gained = kinetic.",
      .example = "step; step",
      .see = "back goto where why",
      .columns = walk_columns,
@@ -258,7 +262,7 @@ const struct command walk_commands[] = {
     {.name = "where",
      .synonyms = "position walk",
      .train = true,
-     .summary = "show the place of the walk again",
+     .summary = "show the current step again",
      .example = "where",
      .see = "step goto",
      .columns = walk_columns,
@@ -267,7 +271,7 @@ const struct command walk_commands[] = {
     {.name = "why",
      .synonyms = "reason explain stop",
      .train = true,
-     .summary = "why the train goes on or stops",
+     .summary = "why the train keeps falling or stops",
      .equation = "(24; c6) (25; c7) (26; c8)",
      .example = "why",
      .see = "barrier rmax step",

@@ -46,7 +46,7 @@ const struct walk *walk_now(const struct query *query)
 }
 
 const char walk_no_start[] =
-    "no domino effect: falling sets no energy free, so no cycle begins (25; c7); 'why' says more";
+    "no domino effect: falling releases no energy, so no cycle begins (25; c7); 'why' says more";
 
 void columns_in_joules(struct answer *a)
 {
@@ -137,27 +137,27 @@ static void say_launch(const struct place *p)
     domq_real omega = quad(sqrt)(l.omegasq);
     const char *inertia = p->has_friction ? "A(0)" : "J(0)";
     answer_say(p->answer,
-               "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. From "
-               "then on all move as one train, and the head turns with %s: %s omega(0) = (%s - %s) "
-               "omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
+               "Hit and launch, theta = 0. Domino 1 turns with %s and hits the head, domino 0, %s tall. "
+               "After that all dominoes move as one train, and the head turns with %s: %s omega(0) = (%s - "
+               "%s) omega_1(theta_c), %s%s = %.6g (22; c4), (24; c6).",
                omega_at(p, omega / l.velocity_ratio).text, measured(p->units.height, "m", 6).text,
                omega_at(p, omega).text, inertia, inertia, p->is_rounded ? "i(0)" : "1", inertia,
                p->is_rounded ? "/i(0)" : "", (double)(1 / (1 - l.velocity_ratio)));
     if (p->has_friction)
         answer_say(p->answer,
-                   "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the share that the "
-                   "contacts pass on.",
+                   "A(0) = sum r^-(q+1)i S_i %stheta_i' is J(0) with friction; S_i is the fraction of the "
+                   "torque that the contacts pass on to domino i.",
                    p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
         answer_say(p->answer, "i(theta) is the inertia of a domino with rounded edges, about its line of "
                               "contact with the floor, over that with sharp edges.");
     if (impulses.bounded)
         answer_say(p->answer,
-                   "The impulses from contact to contact down the train: %s%s %s s; all push (> 0).",
+                   "The impulses from contact to contact down the train: %s%s %s s; all of them push (> 0).",
                    impulses.text, impulses.count >= 4 ? ", ..." : "", p->units.weight_unit);
     else
         answer_say(p->answer, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is "
-                              "0, and its impulse has no bound in this model (14; b10).");
+                              "0, and its impulse has no upper bound in this model (14; b10).");
     answer_say(p->answer, "The collision takes %.4g %% of the kinetic energy%s; %s are left.",
                (double)(100 * p->state->lost / p->state->before),
                p->has_friction ? ""
@@ -165,15 +165,15 @@ static void say_launch(const struct place *p)
                                : ", the share 1/J(0)",
                energy_at(p, l.kinetic).text);
     if (b.theta_m == 0)
-        answer_say(p->answer,
-                   "There is nothing to climb: the train goes down from the first moment on (26; c8).");
+        answer_say(p->answer, "There is no barrier: the potential energy of the train decreases from the "
+                              "first moment on (26; c8).");
     else
         answer_say(p->answer,
-                   "The train has %s of the energy that it needs to go on: it must climb %s, up to a tilt of "
-                   "%s%s, and it %s by %s (26; c8).",
+                   "The train has %s of the energy that it needs to keep falling: its potential energy must "
+                   "rise by %s, up to a tilt of %s%s, and it %s by %s (26; c8).",
                    measured_share(b.kinetic / b.barrier, 3).text, energy_at(p, b.barrier).text,
-                   angle_at(p, b.theta_m).text, p->has_friction ? ", friction on the way included" : "",
-                   b.margin >= 0 ? "clears the barrier" : "misses the top",
+                   angle_at(p, b.theta_m).text, p->has_friction ? ", including friction on the way" : "",
+                   b.margin >= 0 ? "clears the barrier" : "fails to clear it",
                    energy_at(p, quad(fabs)(b.margin)).text);
 }
 
@@ -182,14 +182,16 @@ static void say_top(const struct place *p)
     const struct domq_state *s = p->state;
     if (p->has_friction)
         answer_say(p->answer,
-                   "The hardest tilt, theta_m = %s: the train has climbed %s, friction has taken %.6g, and "
-                   "%s of motion are left. From now on it gains more than friction takes (26; c8).",
+                   "The tilt that is hardest to pass, theta_m = %s: the potential energy has risen by %s, "
+                   "friction has taken %.6g, and a kinetic energy of %s is left. From here on the train "
+                   "gains more energy than friction takes (26; c8).",
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text,
                    (double)(s->friction_work * p->units.energy), energy_at(p, s->kinetic).text);
     else
         answer_say(p->answer,
-                   "Top of the barrier, theta_m = %s. The train is at its highest: it has climbed %s, and %s "
-                   "of motion are left, the margin. From now on it goes down (26; c8).",
+                   "Top of the barrier, theta_m = %s. The potential energy is at its maximum: it has risen "
+                   "by %s, and a kinetic energy of %s is left, the margin. From here on the potential energy "
+                   "decreases (26; c8).",
                    angle_at(p, s->theta).text, energy_at(p, s->climbed).text, energy_at(p, s->kinetic).text);
 }
 
@@ -210,14 +212,16 @@ static void say_fall(const struct place *p)
     if (domq_angles_find(&w->train, &w->compute, &angles) != DOM_OK)
         return;
     const domq_real weight = quad(pow)(w->train.r, -w->train.q * (domq_real)domino);
-    answer_say(p->answer,
-               "Domino %zu detaches from domino %zu, which has come to theta_leave = %s: the arm of its "
-               "force is 0. It comes to rest at theta_f = %s with all that follow it, and pushes no more %s. "
-               "Of the energy set free since the launch %s came from it; it keeps %.6g.",
-               domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
-               p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
-               energy_at(p, 0 - p->state->fallen).text,
-               (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
+    answer_say(
+        p->answer,
+        "Domino %zu detaches from domino %zu, which has reached theta_leave = %s: the lever arm of the "
+        "contact force is 0. The detached domino comes to rest at theta_f = %s with all that follow it, and "
+        "no longer pushes the train %s. It has supplied %s of the energy released since the launch, and "
+        "keeps %.6g.",
+        domino, domino - 1, angle_at(p, angles.theta_leave).text, angle_at(p, angles.theta_f).text,
+        p->is_rounded ? "(as in 41; A17 and 42; A18)" : "(41; A17), (42; A18)",
+        energy_at(p, 0 - p->state->fallen).text,
+        (double)(weight * height_of(&w->train, angles.theta_f) * p->units.energy));
 }
 
 static void say_stop(const struct place *p)
@@ -227,10 +231,10 @@ static void say_stop(const struct place *p)
         return;
     answer_say(p->answer,
                "The train stops at theta = %s: all its kinetic energy, %s, has gone into %s. The top of the "
-               "barrier is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' says more.",
+               "barrier is at theta_m = %s, %s higher (26; c8). There is no next hit; 'why' explains it.",
                angle_at(p, p->state->theta).text, energy_at(p, b.kinetic).text,
-               p->has_friction ? "the climb and friction" : "the climb", angle_at(p, b.theta_m).text,
-               energy_at(p, -b.margin).text);
+               p->has_friction ? "potential energy and friction" : "potential energy",
+               angle_at(p, b.theta_m).text, energy_at(p, -b.margin).text);
 }
 
 static void say_hit(const struct place *p)
@@ -239,23 +243,24 @@ static void say_hit(const struct place *p)
     struct walk_units next = walk_units(p->query, p->walk->cycle + 1);
     answer_say(p->answer,
                "The head reaches the next domino, %s tall, at theta_c = %s: %s (2; a2). It turns with %s; "
-               "the cycle has set free %s, the fuel P (25; c7), and lasted %s.",
+               "the cycle has released %s, the fuel P (25; c7), and taken %s.",
                measured(next.height, "m", 6).text, angle_at(p, s->theta).text,
                p->is_rounded ? "rho theta_c + (1 - 2 rho) sin theta_c = r s, as" : "sin theta_c = r s",
                omega_at(p, quad(sqrt)(s->omegasq)).text, energy_at(p, -s->climbed).text,
                measured(s->time * p->units.tau, "s", 6).text);
     if (p->has_friction)
-        answer_say(p->answer, "Friction between dominoes has taken %s of it.",
+        answer_say(p->answer, "Friction between dominoes has taken %s of this energy.",
                    energy_at(p, s->friction_work).text);
     answer_say(p->answer,
-               "'step' begins the next cycle: the same angles, lengths times r, times longer by sqrt(r), %s "
-               "(23; c5).",
+               "'step' begins the next cycle, with the same angles, lengths r times as large and a "
+               "duration sqrt(r) times as long, %s (23; c5).",
                measured(s->time * next.tau, "s", 6).text);
 }
 
 static void say_between(const struct place *p)
 {
-    answer_say(p->answer, "On the way, theta = %s: the train %s, and the head turns with %s (21; c3).",
+    answer_say(p->answer,
+               "Between two events, at theta = %s: the train %s, and the head turns with %s (21; c3).",
                angle_at(p, p->state->theta).text, p->state->acceleration < 0 ? "slows down" : "gathers speed",
                omega_at(p, quad(sqrt)(p->state->omegasq)).text);
 }
@@ -286,7 +291,7 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
         domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
         return problem_error(problem, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
-                                      "says why, 'rmax' how large r may be");
+                                      "explains why, and 'rmax' shows how large r may be");
     if (status == DOM_STOPS)
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
@@ -294,7 +299,8 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
     /* The user may have copied the tilt from a table in which it was rounded up to 6 digits, so a tilt that
      * is slightly too large is accepted. A picture does not show the difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))
-        return problem_error(problem, "the train does not come to T = %s: it stops at %s, below the barrier",
+        return problem_error(problem,
+                             "the train does not reach T = %s: it stops at %s, before the top of the barrier",
                              angle_text(query, theta, 10).text, angle_text(query, stop.value, 10).text);
     return true;
 }

@@ -4,7 +4,7 @@
 #include "commands/walk.h"
 
 const struct column cycle_columns[] = {
-    {"event", "", "launch, fall, top, stop, hit: see 'step'", 6},
+    {"event", "", "launch, fall, top, stop or hit: see 'step'", 6},
     {"t", "s", "time since the launch", 0},
     {"theta", "rad", "tilt of the head", 7},
     {"theta_1", "rad", "tilt of the first follower (12; b8)", 7},
@@ -87,17 +87,18 @@ bool run_cycle(const struct query *query, struct answer *a, struct problem *prob
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
         return problem_status(problem, query->scene, table.status != DOM_OK ? table.status : verdict);
     if (domq_law(&query->scene->train)->dissipates)
-        answer_say(a, "Friction between dominoes has taken %.4g %s since the launch.",
+        answer_say(a, "Friction between dominoes has dissipated %.4g %s since the launch.",
                    (double)(table.last.friction_work * walk_units(query, 1).energy),
                    walk_units(query, 1).energy_unit);
     struct domq_least_force contact;
     if (answer_for_people(a) &&
         domq_cycle_least_force(&query->scene->train, &query->scene->compute, &contact) == DOM_OK &&
         isfinite(contact.force))
-        answer_say(a, "The smallest contact force is %s times the weight of its domino%s.",
+        answer_say(a, "The smallest contact force is %s times the weight of the domino that it pushes%s.",
                    measured(contact.force, "", 4).text,
                    contact.force > 0 ? ": the dominoes stay in contact" : "");
     if (verdict == DOM_STOPS)
-        answer_say(a, "The train stops, because it has too little energy to go on; 'why' says more.");
+        answer_say(a,
+                   "The train stops, because it has too little energy to keep falling; 'why' explains it.");
     return true;
 }

@@ -6,13 +6,13 @@
 #include "language/quad.h"
 
 const struct column why_columns[] = {
-    {"verdict", "", "goes on, stops, or no fuel (no energy is set free)", 7},
-    {"fuel", "mgh/2", "P, the energy that one cycle sets free, less friction (25; c7)", 0},
+    {"verdict", "", "goes on, stops or no fuel (no energy is released)", 7},
+    {"fuel", "mgh/2", "P, the energy that one cycle releases, minus friction losses (25; c7)", 0},
     {"J0", "", "J(0), the inertia of the train (50; d8, corrected)", 0},
-    {"kinetic", "mgh/2", "K, the motion after the collision (24; c6)", 0},
-    {"barrier", "mgh/2", "B, the energy that it needs to go on (26; c8)", 0},
-    {"margin", "mgh/2", "K - B: what is left at the highest point", 0},
-    {"r_max", "", "largest growth at this s: there K = B, or r is the reach", 0},
+    {"kinetic", "mgh/2", "K, the kinetic energy after the collision (24; c6)", 0},
+    {"barrier", "mgh/2", "B, the energy that the train needs to keep falling (26; c8)", 0},
+    {"margin", "mgh/2", "K - B, the energy that is left at the highest point", 0},
+    {"r_max", "", "largest growth at this s, where K = B or r equals the reach", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -20,14 +20,14 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
                        const struct domq_barrier *b)
 {
     if (verdict == DOM_NO_FUEL)
-        answer_say(a, "The train does not fall: falling sets no energy free.");
+        answer_say(a, "The train does not fall: falling releases no energy.");
     else if (verdict == DOM_LOCKS)
         answer_say(a, "The train stops: friction locks the dominoes.");
     else if (b->barrier == 0)
-        answer_say(a, "The train goes on: it has nothing to climb, and any motion is enough.");
+        answer_say(a, "The train keeps falling: it has nothing to climb, so that any motion is enough.");
     else
         answer_say(a, "The train %s: it has %s to push the next domino over%s.",
-                   verdict == DOM_OK ? "goes on" : "stops", energy_words(b->kinetic / b->barrier).text,
+                   verdict == DOM_OK ? "keeps falling" : "stops", energy_words(b->kinetic / b->barrier).text,
                    domq_law(&query->scene->train)->dissipates ? ", friction included" : "");
 }
 
@@ -41,8 +41,8 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     double most = (double)limit->r_max;
     if (falls) {
         answer_say(a, "Each domino may be up to %.6g times as large as the one before; %s.\n", most,
-                   limit->ends == DOM_END_REACH ? "a train that grows more falls past its next domino"
-                                                : "a larger one is too heavy for those before it");
+                   limit->ends == DOM_END_REACH ? "with more growth, each domino falls past the next one"
+                                                : "a larger domino is too heavy for the dominoes before it");
     } else if (domq_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.\n");
     } else {
@@ -71,17 +71,20 @@ static void symbols_say(const struct query *query, struct answer *a, enum dom_st
     const struct domq_train *t = &query->scene->train;
     const struct answer_style *style = &query->state->settings.style;
     if (verdict == DOM_NO_FUEL)
-        answer_say(a, "The dominoes that lean on each other are as high as upright ones, or the larger one "
-                      "in front takes up more energy than the smaller ones give: the fuel P = H(0) - "
+        answer_say(a, "Dominoes that lean on each other are as high as upright ones, or the larger domino in "
+                      "front takes up more energy than the smaller ones release: the fuel P = H(0) - "
                       "H(theta_c) is not positive (25; c7).");
     else if (b->barrier > 0)
-        answer_say(a,
-                   "After the collision the train must come over its %s point, where the head has a tilt of "
-                   "%.4g %s. Its motion is the energy for that: K %s B (26; c8).",
-                   domq_law(t)->dissipates ? "hardest" : "highest", (double)style_angle(style, b->theta_m),
-                   style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
+        answer_say(
+            a,
+            "After the collision the train must get over its %s point, where the head has a tilt of %.4g %s. "
+            "The kinetic energy K is compared with the energy B that this takes: K %s B (26; c8).",
+            domq_law(t)->dissipates ? "hardest" : "highest", (double)style_angle(style, b->theta_m),
+            style_angle_unit(style), verdict == DOM_OK ? ">=" : "<");
     if (limit->ends == DOM_END_REACH)
-        answer_say(a, "Growth ends by reach: beyond r = %s%.6g the head falls past the next domino (2; a2).",
+        answer_say(a,
+                   "The growth is limited by the reach: with r above %s%.6g the head falls past the next "
+                   "domino (2; a2).",
                    t->rho == 0 ? "1/s = " : "", (double)limit->r_max);
 }
 
@@ -94,7 +97,7 @@ static void contact_say(const struct query *query, struct answer *a, const struc
     double tilt = (double)style_angle(style, c->theta);
     if (!isfinite(c->force) || !isfinite(c->impulse))
         answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
-                      "impulse has no bound, and the assumption of the paper fails (14; b10).");
+                      "impulse has no upper bound, and the paper's assumption of contact fails (14; b10).");
     else if (c->force > 0 && c->impulse > 0)
         answer_say(a,
                    "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of "
@@ -102,12 +105,12 @@ static void contact_say(const struct query *query, struct answer *a, const struc
                    weight.text, c->domino, tilt, unit);
     else if (c->force > 0)
         answer_say(a, "The dominoes do not stay in contact, as the paper assumes: one of them would have to "
-                      "be pulled in the collision. The answer does not hold.");
+                      "be pulled in the collision. The answer is not valid.");
     else
         answer_say(
             a,
             "The dominoes do not stay in contact, as the paper assumes: domino %zu would have to be pulled "
-            "with %s of its weight, at a tilt of %.4g %s. From there on the answer does not hold.",
+            "with %s of its weight, at a tilt of %.4g %s. From that tilt on the answer is not valid.",
             c->domino, weight.text, tilt, unit);
 }
 

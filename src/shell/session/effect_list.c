@@ -5,19 +5,16 @@
 const struct domq_effect engine_effect_feet = {
     .name = "feet",
     .synonyms = "foot slip slide slippery floor ground hinge engine chipmunk",
-    .adds = "feet that slip on a floor with friction, instead of hinges",
-    .help =
-        "Feet are not hinges: a foot slides when more friction than MU would be needed to hold it, also in "
-        "the "
-        "collision, and it may lift off. A train with one degree of freedom cannot do that, so a rigid-body "
-        "engine, Chipmunk 7, runs such a row; it is loaded only then. 'fall' reports how far feet "
-        "slide. The step of the engine is halved until the verdict and the times no longer change. "
-        "The answer depends on the start: a push of more than sqrt(2 g/h) lifts the first domino and throws "
-        "it at the second. "
-        "'rowmax' finds the largest growth of such a row; 'rmax' is about the endless train, whose feet "
-        "are hinges.",
+    .adds = "feet that can slip on a floor with friction, instead of hinges",
+    .help = "Feet are not hinges: a foot slides when more friction than MU would be needed to hold it, in "
+            "motion and in the collision, and it may lift off. The equations of the train have one degree of "
+            "freedom and cannot describe this, so a rigid-body engine, Chipmunk 7, runs the row. 'fall' "
+            "reports how far feet slide. The step of the engine is halved until the verdict and the times no "
+            "longer change. The result depends on the start: a push of more than sqrt(2 g/h) lifts the first "
+            "domino and throws it at the second. 'rowmax' finds the largest growth with which such a row "
+            "falls; 'rmax' is for the endless train, whose feet are hinges.",
     .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",
-    .plan = "rigid-body engine, steps halved until nothing changes",
+    .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "MU",
                   .unit = "",
                   .meaning = "friction coefficient of the floor",
@@ -32,14 +29,12 @@ const struct domq_effect engine_effect_bounce = {
     .name = "bounce",
     .synonyms = "restitution elastic elasticity rebound engine chipmunk",
     .adds = "dominoes that bounce off each other",
-    .help =
-        "Two dominoes separate after the collision with a share E of the speed with which they met: 0 is the "
-        "collision of the paper, after which they stay together, and 1 loses no energy. A rigid-body "
-        "engine, Chipmunk 7, runs such a row; it is loaded only then. Dominoes that bounce hit each "
-        "other again and again, ever more softly, until they stay together: up to E = 0.2 the largest "
-        "growth changes by less than 0.2 %.",
+    .help = "After a collision two dominoes separate with E times the speed with which they met. With E = 0, "
+            "as in the paper, they stay together, and with E = 1 no energy is lost. A rigid-body engine, "
+            "Chipmunk 7, runs the row. Dominoes that bounce hit each other again and again, more and more "
+            "softly, until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
-    .plan = "rigid-body engine, steps halved until nothing changes",
+    .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "E",
                   .unit = "",
                   .meaning = "restitution between dominoes",

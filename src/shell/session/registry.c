@@ -16,47 +16,43 @@
 #define QUAD_TYPE "not available"
 #endif
 
-static const char s_help[] =
-    "The free distance between a domino and the one before it. A length, as in 'set s 2 cm', is "
-    "divided by h.";
-static const char r_help[] =
-    "A train is an endless row in which each domino is r times as large as the one before it, in its height, "
-    "its thickness and its gap. 'rmax' finds the largest r with which a train keeps falling, and 'effect row "
-    "N' makes a row that ends.";
-static const char d_help[] =
-    "The size of a domino along the row. A length, as in 'set d 7 mm', is divided by h.";
+static const char s_help[] = "The free distance between a domino and the one before it, divided by its "
+                             "height. A length, as in 'set s 2 cm', is divided by h.";
+static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
+                             "each domino are r times those of the one before. 'rmax' finds the largest r "
+                             "with which a train keeps falling, and 'effect row N' makes a row that ends.";
+static const char d_help[] = "The thickness is the size of a domino along the row, and d is the thickness "
+                             "divided by the height. A length, as in 'set d 7 mm', is divided by h.";
 static const char q_help[] =
     "A domino that is twice as large is 2^(q - 1) times as heavy: 8 times if it is solid, like a wooden "
     "block, and 4 times if it is hollow, like a box of boards that are equally thin in all sizes.";
 static const char tol_help[] =
     "The tolerance decides how many dominoes are summed and when iterations stop. Tables show no more digits "
-    "than it promises. Rounding errors can be larger where an answer depends strongly on a parameter: 'set "
-    "errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 in quad "
-    "precision. A new precision brings its own default, unless you have set tol. 'cost rmax' shows what a "
-    "digit costs.";
+    "than the tolerance justifies. Where an answer depends strongly on a parameter, rounding errors can be "
+    "larger: 'set errors on' shows them. The smallest tolerance is 1e-6 in float, 1e-15 in double and 1e-33 "
+    "in quad precision. Unless you have set tol, it changes to the default of the new precision when the "
+    "precision changes. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
-    "digits, "
-    "and rounded to this precision when they are used: in quad, 7/48 has 34 digits. tol changes with the "
-    "precision as long as it has its default. 'set digits 33' shows all that quad gives.";
+    "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If tol has its "
+    "default, it changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
-    "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors on the "
-    "way from the parameters, what tol cuts off, and the digits that are not printed; 'digits' has no effect "
-    "then. In csv and json the bound is a column or key of its own, KEY_error. The values of 'print' have no "
-    "bounds.";
+    "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors of the "
+    "computation, the terms that are left out because of tol, and the digits that are not printed. The "
+    "parameter 'digits' is then not used. In csv and json the bound has a column or key of its own, named "
+    "KEY_error. The values of 'print' have no bounds.";
 static const char hints_help[] =
-    "While you type, faint text after the cursor shows how the line may continue: as the last line of the "
-    "history that begins in the same way, or with the arguments that the command still takes. At the end of "
-    "the line, the right arrow, ^E and End accept an earlier line, and M-f accepts its next word. There are "
-    "no "
-    "hints without colours.";
+    "While you type, faint text after the cursor shows how the line may continue: with the last line of the "
+    "history that begins in the same way, or with the arguments that the command can still take. At the end "
+    "of the line, the right arrow, ^E and End accept the suggested line, and M-f accepts its next word. On a "
+    "terminal without colours there are no hints.";
 static const char method_help[] =
-    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as a second opinion. It uses no equation "
-    "of this program, and includes contacts that the model lacks, such as a fallen domino that touches the "
-    "foot of the next one. Its step is halved until the verdict no longer changes. That takes a thousand "
-    "times "
-    "as long, for rows of up to 200 dominoes. With 'model' the engine runs only rows with effects that the "
-    "model lacks, 'effect feet' and 'effect bounce'. Endless trains always use the model.";
+    "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as an independent check. The engine uses "
+    "no equation of this program, and includes contacts that the model lacks, such as a fallen domino that "
+    "touches the foot of the next one. The time step is halved until the verdict no longer changes. An "
+    "answer takes about a thousand times as long, and a row can have at most 200 dominoes. With 'model' the "
+    "engine runs only rows with effects that the model lacks, 'effect feet' and 'effect bounce'. Endless "
+    "trains always use the model.";
 
 static bool fuel_check(const struct state *state, domq_real fuel, struct problem *problem)
 {
@@ -125,12 +121,12 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", scene.mass, "kg", "mass of the first domino; 0 for none: energies in m g h/2", .highest = 1e9),
+    {ROW("mass", scene.mass, "kg", "mass of the first domino; with 0, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ROW("density", scene.density, "kg/m^3", "density of the first domino, solid, half as wide as tall; 0 for none",
+    {ROW("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as tall; 0: not given",
          .highest = 1e9),
      .synonyms = "wood weight material"},
-    {ROW("fuel", scene.train.fuel, "", "energy balance, or the paper's closed form of (25; c7)", .usual = DOM_FUEL_EXACT),
+    {ROW("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
@@ -138,35 +134,35 @@ const struct parameter session_parameters[] = {
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
-    {ROW("method", scene.method, "", "what runs rows: the model, or a rigid-body engine", .usual = METHOD_MODEL),
+    {ROW("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
      .synonyms = "engine chipmunk simulation second opinion compare check",
      .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
      .help = method_help},
-    {ROW("seed", scene.seed, "", "start of the random numbers: the same seed, the same rows", .highest = (domq_real)4294967295.0,
+    {ROW("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
      .synonyms = "random chance"},
-    {ROW("threads", settings.threads, "", "threads of curves, sweeps and studies; 0: one a processor",
+    {ROW("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 is one for each processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
-    {ROW("output", settings.style.output, "", "how answers are written", .usual = 0),
+    {ROW("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
      .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
     {ROW("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
      .synonyms = "csv columns names first line",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("digits", settings.style.digits, "", "significant digits in tables; csv and json have all", .lowest = 1,
+    {ROW("digits", settings.style.digits, "", "significant digits in tables; csv and json always have all digits", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
      .synonyms = "decimals accuracy", .setting = true},
-    {ROW("angle", settings.style.angle, "", "unit of angles, in input and answers", .usual = ANGLE_RAD),
+    {ROW("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ROW("errors", settings.style.errors, "", "whether each number has a bound of its error", .usual = 0),
+    {ROW("errors", settings.style.errors, "", "whether a bound of its error follows each number", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
-    {ROW("timing", settings.timing, "", "whether each answer ends with its time", .usual = 0),
+    {ROW("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("hints", settings.hints, "", "whether the prompt shows how a line may go on", .usual = 1),
+    {ROW("hints", settings.hints, "", "whether the prompt suggests how to continue a line", .usual = 1),
      .synonyms = "suggestion grey prompt history usage",
      .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
     DOM_DYNAMICS(DYNAMICS)
