@@ -2,41 +2,15 @@
 /*
  * Descriptions of all effects: first the effects of the library, then the effects that only the rigid-body
  * engine can compute, because a train with one degree of freedom cannot have them, and then the errors of
- * random rows (error_list.c). To add an effect of the engine, add its name here, its description to
- * effect_list.c, and its code to src/engine/.
+ * random rows (error_list.c). To add an effect of the engine, add its name to effect_kinds.h, its description
+ * to effect_list.c, and its code to src/engine/.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H
 
-#include "domino_quad.h"
 #include "language/names.h"
+#include "session/effect_kinds.h"
 #include <math.h>
-
-#define ENGINE_EFFECTS(X) X(feet) X(bounce)
-
-/* The errors of a random row that have a separate effect, such as error_place. The errors of gaps and heights
- * belong to the effect 'placement'. */
-#define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
-
-enum {
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers continue after the library's effects */
-#define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
-    ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
-#undef ENGINE_EFFECT_ENUM
-        EFFECT_ENGINE_END,
-    EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
-#define ERROR_EFFECT_ENUM(name) EFFECT_error_##name,
-    ERROR_EFFECTS(ERROR_EFFECT_ENUM)
-#undef ERROR_EFFECT_ENUM
-        EFFECT_COUNT
-};
-
-#define ENGINE_EFFECT_DECLARE(name) extern const struct domq_effect engine_effect_##name;
-ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
-#undef ENGINE_EFFECT_DECLARE
-#define ERROR_EFFECT_DECLARE(name) extern const struct domq_effect error_effect_##name;
-ERROR_EFFECTS(ERROR_EFFECT_DECLARE)
-#undef ERROR_EFFECT_DECLARE
 
 /* Two special values that stand for the words "off" and "on". EFFECT_ON turns an effect on with its usual
  * values. If the effect is already on, EFFECT_ON changes nothing. */

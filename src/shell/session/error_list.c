@@ -4,7 +4,7 @@
  * belong to the effect 'placement'. To add an error, add it to DOM_ERRORS, its name to ERROR_EFFECTS, its
  * description here, and the way in which it changes a row to src/model/planning/draw.c.
  */
-#include "session/effect_list.h"
+#include "session/effect_kinds.h"
 
 static const char *const distributions[] = {"normal", "uniform", NULL};
 

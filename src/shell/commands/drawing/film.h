@@ -26,7 +26,7 @@ bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struc
 /* Draws a frame. */
 void film_frame(struct film *film, const struct stage *stage);
 
-/* Makes a film of several cycles of the train. */
+/* Makes a film of several cycles of the train; defined in animate_train.c. */
 bool animate_train(const struct film *film);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tilts of the dominoes of a train, for the terms of sums. */
-#include "commands/explain/explain.h"
+#include "commands/explain/derivation.h"
 #include <stdlib.h>
 
 struct chain_room {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes derivations: finds the quantities that an answer needs, their numbers, and the values of their
  * equations. */
-#include "commands/explain/explain.h"
+#include "commands/explain/derivation.h"
 #include "language/quad.h"
 #include "session/effects.h"
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command explain: where a number comes from. */
-#include "commands/explain/explain.h"
+#include "commands/explain/derivation.h"
 #include "commands/explain/recipe.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The quantities of a train, with their equations. */
-#include "commands/explain/explain.h"
+#include "commands/explain/derivation.h"
 #include <stddef.h>
 
 const struct given given_list[] = {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations for people, and for lessons. */
-#include "commands/explain/explain.h"
+#include "commands/explain/derivation.h"
 #include "language/quad.h"
 #include "picture/show.h"
 #include <string.h>

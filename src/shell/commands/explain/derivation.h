@@ -4,8 +4,8 @@
  * the parser of expressions reads, and another text for the number of the library, which is what the program
  * shows. The parser evaluates the equations as well, so that a test can compare the two.
  */
-#ifndef SHELL_EXPLAIN_H
-#define SHELL_EXPLAIN_H
+#ifndef SHELL_DERIVATION_H
+#define SHELL_DERIVATION_H
 
 #include "interpreter/symbols.h"
 #include "language/formula.h"

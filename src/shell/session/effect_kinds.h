@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The names and numbers of the effects that the library does not have, and the declarations of their
+ * descriptions. */
+#ifndef SHELL_EFFECT_KINDS_H
+#define SHELL_EFFECT_KINDS_H
+
+#include "domino_quad.h"
+
+#define ENGINE_EFFECTS(X) X(feet) X(bounce)
+
+/* The errors of a random row that have a separate effect, such as error_place. The errors of gaps and heights
+ * belong to the effect 'placement'. */
+#define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
+
+enum {
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers continue after the library's effects */
+#define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
+    ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
+#undef ENGINE_EFFECT_ENUM
+        EFFECT_ENGINE_END,
+    EFFECTS_BEFORE_ERRORS = EFFECT_ENGINE_END - 1,
+#define ERROR_EFFECT_ENUM(name) EFFECT_error_##name,
+    ERROR_EFFECTS(ERROR_EFFECT_ENUM)
+#undef ERROR_EFFECT_ENUM
+        EFFECT_COUNT
+};
+
+#define ENGINE_EFFECT_DECLARE(name) extern const struct domq_effect engine_effect_##name;
+ENGINE_EFFECTS(ENGINE_EFFECT_DECLARE)
+#undef ENGINE_EFFECT_DECLARE
+#define ERROR_EFFECT_DECLARE(name) extern const struct domq_effect error_effect_##name;
+ERROR_EFFECTS(ERROR_EFFECT_DECLARE)
+#undef ERROR_EFFECT_DECLARE
+
+#endif
