@@ -121,8 +121,9 @@ quad() { # COMMANDS KEY DIGITS
         bounds=0
         for key in $expected; do
             value=$(values "$key" <<<"$answer")
-            if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle push r_start stops_at " != *" $key "* ]] &&
-                [[ $call != cycle* || $key != theta* ]]; then
+            if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle " != *" $key "* ]] &&
+                [[ $call != cycle* || $key != theta* ]] &&
+                [[ $call != count* || " push r_start stops_at " != *" $key "* ]]; then
                 [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+(e[-+][0-9]+)?$ ]] || same "$call: $key" 'a bound' "$answer"
                 bounds=$((bounds + 1))
             fi
