@@ -15,16 +15,13 @@ static bool chain_link(const struct domq_link *link, void *context)
     struct chain *c = r->chain;
     if (c->count + 2 > r->room) {
         r->room = 2 * r->room + 64;
-        domq_real *theta = realloc(c->theta, r->room * sizeof *theta);
-        c->theta = theta ? theta : c->theta;
-        domq_real *slope = realloc(c->slope, r->room * sizeof *slope);
-        c->slope = slope ? slope : c->slope;
-        r->full = !theta || !slope;
+        struct domq_link *grown = realloc(c->link, r->room * sizeof *grown);
+        r->full = !grown;
+        if (r->full)
+            return false;
+        c->link = grown;
     }
-    if (r->full)
-        return false;
-    c->theta[c->count] = link->theta;
-    c->slope[c->count++] = link->slope;
+    c->link[c->count++] = *link;
     return true;
 }
 
@@ -48,7 +45,6 @@ bool chain_fill(struct derivation *d, struct chain *chain, domq_real theta, size
 
 void chain_free(struct chain *chain)
 {
-    free(chain->theta);
-    free(chain->slope);
-    *chain = (struct chain){.theta = NULL};
+    free(chain->link);
+    *chain = (struct chain){.link = NULL};
 }

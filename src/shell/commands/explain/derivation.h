@@ -103,7 +103,7 @@ struct derivation {
     int count;
     /* The tilts of the dominoes and their slopes: at launch, and at the head's tilt of the current sum. */
     struct chain {
-        domq_real *theta, *slope;
+        struct domq_link *link;
         size_t count;
     } launch, at;
     size_t i; /* index of the domino whose term is being computed */

@@ -87,10 +87,10 @@ static domq_real given_value(const struct derivation *d, const struct given *g)
     if (strcmp(name, "H") == 0)
         return d->height;
     return strcmp(name, "i") == 0         ? (domq_real)i
-           : strcmp(name, "theta_i") == 0 ? d->at.theta[i]
-           : strcmp(name, "slope_i") == 0 ? d->at.slope[i]
-           : strcmp(name, "next_i") == 0  ? d->launch.theta[i + 1]
-                                          : d->launch.theta[i];
+           : strcmp(name, "theta_i") == 0 ? d->at.link[i].theta
+           : strcmp(name, "slope_i") == 0 ? d->at.link[i].slope
+           : strcmp(name, "next_i") == 0  ? d->launch.link[i + 1].theta
+                                          : d->launch.link[i].theta;
 }
 
 /* Returns true for a name whose value differs from term to term of a sum. */

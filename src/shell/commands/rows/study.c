@@ -127,25 +127,21 @@ static struct measured size_words(const struct budget_call *call, domq_real size
 /* Writes how precise the row must be, for example "Place the gaps within 2 mm (one standard deviation)". */
 static void precision_say(const struct budget_call *call, domq_real size, char *text, size_t room)
 {
+    static const char *const keep[DOM_ERROR_COUNT] = {
+        [DOM_ERROR_gap] = "Place the gaps",      [DOM_ERROR_place] = "Place the dominoes",
+        [DOM_ERROR_height] = "Keep the heights", [DOM_ERROR_thickness] = "Keep the thicknesses",
+        [DOM_ERROR_mass] = "Keep the masses",    [DOM_ERROR_lean] = "Keep the leans",
+        [DOM_ERROR_radius] = "Keep the radii",   [DOM_ERROR_friction] = "Know the friction",
+        [DOM_ERROR_slope] = "Know the slope",    [DOM_ERROR_floor] = "Know the friction of the floor",
+        [DOM_ERROR_push] = "Keep the push",
+    };
     const bool all = call->kind == DOM_ERROR_COUNT;
     const bool uniform = !all && call->trials->placement.error[call->kind].uniform;
     if (all)
         snprintf(text, room, "All errors may be %s times as large", size_words(call, size).text);
     else
-        snprintf(text, room, "%s within %s (%s)",
-                 call->kind == DOM_ERROR_gap     ? "Place the gaps"
-                 : call->kind == DOM_ERROR_place ? "Place the dominoes"
-                 : call->kind < DOM_ERROR_friction
-                     ? (const char *[]){[DOM_ERROR_height] = "Keep the heights",
-                                        [DOM_ERROR_thickness] = "Keep the thicknesses",
-                                        [DOM_ERROR_mass] = "Keep the masses",
-                                        [DOM_ERROR_lean] = "Keep the leans",
-                                        [DOM_ERROR_radius] = "Keep the radii"}[call->kind]
-                     : (const char *[]){[DOM_ERROR_friction] = "Know the friction",
-                                        [DOM_ERROR_slope] = "Know the slope",
-                                        [DOM_ERROR_floor] = "Know the friction of the floor",
-                                        [DOM_ERROR_push] = "Keep the push"}[call->kind],
-                 size_words(call, size).text, uniform ? "uniform limits" : "one standard deviation");
+        snprintf(text, room, "%s within %s (%s)", keep[call->kind], size_words(call, size).text,
+                 uniform ? "uniform limits" : "one standard deviation");
 }
 
 /* Runs a study with the size of the budget, rounded to two digits, and prints how precise the row must be and
