@@ -16,9 +16,10 @@ static bool chain_link(const struct domq_link *link, void *context)
     if (c->count + 2 > r->room) {
         r->room = 2 * r->room + 64;
         struct domq_link *grown = realloc(c->link, r->room * sizeof *grown);
-        r->full = !grown;
-        if (r->full)
+        if (!grown) {
+            r->full = true;
             return false;
+        }
         c->link = grown;
     }
     c->link[c->count++] = *link;
