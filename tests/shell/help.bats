@@ -31,6 +31,9 @@ load common
     run -1 --separate-stderr "$DOMINO" --safe -f own.dom
     same 'own file' $'Two dominoes.\n\n pair\ndomino> pair.s; foo\n0.4' "$output"
     same 'an error' "unknown command 'foo'; 'help' lists the commands" "$stderr"
+    printf 'lesson\n# a\xe2\x80\xaeb\nprint 1 # a\xe2\x80\xaeb\n' >hostile.dom
+    same 'a hostile file' '0' "$("$DOMINO" -f hostile.dom | grep -c $'\xe2\x80\xae')"
+    same 'its lines are shown' '2' "$("$DOMINO" -f hostile.dom | grep -cF '\u202e')"
     run -1 "$DOMINO" -e 'set output json; lesson'
     [[ $output == *"a lesson is for people; 'set output table' comes first"* ]]
 }

@@ -7,6 +7,7 @@
  */
 #include "commands/tables.h"
 #include "interpreter/interpret.h"
+#include "io/escape.h"
 #include "io/io.h"
 #include "io/terminal.h"
 #include "language/text.h"
@@ -32,6 +33,15 @@ static FILE *tutorial_open(void)
     return in;
 }
 
+/* Shows a line of the script. Escapes it, because anyone may have written the file. */
+static void line_show(const struct session *reader, const char *before, const char *line)
+{
+    char *shown = escape_copy(line);
+    if (shown)
+        fprintf(reader->output->out, "%s%s\n", before, shown);
+    free(shown);
+}
+
 /*
  * Waits until the reader types the command or just presses Enter. If the reader types another line, runs that
  * line and waits again. Returns false if the reader ends the lesson with 'q', 'quit', ^C or ^D.
@@ -42,7 +52,7 @@ static bool reader_types(struct session *reader, const char *command)
     char *line = NULL;
     size_t size = 0;
     bool waits = keys != NULL;
-    fprintf(reader->output->out, "Type: %s\n", command);
+    line_show(reader, "Type: ", command);
     while (waits) {
         fputs(prompt, reader->output->out);
         fflush(reader->output->out);
@@ -65,11 +75,11 @@ static bool reader_types(struct session *reader, const char *command)
 static void lesson_line(struct session *reader, const char *line, bool waits)
 {
     if (*line == '\0' || *line == '#') {
-        fprintf(reader->output->out, "%s\n", line + strspn(line, "#") + (line[0] == '#' && line[1] == ' '));
+        line_show(reader, "", line + strspn(line, "#") + (line[0] == '#' && line[1] == ' '));
         return;
     }
     if (!waits)
-        fprintf(reader->output->out, "%s%s\n", prompt, line);
+        line_show(reader, prompt, line);
     if (!waits || reader_types(reader, line))
         command_run_text(reader, line);
 }
