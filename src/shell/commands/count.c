@@ -48,7 +48,6 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 
 /* What is known about a row that would topple a domino of a given height. */
 struct tower {
-    struct domq_count count;
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
     struct start start;      /* how the row starts whose last domino is the one to topple */
@@ -56,24 +55,23 @@ struct tower {
     bool falls; /* The row falls. */
 };
 
-/* Finds whether a row of the train falls and how large its growth may be. Returns false with a problem. */
-static bool tower_find(const struct query *query, const struct domq_train *train, domq_real height,
+/* Finds whether a row of the train falls in which this many dominoes topple one more, and how large its
+ * growth may be. Returns false with a problem. */
+static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
     const struct domq_compute *compute = &query->scene->compute;
-    enum dom_status status = domq_count_find(query->scene->scale.h, height, train->r, compute, &t->count);
-    if (status == DOM_OK)
-        status = count_feasible(train, compute, &t->stops);
+    enum dom_status status = count_feasible(train, compute, &t->stops);
     if (status == DOM_OK)
         status = domq_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     t->growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN};
-    if (!start_find(query, train, t->count.dominoes + 1, &t->start, problem) ||
+    if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
         (t->limit.ends != DOM_END_NONE &&
          !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))
         return false;
-    t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > t->count.dominoes);
+    t->falls = t->start.falls && (!t->stops || (domq_real)t->start.count > dominoes);
     return true;
 }
 
@@ -93,27 +91,23 @@ static const char *enough_text(const struct query *query, domq_real height, domq
 
 /* Prints for one kind of domino whether the row falls. Also prints how few dominoes would be enough with the
  * largest growth of a moving train, and with the largest growth at which a row starts. */
-static bool kind_say(const struct query *query, struct answer *a, struct problem *problem,
-                     struct domq_train train, domq_real height)
+static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
+                     const struct tower *t)
 {
-    struct tower t;
     char name[32], moving[96], starting[96], starts[192] = "";
-    const char *kind = mass_name(train.q, name),
+    const char *kind = mass_name(q, name),
                *by = query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself";
-    if (!tower_find(query, &train, height, &t, problem))
-        return false;
-    if (t.limit.ends == DOM_END_NONE) {
+    if (t->limit.ends == DOM_END_NONE) {
         answer_say(a, "  %-7s no; not even equal dominoes keep falling", kind);
-        return true;
+        return;
     }
-    if (isnan(t.growths.r_max) && !t.start.engine)
+    if (isnan(t->growths.r_max) && !t->start.engine)
         snprintf(starts, sizeof starts, "; but no such row starts %s", by);
-    else if (t.growths.r_max < t.limit.r_max)
+    else if (t->growths.r_max < t->limit.r_max)
         snprintf(starts, sizeof starts, "; a row starts %s with growth up to %.6g: %s", by,
-                 (double)t.growths.r_max, enough_text(query, height, t.growths.r_max, starting));
-    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind, t.falls ? "yes;" : "no;",
-               (double)t.limit.r_max, enough_text(query, height, t.limit.r_max, moving), starts);
-    return true;
+                 (double)t->growths.r_max, enough_text(query, height, t->growths.r_max, starting));
+    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind, t->falls ? "yes;" : "no;",
+               (double)t->limit.r_max, enough_text(query, height, t->limit.r_max, moving), starts);
 }
 
 /* Formats a growth with this many digits, or with more if a growth other than 1 would be rounded to 1. */
@@ -124,25 +118,33 @@ static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-/* Calls kind_say for each kind of domino that has a name. If the kind of the session has no name, calls
- * kind_say for this kind, too. */
+/* Calls kind_say for each kind of domino that has a name. If the kind of the session, about which `own`
+ * tells, has no name, calls kind_say for this kind, too. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
-                      const struct domq_train *train, domq_real height)
+                      const struct domq_train *train, domq_real height, domq_real dominoes,
+                      const struct tower *own)
 {
     bool has_name = false;
     char number[WIDE_TEXT];
+    struct tower other = {.falls = false};
     answer_say(a,
                "\nFalling with growth %s at s = %.6g, by kind of domino:", growth_text(train->r, 6, number),
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
         kind.q = w->value;
-        has_name = has_name || kind.q == train->q;
-        /* Synonyms are neighbours in the list, and only the last one is printed. */
-        if (!(w[1].name && w[1].value == w->value) && !kind_say(query, a, problem, kind, height))
+        const bool is_own = kind.q == train->q;
+        has_name = has_name || is_own;
+        if (w[1].name &&
+            w[1].value == w->value) /* of synonyms, which are neighbours, the last one is printed */
+            continue;
+        if (!is_own && !tower_find(query, &kind, dominoes, &other, problem))
             return false;
+        kind_say(query, a, kind.q, height, is_own ? own : &other);
     }
-    return has_name || kind_say(query, a, problem, *train, height);
+    if (!has_name)
+        kind_say(query, a, train->q, height, own);
+    return true;
 }
 
 /* Returns "the 20th domino" or "the first domino". */
@@ -159,10 +161,9 @@ static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
 }
 
 /* Prints the answer for people, in three lines. */
-static void count_say(struct answer *a, const struct domq_train *train, const struct tower *t,
-                      domq_real height, domq_real first)
+static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
+                      const struct tower *t, domq_real height, domq_real first)
 {
-    const struct domq_count *count = &t->count;
     char number[WIDE_TEXT], growth[WIDE_TEXT], nth[WIDE_TEXT + 16];
     if (count->dominoes == 0) {
         answer_say(a, "No other domino is needed: the first is already %s tall.\n",
@@ -199,11 +200,12 @@ static void start_say(const struct query *query, struct answer *a, const struct 
 
 /* Writes why the row does not topple a domino of this height. Returns NULL if it does, or if people have read
  * the reason already. */
-static const char *count_reason(const struct query *query, const struct answer *a, const struct tower *t,
-                                const struct domq_train *train, char reason[START_TEXT])
+static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
+                                const struct tower *t, const struct domq_train *train,
+                                char reason[START_TEXT])
 {
     char name[32];
-    if (!isfinite(t->count.dominoes))
+    if (!isfinite(dominoes))
         snprintf(reason, START_TEXT, "with r = 1 dominoes do not grow, so no number of them is enough");
     else if (t->falls || (!t->stops && answer_for_people(a)))
         return NULL;
@@ -222,7 +224,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     domq_real height = query->given->number[0], first = query->scene->scale.h;
     struct domq_train train = query->scene->train;
     struct domq_count count;
-    struct tower t;
+    struct tower t = {.falls = false};
     char reason[START_TEXT];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
     if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
@@ -230,11 +232,11 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
             domq_arithmetic(compute.precision)->name);
-    if (!tower_find(query, &train, height, &t, problem))
+    if (!tower_find(query, &train, count.dominoes, &t, problem))
         return false;
     bool is_enough = isfinite(count.dominoes), good = t.falls && is_enough;
     if (is_enough) {
-        count_say(a, &train, &t, height, first);
+        count_say(a, &train, &count, &t, height, first);
         start_say(query, a, &t);
     }
     answer_holds(a, good);
@@ -243,6 +245,6 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
                    cell_real(first), CELL_OF(count, last), cell_flag(t.falls), cell_flag(!t.stops),
                    t.start.falls ? cell_real(DOMQ_NAN) : cell_count((domq_real)t.start.stops_at),
                    cell_unbounded(t.start.push), cell_unbounded(t.growths.r_max)),
-               count_reason(query, a, &t, &train, reason));
-    return !answer_for_people(a) || kinds_say(query, a, problem, &train, height);
+               count_reason(query, a, count.dominoes, &t, &train, reason));
+    return !answer_for_people(a) || kinds_say(query, a, problem, &train, height, count.dominoes, &t);
 }

@@ -26,22 +26,32 @@ static bool chain_link(const struct domq_link *link, void *context)
     return true;
 }
 
-bool chain_fill(struct derivation *d, struct chain *chain, domq_real theta, size_t least)
+/* Reports the problem if the chain could not be made. */
+static bool chain_made(struct derivation *d, const struct chain_room *room, enum dom_status status)
 {
-    struct chain_room room = {.chain = chain};
-    struct domq_angles angles;
-    chain->count = 0;
-    const struct domq_train *train = &d->state->scene.train;
-    enum dom_status status = domq_angles_find(train, &d->state->scene.compute, &angles);
-    if (status == DOM_OK)
-        status = domq_chain_walk(train, &d->state->scene.compute, theta, chain_link, &room);
-    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
-    const size_t walked = chain->count;
-    while (status == DOM_OK && !room.full && chain->count < (walked > least ? walked : least) + 2)
-        (void)chain_link(&rest, &room);
-    if (status == DOM_OK && room.full)
+    if (status == DOM_OK && room->full)
         status = DOM_NO_MEMORY;
     return status == DOM_OK || problem_status(d->problem, &d->state->scene, status);
+}
+
+bool chain_fill(struct derivation *d, struct chain *chain, domq_real theta)
+{
+    struct chain_room room = {.chain = chain};
+    chain->count = 0;
+    enum dom_status status =
+        domq_chain_walk(&d->state->scene.train, &d->state->scene.compute, theta, chain_link, &room);
+    return chain_made(d, &room, status);
+}
+
+bool chain_extend(struct derivation *d, struct chain *chain, size_t count)
+{
+    struct chain_room room = {.chain = chain, .room = chain->count};
+    struct domq_angles angles;
+    enum dom_status status = domq_angles_find(&d->state->scene.train, &d->state->scene.compute, &angles);
+    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
+    while (status == DOM_OK && !room.full && chain->count < count)
+        (void)chain_link(&rest, &room);
+    return chain_made(d, &room, status);
 }
 
 void chain_free(struct chain *chain)

@@ -116,10 +116,12 @@ bool derivation_make(struct derivation *derivation, const struct query *query,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. Then
- * appends dominoes at theta_f, which have detached or lie at the end of the train: at least two, and enough
- * for the chain to have `least` + 2. */
-bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta, size_t least);
+/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. Returns
+ * false with a problem. */
+bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta);
+/* Appends dominoes at theta_f, which have detached or lie at the end of the train, until the chain has
+ * `count` dominoes. Returns false with a problem. */
+bool chain_extend(struct derivation *derivation, struct chain *chain, size_t count);
 void chain_free(struct chain *chain);
 
 const char *step_words(const struct step *step);

@@ -129,8 +129,11 @@ static bool sum_value(struct derivation *d, struct step *s)
     tilt = sum == SUM_LAUNCH ? 0 : tilt;
     if (isnan(tilt))
         return true;
-    if (!chain_fill(d, &d->at, tilt, 0) || !chain_fill(d, &d->launch, 0, d->at.count) ||
-        !chain_fill(d, &d->at, tilt, d->launch.count))
+    if (!chain_fill(d, &d->at, tilt) || !chain_fill(d, &d->launch, 0))
+        return false;
+    /* The last terms, of dominoes that have detached, are 0. */
+    const size_t both = d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2;
+    if (!chain_extend(d, &d->at, both + 2) || !chain_extend(d, &d->launch, both + 2))
         return false;
     s->terms = d->launch.count - 1;
     s->term = malloc(s->terms * sizeof *s->term);

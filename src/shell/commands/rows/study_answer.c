@@ -50,16 +50,16 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
 }
 
 /*
- * Steps through the dominoes at which rows stop, from the most frequent to the least frequent one. Returns
- * the index of the domino after `last`, or of the first domino if `last` is count. Returns count after the
- * last domino.
+ * Steps through an array of counts from the largest to the smallest, without those that are 0: for example
+ * through the dominoes at which rows stop. Returns the index after `last`, or the first index if `last` is
+ * count. Returns count after the last index.
  */
-static size_t stop_next(const size_t *stops, size_t count, size_t last)
+static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
     for (size_t k = 0; k < count; k++) {
-        bool is_after = last == count || stops[k] < stops[last] || (k > last && stops[k] == stops[last]);
-        if (stops[k] > 0 && is_after && (next == count || stops[k] > stops[next]))
+        bool is_after = last == count || number[k] < number[last] || (k > last && number[k] == number[last]);
+        if (number[k] > 0 && is_after && (next == count || number[k] > number[next]))
             next = k;
     }
     return next;
@@ -70,22 +70,17 @@ static size_t stop_next(const size_t *stops, size_t count, size_t last)
  * last kind. */
 static int cause_next(const struct study *s, int last)
 {
-    int next = DOM_ERROR_COUNT;
-    for (int k = 0; k < DOM_ERROR_COUNT; k++) {
-        const bool is_after = last == DOM_ERROR_COUNT || s->without[k] < s->without[last] ||
-                              (k > last && s->without[k] == s->without[last]);
-        if (s->causes && s->is_on[k] && is_after &&
-            (next == DOM_ERROR_COUNT || s->without[k] > s->without[next]))
-            next = k;
-    }
-    return next;
+    size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind that is left out */
+    for (int k = 0; k < DOM_ERROR_COUNT; k++)
+        cost[k] = s->causes && s->is_on[k] ? s->without[k] + 1 : 0;
+    return (int)most_next(cost, DOM_ERROR_COUNT, (size_t)last);
 }
 
 /* Returns the number of the domino at which most rows stop because of one kind of error, or 0 if there is
  * none. */
 static size_t cause_stops(const struct study *s, int kind)
 {
-    const size_t most = stop_next(study_stops(s, kind), s->count, s->count);
+    const size_t most = most_next(study_stops(s, kind), s->count, s->count);
     return most < s->count ? most + 1 : 0;
 }
 
@@ -128,12 +123,12 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     enum { SHOWN = 5 };
     const struct domq_study *study = &s->counts;
     const size_t count = s->count, others = study->rows - study->fall - study->unknown,
-                 most = stop_next(s->stops, count, count);
+                 most = most_next(s->stops, count, count);
     const int worst = cause_next(s, DOM_ERROR_COUNT);
     const bool costs = worst < DOM_ERROR_COUNT && s->without[worst] > study->fall;
     char text[200] = "";
     size_t k = most;
-    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = stop_next(s->stops, count, k))
+    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = most_next(s->stops, count, k))
         n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
                       100 * (double)s->stops[k] / (double)others);
     answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
