@@ -23,6 +23,9 @@ struct random_row {
     struct geometry *geometry;
     struct link *link; /* dominoes `deep` to `head` at the moment when domino `head` hits the next one */
     size_t deep, head; /* `head` is SIZE_MAX if no chain is stored */
+    /* The dynamics that were begun, and must be ended; NULL before. A row that was drawn without friction has
+     * other dynamics. */
+    const struct dynamics *begun;
 };
 
 /* The sums along a chain between two tilts of its head, in plain arithmetic without compensation, since the
@@ -248,8 +251,10 @@ KERNEL enum dom_status row_sample(const struct row_request *request, struct rand
     if (!s->block || !s->geometry || !s->link)
         return DOM_NO_MEMORY;
     status = sample_make(s);
-    if (status == DOM_OK)
+    if (status == DOM_OK) {
+        s->begun = s->geometry[0].dynamics;
         status = dynamics_begin(s->geometry);
+    }
     if (status != DOM_OK)
         return status;
     for (size_t k = 1; k < n; k++) /* all joints share the memory of the law */
@@ -290,8 +295,10 @@ KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_row *r
 
 KERNEL enum dom_status row_sample_end(struct random_row *s)
 {
-    if (s && s->geometry)
+    if (s && s->begun) {
+        s->geometry[0].dynamics = s->begun;
         dynamics_end(&s->geometry[0]);
+    }
     if (s) {
         free(s->block);
         free(s->geometry);
