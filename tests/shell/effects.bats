@@ -183,7 +183,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect foo 1' "unknown effect 'foo'; use one of: friction, slope, walls, edges, row, push, placement, floor, feet, bounce"
     wrong 'effect row 4; place 1 1 cm' 'there is no gap before domino 1; K is 2 .. 4 in this row'
     wrong 'effect row 1; place 2 1 cm' 'a row of one domino has no gap'
-    wrong 'effect row 4; place 2 -1' 'is not a gap'
+    wrong 'effect row 4; place 2 -1' "a change of the gap by -1 needs a unit, as in '-1 m'"
+    wrong 'effect row 4; place 2 -1 m' 'domino 2: gap = -0.9712 m is negative'
 }
 
 @test "a wrong value leaves the scene as it was" {

@@ -84,7 +84,7 @@ END
 }
 
 @test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {
-    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write 'place 2 3 mm'"
+    wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write '3 mm', or the unit that you mean"
     wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
     same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
     same unit 3 "$(json 'effect row 3; place 2 3 m; row' | values gap | sed -n 2p)"

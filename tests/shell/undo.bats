@@ -24,6 +24,8 @@ s = 0.5|s = 0.3
 s = 0.5|reset
 effect row row.csv|place 2 25 mm
 effect row row.csv; place 2 25 mm|reset
+effect row row.csv|change 1-2 mass +10 %
+set mass 1; effect row 3; change 3 lean 2 mm|change 3 lean = -1 mm
 effect row row.csv; place 2 25 mm|effect row 3
 set d 0.2|precision = quad
 set d 0.2|friction = 0.2
@@ -55,6 +57,6 @@ END
     same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
     same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
     same 'and variables' 's x f(a)' "$(json 's = 0.3; let x = 2; let f(a) = 2*a; diff' | values name | grep -v output | paste -sd ' ' -)"
-    same 'and gaps' "'place' has changed 1 gap of the row; 'row' lists the row." \
+    same 'and gaps' "'change' has changed 1 measure of the row; 'row' lists the row." \
         "$("$DOMINO" -e 'effect row 3; place 2 20 mm; diff' | tail -n 1)"
 }

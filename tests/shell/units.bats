@@ -147,7 +147,6 @@ END
 7|set h 3 s|^set: h is a length, not a time
 0|set h 5|^set: a height of 5 without a unit would be 5 m, and it is 4\.8 cm now; write 'set h 5 m'
 0|set h 1e-4|^set: a height of 0\.0001 without a unit would be 0\.1 mm
-23|effect row 6; place 5 +1 cm|^place: GAP is the gap itself, not a change of it; leave out the '[+]'$
 7|set h 3 m/s|^set: h is a length, not in m s\^-1
 10|set mass 3 mm|^set: mass is a mass, not a length; enter one such as '10 g'$
 7|set h 10 g|^set: h is a length, not a mass; enter one such as '48 mm'$

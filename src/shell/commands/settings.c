@@ -298,8 +298,8 @@ const struct command session_commands[] = {
      .synonyms = "script store export keep file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write the parameters into FILE, for 'source'",
-     .help = "FILE also gets the effects that are on, the name of the row's file, the gaps that 'place' has "
-             "changed, and what 'let' has defined.",
+     .help = "FILE also gets the effects that are on, the name of the row's file, the measures that 'change' "
+             "has changed, and what 'let' has defined.",
      .see = "source",
      .files = true,
      .run = run_save},
@@ -311,7 +311,7 @@ const struct command session_commands[] = {
     {.name = "quit",
      .synonyms = "exit end close bye stop",
      .summary = "leave; so does the end of the input (^D)",
-     .help = "If 'place' has changed gaps of the row and they are in no file, the first 'quit' at the prompt "
+     .help = "If 'change' has changed the row and the changes are in no file, the first 'quit' at the prompt "
              "only says so, and the second one leaves.",
      .act = run_quit},
     {.name = NULL},

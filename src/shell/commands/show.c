@@ -143,15 +143,15 @@ bool run_diff(const struct query *query, struct answer *a, struct problem *probl
 {
     (void)problem;
     const struct parameter *p = session_parameters;
-    size_t gaps = query->scene->listed.changes;
+    const size_t changes = row_changes_count(&query->scene->listed);
     while (p->name && !is_changed(query, p))
         p++;
     if (p->name || query->state->variables.count > 0)
         list(query, a, LIST_CHANGED);
     else
         answer_say(a, "All parameters have their defaults, and no effect is on.");
-    if (gaps > 0)
-        answer_say(a, "'place' has changed %zu gap%s of the row; 'row' lists the row.", gaps,
-                   gaps == 1 ? "" : "s");
+    if (changes > 0)
+        answer_say(a, "'change' has changed %zu measure%s of the row; 'row' lists the row.", changes,
+                   changes == 1 ? "" : "s");
     return true;
 }

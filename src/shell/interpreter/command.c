@@ -143,9 +143,7 @@ struct quantity argument_unit(const struct argument *a)
 {
     const struct parameter *p = a->kind == ARGUMENT_OF ? parameter_find(a->of) : NULL;
     return p ? expression_unit(p->value[a->which].unit)
-             : (struct quantity){.value = 1,
-                                 .length = a->kind == ARGUMENT_HEIGHT || a->kind == ARGUMENT_LENGTH,
-                                 .angle = is_tilt(a)};
+             : (struct quantity){.value = 1, .length = a->kind == ARGUMENT_HEIGHT, .angle = is_tilt(a)};
 }
 
 static bool out_of_range(struct problem *problem, const struct argument *a, domq_real value, const char *is,
@@ -223,9 +221,6 @@ bool argument_check(const struct query *query, const struct argument *a, struct 
     case ARGUMENT_HEIGHT:
         return q.value > 0 ||
                out_of_range(problem, a, q.value, "not a height", "a length in metres, larger than 0");
-    case ARGUMENT_LENGTH:
-        return (q.value >= 0 && q.value <= (domq_real)1e9) ||
-               out_of_range(problem, a, q.value, "not a gap", "a length in metres, 0 or more");
     case ARGUMENT_COUNT:
         return (q.value >= 1 && q.value <= COUNT_MAX && q.value == quad(floor)(q.value)) ||
                out_of_range(problem, a, q.value, "not a count", "an integer in 1 .. 10000000");

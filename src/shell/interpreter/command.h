@@ -16,7 +16,6 @@ enum argument_kind {
     ARGUMENT_TILT,   /* an angle in [0, theta_c] */
     ARGUMENT_OF,     /* a value of the parameter whose name is in the member `of` */
     ARGUMENT_HEIGHT, /* a length > 0 */
-    ARGUMENT_LENGTH, /* a length >= 0 */
     ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,    /* a value in any unit */
     ARGUMENT_NUMBER, /* a plain number */

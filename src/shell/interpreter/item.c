@@ -157,9 +157,6 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
     *number = q.value;
     if (!item->value)
         return true;
-    if (item->argument->kind == ARGUMENT_LENGTH && item->at && *item->at == '+')
-        return problem_error(problem, "%s is the gap itself, not a change of it; leave out the '+'",
-                             item->argument->name);
     return argument_check(query, item->argument, q, number, problem);
 }
 

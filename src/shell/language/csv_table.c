@@ -267,9 +267,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     return true;
 }
 
-bool csv_check(struct csv_table *csv, int k, domq_real value)
+bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    const struct csv_column *c = &csv->kind->column[k];
     /* A bound such as 1e-9 is not exactly a double, so the value is rounded to a double before the
      * comparison. */
     double near = (double)value;
@@ -279,9 +278,17 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
                      : near >= c->lowest ? NULL
                      : near < 0          ? "negative"
                                          : "too small";
-    return !is ||
-           csv_wrong(&csv->file, csv_cell(csv, k).at, "%s = %s%s%s is %s; the range of %s is %s", c->name,
-                     quad_shown(value).text, *c->unit ? " " : "", c->unit, is, c->name, c->range);
+    if (is)
+        snprintf(message, CSV_MESSAGE, "%s = %s%s%s is %s; the range of %s is %s", c->name,
+                 quad_shown(value).text, *c->unit ? " " : "", c->unit, is, c->name, c->range);
+    return !is;
+}
+
+bool csv_check(struct csv_table *csv, int k, domq_real value)
+{
+    char message[CSV_MESSAGE];
+    return csv_fits(&csv->kind->column[k], value, message) ||
+           csv_wrong(&csv->file, csv_cell(csv, k).at, "%s", message);
 }
 
 /* ---- Rows ---- */

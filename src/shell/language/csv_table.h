@@ -89,6 +89,10 @@ bool csv_next(struct csv_table *csv);
  * cell at the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 
+/* Returns true if a value is in the range of a column. Otherwise writes a message. */
+enum { CSV_MESSAGE = 256 };
+bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV_MESSAGE]);
+
 /* Returns true if a value is in the range of column k. Otherwise reports a problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 

@@ -112,8 +112,9 @@ static void leave_warn(struct session *session)
         return;
     has_warned = true;
     session->quit = false;
-    session_note(session, "gaps of the row have changed and are not saved: 'save FILE' or 'row > FILE.csv' "
-                          "saves them, 'quit' or ^D again leaves without");
+    session_note(session,
+                 "dominoes of the row have changed and are not saved: 'save FILE' or 'row > FILE.csv' "
+                 "saves them, 'quit' or ^D again leaves without");
 }
 
 static void on_line(char *text)

@@ -58,7 +58,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
 
 /* ---- Rows ---- */
 
-enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOMINO, KINDS };
+enum { DENSITY = ROW_MEASURES, WIDTH, RELATIVE, DOMINO, KINDS };
 
 #define LENGTH                                                                                               \
     CSV_LENGTH, "write a length such as 48 mm or 5*4.8 cm, or a number in the unit of the first line"
@@ -67,18 +67,21 @@ enum { HEIGHT, THICKNESS, GAP, MASS, DENSITY, WIDTH, RADIUS, LEAN, RELATIVE, DOM
 
 /* The range of masses is the range of single precision. */
 static const struct csv_column columns[KINDS] = {
-    {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
-    {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11, "more than 0, up to 1e11 m"},
-    {"gap", "spacing,distance", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
-    {"mass", "weight", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
-     "1e-40 .. 1e38 kg"},
-    {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3", WEIGHT "'density (g/cm^3)'",
-     CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
-    {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
-    {"radius", NULL, 0, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
-    {"lean", "plumb,tilt", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
-    {"relative", NULL, 0, PLAIN "the mass over that of the first domino", 1e-40, 1e38, "1e-40 .. 1e38"},
-    {"domino", "nr,no,no.,number", 0, PLAIN "the program does not use it", 1, 1e6, "1 .. 1e6"},
+    [MEASURE_HEIGHT] = {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
+    [MEASURE_THICKNESS] = {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11,
+                           "more than 0, up to 1e11 m"},
+    [MEASURE_GAP] = {"gap", "spacing,distance", CSV_REQUIRED | CSV_NOT_FIRST, LENGTH, 0, 1e9,
+                     "0 or more, up to 1e9 m"},
+    [MEASURE_MASS] = {"mass", "weight", 0, "kg", "kg, g, t, lb, oz", "g", WEIGHT "'mass (g)'", 1e-40, 1e38,
+                      "1e-40 .. 1e38 kg"},
+    [MEASURE_RADIUS] = {"radius", NULL, 0, LENGTH, 0, 1e9, "0 or more, up to 1e9 m"},
+    [MEASURE_LEAN] = {"lean", "plumb,tilt", 0, LENGTH, -1e9, 1e9, "-1e9 .. 1e9 m"},
+    [DENSITY] = {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3",
+                 WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
+    [WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
+    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass over that of the first domino", 1e-40, 1e38,
+                  "1e-40 .. 1e38"},
+    [DOMINO] = {"domino", "nr,no,no.,number", 0, PLAIN "the program does not use it", 1, 1e6, "1 .. 1e6"},
 };
 
 const struct csv_kind rowfile_kind = {
@@ -107,32 +110,41 @@ static bool row_grow(struct listed_row *rows)
     return more;
 }
 
+enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, char message[MISFIT_MESSAGE])
+{
+    const domq_real ratio = d->thickness / d->height;
+    if (!((double)ratio >= 1e-12 && (double)ratio <= 100)) {
+        snprintf(message, MISFIT_MESSAGE, "thickness / height = %s is out of range; it is 1e-12 .. 100",
+                 quad_shown(ratio).text);
+        return MEASURE_THICKNESS;
+    }
+    if (2 * d->radius > d->thickness) {
+        snprintf(message, MISFIT_MESSAGE, "radius = %s m is more than half of the thickness, %s m",
+                 quad_shown(d->radius).text, quad_shown(d->thickness / 2).text);
+        return MEASURE_RADIUS;
+    }
+    return d->lean == 0 || lean_stands(d, slope, message) ? ROW_MEASURES : MEASURE_LEAN;
+}
+
 static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *rows)
 {
-    const domq_real *value = csv->value, height = value[HEIGHT], thickness = value[THICKNESS];
-    domq_real ratio = thickness / height, width = csv->column[WIDTH] ? value[WIDTH] : height / 2;
+    const domq_real *value = csv->value, height = value[MEASURE_HEIGHT], thickness = value[MEASURE_THICKNESS];
+    domq_real width = csv->column[WIDTH] ? value[WIDTH] : height / 2;
     domq_real density = csv->column[DENSITY] ? value[DENSITY] : 1;
-    struct domq_domino domino = {.height = height,
-                                 .thickness = thickness,
-                                 .gap = rows->count > 0 ? value[GAP] : 0,
-                                 .mass =
-                                     csv->column[MASS] ? value[MASS] : density * height * thickness * width,
-                                 .radius = csv->column[RADIUS] ? value[RADIUS] : 0,
-                                 .lean = csv->column[LEAN] ? quad(asin)(value[LEAN] / height) : 0};
-    char message[LEAN_MESSAGE];
+    struct domq_domino domino = {
+        .height = height,
+        .thickness = thickness,
+        .gap = rows->count > 0 ? value[MEASURE_GAP] : 0,
+        .mass = csv->column[MEASURE_MASS] ? value[MEASURE_MASS] : density * height * thickness * width,
+        .radius = csv->column[MEASURE_RADIUS] ? value[MEASURE_RADIUS] : 0,
+        .lean = csv->column[MEASURE_LEAN] ? quad(asin)(value[MEASURE_LEAN] / height) : 0};
+    char message[MISFIT_MESSAGE];
     if (csv->column[RELATIVE] && !rows->has_masses)
         domino.mass = value[RELATIVE];
-    if (!((double)ratio >= 1e-12 && (double)ratio <= 100))
-        return csv_wrong(&csv->file, csv_cell(csv, THICKNESS).at,
-                         "thickness / height = %s is out of range; it is 1e-12 .. 100",
-                         quad_shown(ratio).text);
-    if (2 * domino.radius > thickness)
-        return csv_wrong(&csv->file, csv_cell(csv, RADIUS).at,
-                         "radius = %s m is more than half of the thickness, %s m",
-                         quad_shown(domino.radius).text, quad_shown(thickness / 2).text);
-    if (domino.lean != 0 && !lean_stands(&domino, slope, message))
-        return csv_wrong(&csv->file, csv_cell(csv, LEAN).at, "%s", message);
-    if (!csv_check(csv, MASS, domino.mass))
+    const enum row_measure misfit = domino_misfit(&domino, slope, message);
+    if (misfit != ROW_MEASURES)
+        return csv_wrong(&csv->file, csv_cell(csv, (int)misfit).at, "%s", message);
+    if (!csv_check(csv, MEASURE_MASS, domino.mass))
         return false;
     if (!row_grow(rows))
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
@@ -145,19 +157,19 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
  * after each line. Returns false after a problem. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
-    if (csv->column[MASS] && csv->column[DENSITY])
+    if (csv->column[MEASURE_MASS] && csv->column[DENSITY])
         return csv_wrong(&csv->file, csv->head.cell[csv->column[DENSITY] - 1].at,
                          "both mass and density are given; leave one of these columns out");
     csv_write_others(csv, true, others);
     putc('\0', others);
-    rows->has_masses = csv->column[MASS] || csv->column[DENSITY];
+    rows->has_masses = csv->column[MEASURE_MASS] || csv->column[DENSITY];
     bool good = true;
     while (good && csv_next(csv)) {
         good = row_keep(csv, slope, rows);
         csv_write_others(csv, false, others);
         putc('\0', others);
     }
-    if (csv->column[MASS] || (csv->column[RELATIVE] && !rows->has_masses)) {
+    if (csv->column[MEASURE_MASS] || (csv->column[RELATIVE] && !rows->has_masses)) {
         free(rows->width);
         rows->width = NULL;
     }

@@ -34,6 +34,24 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  */
 extern const struct csv_kind rowfile_kind;
 
+/* The columns that are measures of a domino, which 'change' can change. They are the first columns of the
+ * kind. */
+enum row_measure {
+    MEASURE_HEIGHT,
+    MEASURE_THICKNESS,
+    MEASURE_GAP,
+    MEASURE_MASS,
+    MEASURE_RADIUS,
+    MEASURE_LEAN,
+    ROW_MEASURES
+};
+
+/* Checks that the measures of a domino fit together on a floor with this slope in radians. Returns
+ * ROW_MEASURES if they do. Otherwise returns the measure that is wrong, and writes a message. */
+enum { MISFIT_MESSAGE = LEAN_MESSAGE };
+enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
+                               char message[MISFIT_MESSAGE]);
+
 /*
  * Reads all dominoes of a table. The gap of the first domino is 0. If the table gives no masses in kg, masses
  * are relative, like those of solid blocks of density 1. On a floor with this slope, in radians, the leans

@@ -18,7 +18,7 @@ struct effect_state {
     domq_real value[DOM_EFFECT_ARGUMENTS];
 };
 
-/* The dominoes of a row that was read from a file, and the gaps that 'place' has changed in any row. */
+/* The dominoes of a row that was read from a file, and the measures that 'change' has changed in any row. */
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;
@@ -28,12 +28,11 @@ struct listed_row {
     /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
      * row. Each cell begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    struct gap_change {
-        size_t k; /* the number of the domino that follows the gap, from 1 */
-        domq_real gap;
-    } * change;
-    size_t changes;  /* the number of changed gaps */
-    bool saved;      /* the changed gaps have been written to a file */
+    /* For each domino of the row, the measures that have been changed, or NaN for the others; NULL if there
+     * are none. A mass is a factor, since the density of a domino is what 'change' changes. */
+    struct domq_domino *change;
+    size_t changes;  /* the number of elements of `change` */
+    bool saved;      /* the changes have been written to a file */
     size_t *holders; /* the reference count of the memory that was read from the file; NULL without a file */
 };
 
@@ -91,7 +90,7 @@ void effects_reset(struct scene *scene);
 /* Copies the values of effects into the train of the scene. */
 void effects_apply(struct scene *scene);
 
-/* Returns true if 'place' has changed gaps that have not been saved to a file. */
+/* Returns true if 'change' has changed dominoes, and the changes have not been saved to a file. */
 static inline bool row_unsaved(const struct scene *scene)
 {
     return scene->listed.changes > 0 && !scene->listed.saved;

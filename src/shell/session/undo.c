@@ -2,10 +2,11 @@
 #include "session/undo.h"
 #include "language/names.h"
 #include "session/parameters.h"
+#include "session/row_change.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 100, HELD_MOST = 4000000 /* the most dominoes and changed gaps in all steps together */ };
+enum { STEPS = 100, HELD_MOST = 4000000 /* the most dominoes and changed dominoes in all steps together */ };
 
 /*
  * Steps with an index below `done` can be undone; each holds the state before its command. The other steps
@@ -40,14 +41,6 @@ struct state *undo_begin(const struct state *state)
     return NULL;
 }
 
-static bool row_equal(const struct listed_row *a, const struct listed_row *b)
-{
-    bool equal = a->domino == b->domino && a->changes == b->changes;
-    for (size_t i = 0; equal && i < a->changes; i++)
-        equal = a->change[i].k == b->change[i].k && a->change[i].gap == b->change[i].gap;
-    return equal;
-}
-
 static bool state_equal(const struct state *a, const struct state *b)
 {
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -57,7 +50,9 @@ static bool state_equal(const struct state *a, const struct state *b)
             if (a->scene.effect[p->which].value[i] != b->scene.effect[p->which].value[i])
                 return false;
     }
-    return row_equal(&a->scene.listed, &b->scene.listed) && variables_equal(&a->variables, &b->variables);
+    return a->scene.listed.domino == b->scene.listed.domino &&
+           row_changes_equal(&a->scene.listed, &b->scene.listed) &&
+           variables_equal(&a->variables, &b->variables);
 }
 
 /* Removes the steps with the indices from `from` up to, but not including, `to`. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands row, place and rowmax, and the table of all commands about a row. */
+/* The commands row and rowmax, and the table of all commands about a row. */
+#include "commands/rows/change.h"
 #include "commands/rows/rows.h"
 #include "commands/tables.h"
 #include "language/quad.h"
@@ -56,37 +57,6 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
     return true;
 }
 
-/* ---- place ---- */
-
-/* If a gap without a unit is wider than the dominoes on both sides are tall, sets *problem and returns false:
- * a user who types 25 means 25 mm and not 25 m. */
-static bool gap_check(const struct query *query, size_t k, domq_real gap, struct problem *problem)
-{
-    struct scene_row scene;
-    if (!scene_row_make(query->scene, &scene, problem))
-        return false;
-    bool is_there = k >= 2 && k <= scene.row.count; /* if not, scene_row_place reports the error */
-    domq_real before = is_there ? scene.domino[k - 2].height : gap,
-              after = is_there ? scene.domino[k - 1].height : gap;
-    free(scene.domino);
-    return gap <= before || gap <= after ||
-           problem_error(problem,
-                         "a gap of %s without a unit would be %s, but domino %zu is %s tall; write 'place "
-                         "%zu %s mm', or the unit that you mean",
-                         quad_shown(gap).text, measured(gap, "m", 6).text, k - 1,
-                         measured(before, "m", 4).text, k, quad_shown(gap).text);
-}
-
-static bool run_place(const struct query *query, struct answer *a, struct problem *problem)
-{
-    const size_t k = (size_t)query->given->number[0];
-    const domq_real gap = query->given->number[1];
-    (void)a;
-    if (query->given->quantity[1].length == 0 && gap > 0 && !gap_check(query, k, gap, problem))
-        return false;
-    return !query->next || scene_row_place(&query->next->scene, k, gap, problem);
-}
-
 /* ---- rowmax ---- */
 
 static const struct column rowmax_columns[] = {
@@ -97,8 +67,8 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Fills in the row that the scene would have with another growth r, including the gaps that the user has
- * changed with 'place'. */
+/* Fills in the row that the scene would have with another growth r, including the measures that the user has
+ * changed. */
 static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     struct scene scene = *(const struct scene *)context;
@@ -163,7 +133,7 @@ const struct command row_commands[] = {
          "For each gap up to the end of the row, 'mend' finds the nearest gap with which all dominoes fall, "
          "and lists the smallest change first. If a push is missing, the answer says so. The search takes 40 "
          "steps each way and then bisects; it can miss a range of gaps that is narrower than a step.",
-     .see = "fall tolerance place budget",
+     .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},
     {.name = "tolerance",
@@ -180,20 +150,41 @@ const struct command row_commands[] = {
              "may lean. The dominoes with the least room are marked. If the row does not fall, the windows "
              "show which single changes save it. The search takes the steps of 'mend'.",
      .example = "effect row 5; tolerance",
-     .see = "mend place budget",
+     .see = "mend change budget",
      .rows = true,
      ANSWER(tolerance)},
+    {.name = "change",
+     .synonyms = "modify edit adjust alter thickness height mass radius lean",
+     .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
+                  {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
+                  {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
+     .summary = "change a measure of some dominoes of the row",
+     .help = "K is the number of a domino, several as in 4,5 or 3-7, or 'all'. The MEASURE is height, "
+             "thickness, gap "
+             "(the one before the domino), mass, radius (of its edges) or lean (how far its top is off "
+             "plumb, or an "
+             "angle; negative is backwards). X is the new value, or with a sign it is added: 'change 4 gap "
+             "+1 cm', "
+             "or, as a share, 'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A "
+             "domino "
+             "that becomes taller or thicker keeps its density, so that it becomes heavier, and the gaps "
+             "beside it. "
+             "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
+     .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
+     .see = "row place mend tolerance",
+     .changes = true,
+     .run = run_change},
     {.name = "place",
      .synonyms = "move spacing distance gap",
-     .argument = {{.name = "K", .kind = ARGUMENT_COUNT}, {.name = "GAP", .kind = ARGUMENT_LENGTH}},
+     .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
+                  {.name = "GAP", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
      .summary = "change the gap before domino K of the row",
-     .help =
-         "A GAP without a unit is in metres; it is an error if that is more than the dominoes beside it are "
-         "tall. The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
+     .help = "'place 3 25 mm' is short for 'change 3 gap 25 mm': all dominoes after the gap move with it. "
+             "'place 3 +1 cm' widens the gap by 1 cm.",
      .example = "effect row 5; place 3 25 mm; fall",
-     .see = "row fall mend",
+     .see = "change row mend",
      .changes = true,
-     .run = run_place},
+     .run = run_change},
     {.name = "row",
      .synonyms = "list export csv spacing",
      .summary = "the dominoes of the row",

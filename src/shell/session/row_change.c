@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "session/row_change.h"
+#include "language/quad.h"
+#include <stddef.h>
+#include <stdlib.h>
+
+const char *row_measure_names(const void *context, int k)
+{
+    (void)context;
+    return k < ROW_MEASURES ? rowfile_kind.column[k].name : NULL;
+}
+
+domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
+{
+    static const size_t member[ROW_MEASURES] = {
+        [MEASURE_HEIGHT] = offsetof(struct domq_domino, height),
+        [MEASURE_THICKNESS] = offsetof(struct domq_domino, thickness),
+        [MEASURE_GAP] = offsetof(struct domq_domino, gap),
+        [MEASURE_MASS] = offsetof(struct domq_domino, mass),
+        [MEASURE_RADIUS] = offsetof(struct domq_domino, radius),
+        [MEASURE_LEAN] = offsetof(struct domq_domino, lean),
+    };
+    return (domq_real *)((char *)domino + member[measure]);
+}
+
+/* Returns the new value of a measure, or NaN if it has not been changed. */
+static domq_real changed(const struct listed_row *row, size_t k, enum row_measure measure)
+{
+    return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
+}
+
+void row_changes_apply(const struct listed_row *row, struct domq_domino *domino, size_t count)
+{
+    for (size_t k = 0; k < count && k < row->changes; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
+            domq_real value = changed(row, k, m), *member = row_measure_at(&domino[k], m);
+            if (isnan(value))
+                continue;
+            if (m == MEASURE_HEIGHT || m == MEASURE_THICKNESS)
+                domino[k].mass *= value / *member;
+            *member = m == MEASURE_MASS ? *member * value : value;
+        }
+}
+
+bool row_changes_open(struct listed_row *row, size_t count)
+{
+    if (row->change)
+        return true;
+    row->change = malloc(count * sizeof *row->change);
+    row->changes = row->change ? count : 0;
+    for (size_t k = 0; k < row->changes; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++)
+            *row_measure_at(&row->change[k], m) = DOMQ_NAN;
+    return row->change;
+}
+
+size_t row_changes_count(const struct listed_row *row)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < row->changes; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++)
+            count += isnan(changed(row, k, m)) ? 0 : 1;
+    return count;
+}
+
+bool row_changes_equal(const struct listed_row *a, const struct listed_row *b)
+{
+    const size_t count = a->changes > b->changes ? a->changes : b->changes;
+    bool equal = true;
+    for (size_t k = 0; k < count && equal; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
+            domq_real one = changed(a, k, m), other = changed(b, k, m);
+            equal = equal && (one == other || (isnan(one) && isnan(other)));
+        }
+    return equal;
+}
+
+void row_changes_save(const struct listed_row *row, FILE *out)
+{
+    char number[WIDE_TEXT];
+    for (size_t k = 0; k < row->changes; k++)
+        for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
+            domq_real value = changed(row, k, m);
+            if (isnan(value))
+                continue;
+            /* A lean is signed, and would be read as a change by its value without the '='. */
+            fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
+                    m == MEASURE_LEAN ? "= " : "",
+                    quad_exact(m == MEASURE_MASS ? 100 * value : value, number),
+                    m == MEASURE_LEAN   ? "rad"
+                    : m == MEASURE_MASS ? "%"
+                                        : "m");
+        }
+}

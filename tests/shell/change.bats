@@ -1,0 +1,96 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Change: any measure of any dominoes of a row, absolute, by adding, or as a share.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+# The column KEY of the row after COMMANDS, in one line.
+column() { json "$2; row" | values "$1" | paste -sd ' ' -; } # KEY COMMANDS
+
+@test "change: what it says of each kind of value, and of many dominoes" {
+    "$DOMINO" -e "effect row $root/examples/record.csv; change 4,5 thickness +10 %; change 6 height 1.2 m
+        change 3-4 gap +1 cm; place 8 -4 cm; change 2 lean = -2 mm; change 2 lean +0.1 deg; change 1 mass -76 g
+        change 1 thickness 3.5 cm; change all gap 110 %" | grep . >said
+    head -n 12 said | diff - <(cat <<'END'
+domino 4: thickness 10 to 11 cm
+domino 5: thickness 14 to 15.4 cm
+domino 6: height 1.35 to 1.2 m
+domino 3: gap 19 to 20 cm
+domino 4: gap 27 to 28 cm
+domino 8: gap 64 to 60 cm
+domino 2: lean 0 to -2 mm
+domino 2: lean -2 to -1.4066 mm
+domino 1: mass 760 to 684 g
+domino 1: thickness stays 3.5 cm
+domino 2: gap 13 to 14.3 cm
+domino 3: gap 20 to 22 cm
+END
+)
+    same 'without masses' 'domino 3: mass 1.1 times as large as before' "$("$DOMINO" -e 'effect row 4; change 3 mass +10 %')"
+    same 'many' "and 36 more; 'row' lists the row" "$("$DOMINO" -e 'set r 1; effect row 49; change all gap 2 cm' | tail -n 1)"
+    same 'for programs' '{"command":"change"}' "$("$DOMINO" -e 'set output json; effect row 4; change 2 gap 1 cm' | tail -n 1)"
+}
+
+@test "change: a domino keeps its density; masses are shares, also without kilograms" {
+    csv=$root/examples/record.csv
+    same thickness '0.76 2.2 6.71 17' "$(column mass "effect row $csv; change 3 thickness +10 %" | cut -d' ' -f1-4)"
+    same 'and height' 13.42 "$(column mass "effect row $csv; change 3 thickness +10 %; change 3 height 200 %" | cut -d' ' -f3)"
+    same 'and mass' 26.84 "$(column mass "effect row $csv; change 3 mass +100 %; change 3 thickness 110 %; change 3 height 200 %" | cut -d' ' -f3)"
+    same 'of the first' 0.9 "$(column mass 'set mass 1; effect row 3; change 1 mass 0.9 kg' | cut -d' ' -f1)"
+    same 'relative' '1 3.375 11.390625' "$(column relative 'effect row 3')"
+    same 'relative, changed' '1 6.75 11.390625' "$(column relative 'effect row 3; change 2 mass 200 %')"
+    # The first domino has the mass that 'set mass' says, and then the change.
+    same 'relative, first' '1 6.75 22.78125' "$(column relative 'effect row 3; change 1 mass 50 %')"
+    # Energies are in m g h / 2 of the first domino: with all masses doubled, nothing changes.
+    same energy "$(json 'effect row 4; fall' | values kinetic)" "$(json 'effect row 4; change all mass 200 %; fall' | values kinetic)"
+    # A thicker domino is a wall with the same verdict as a file that says so.
+    "$DOMINO" -e "effect row $csv; change 4,5 thickness +10 %; change 3 lean 4 mm; row > by.csv" >/dev/null
+    sed -E 's/^4,( *680, *)100,( *[0-9]+, *)17/4,\1110,\218.7/; s/^5,( *960, *)140,( *[0-9]+, *)47/5,\1154,\251.7/' "$csv" >hand.csv
+    [ "$(diff "$csv" hand.csv | grep -c '^>')" -eq 2 ]
+    for scene in 'effect friction 0.2' 'effect slope 0.5 deg' 'precision = quad' 'effect walls 2 mm'; do
+        close "$scene" "$(json "$scene; effect row hand.csv; effect push 3; change 3 lean 4 mm; verdict" | values spare)" \
+            "$(json "$scene; effect row by.csv; effect push 3; verdict" | values spare)"
+    done
+}
+
+@test "change: saved by 'save' and by 'row', taken back by undo, and valid for a sweep" {
+    scene="set mass 1; effect row 5; change 2-4 thickness +10 %; change 2 mass 130 %; change 3 lean = -1 mm; change 5 gap 25 %
+        change 4 radius 1 mm"
+    "$DOMINO" -e "$scene; save scene.dom; row > saved.csv; change 2 height 7 cm; undo > /dev/null; row > undone.csv" >/dev/null
+    "$DOMINO" -e 'source scene.dom; row > read.csv; effect row saved.csv; row > again.csv'
+    same_file saved.csv undone.csv
+    same_file saved.csv read.csv
+    same_file saved.csv again.csv
+    same swept "$(json 'effect row 5; change 3 thickness 2 cm; set s 0.5; verdict' | values spare)" \
+        "$(json 'effect row 5; change 3 thickness 2 cm; sweep s 0.4, 0.5 : verdict' | tail -n 1 | values spare)"
+}
+
+@test "change: what is wrong is said, and nothing has changed" {
+    local before command message
+    before=$(json 'effect row 5; row')
+    while IFS='|' read -r command message; do
+        run --separate-stderr "$DOMINO" --keep-going -e "effect row 5; $command; set output json; row"
+        same "$command: one line" 1 "$(wc -l <<<"$stderr")"
+        grep -qF -- "$message" <<<"$stderr" || same "$command" "$message" "$stderr"
+        same "$command: the row" "$before" "$(grep '"domino"' <<<"$output")"
+    done <<'END'
+change 3 thickness 12|a thickness of 12 without a unit would be 12 m, but domino 3 is 1.575 cm now; write '12 mm'
+change 9 height 1 m|there is no domino 9; this row has 5
+change 0 height 1 m|there is no domino 0
+change 1 gap 1 cm|there is no gap before domino 1
+change 3 height 0|domino 3: height = 0 m is too small
+change 2,3 thickness -100 %|domino 2: thickness = 0 m is too small
+change 4 lean 5 cm|domino 4: with its top 5 cm off plumb this domino falls over by itself
+change 3 radius 20 mm|domino 3: radius = 0.02 m is more than half of the thickness
+change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, radius, lean
+change 2 height|X is missing
+change 2 height 3 s|the height is a length, not a time; enter one such as '48 mm'
+change 5-2 gap 1 cm|'5-2' names no dominoes
+change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; with '%' it is a share of the gap
+change 2 mass 20 g|the masses of this row are not known; 'set mass'
+change 2 gap -20 cm|domino 2: gap = -0.1712 m is negative
+END
+    wrong 'change 2 gap 1 cm' 'there is no row'
+    wrong 'effect row 3; set walls 1 mm; change 2 thickness 1 mm' 'walls of 1 mm do not fit into domino 2'
+}
