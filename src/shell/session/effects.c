@@ -2,6 +2,7 @@
 #include "session/effects.h"
 #include "language/names.h"
 #include "language/quad.h"
+#include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,6 +4,7 @@
 #define SHELL_EFFECTS_H
 
 #include "language/names.h"
+#include "session/query.h"
 #include "session/row.h"
 
 /* Writes the values of an effect for people, such as "0.2", "1 m, 0.1", "record.csv" or "off". */

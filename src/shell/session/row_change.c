@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/row_change.h"
 #include "language/quad.h"
+#include "session/rowfile.h"
 #include <stddef.h>
 #include <stdlib.h>
 

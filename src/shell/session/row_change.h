@@ -3,7 +3,8 @@
 #ifndef SHELL_ROW_CHANGE_H
 #define SHELL_ROW_CHANGE_H
 
-#include "session/rowfile.h"
+#include "session/scene.h"
+#include <stdio.h>
 
 /* Dominoes with successive numbers, from 1. */
 struct row_range {

@@ -32,19 +32,8 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  * domino is off plumb when the domino is set up; a backward lean is negative. The column "domino" is ignored,
  * and all other columns are kept as text.
  */
+/* The first columns of the kind are those of enum row_measure. */
 extern const struct csv_kind rowfile_kind;
-
-/* The columns that are measures of a domino, which 'change' can change. They are the first columns of the
- * kind. */
-enum row_measure {
-    MEASURE_HEIGHT,
-    MEASURE_THICKNESS,
-    MEASURE_GAP,
-    MEASURE_MASS,
-    MEASURE_RADIUS,
-    MEASURE_LEAN,
-    ROW_MEASURES
-};
 
 /* Checks that the measures of a domino fit together on a floor with this slope in radians. Returns
  * ROW_MEASURES if they do. Otherwise returns the measure that is wrong, and writes a message. */

@@ -18,6 +18,17 @@ struct effect_state {
     domq_real value[DOM_EFFECT_ARGUMENTS];
 };
 
+/* The measures of a domino that 'change' can change. */
+enum row_measure {
+    MEASURE_HEIGHT,
+    MEASURE_THICKNESS,
+    MEASURE_GAP,
+    MEASURE_MASS,
+    MEASURE_RADIUS,
+    MEASURE_LEAN,
+    ROW_MEASURES
+};
+
 /* The dominoes of a row that was read from a file, and the measures that 'change' has changed in any row. */
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */

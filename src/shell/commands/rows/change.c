@@ -3,6 +3,7 @@
 #include "commands/rows/change.h"
 #include "commands/rows/rows.h"
 #include "language/quad.h"
+#include "session/rowfile.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
