@@ -58,6 +58,8 @@ static bool may_go_on(const char *line)
                                        " mass",
                                        " row.csv",
                                        " 2 0.3",
+                                       " 2 gap 1 mm",
+                                       " gap 1 mm",
                                        " 0.3 0.4 2 : rmax",
                                        " s 0.1 0.9 9 : rmax",
                                        " d : rmax = 1",
