@@ -199,6 +199,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         "$(json 'set r 1; slip' | values hit)"
     same slips true "$(json 'set r 1; effect floor 0.5; slip' | values slips)"
     local train='set s 0.2; set r 1.3; effect floor'
+    wrong 'set s 0.01; effect slope 3 deg; slip' "a cycle releases no energy; 'why' says more"
     same 'slips in motion' false "$(json "$train 0.4; slip" | values slips)"
     same 'slips in a hit' true "$(json "$train 0.4; slip" | values slips_hit)"
     same holds false "$(json "$train 3; slip" | values slips_hit)"

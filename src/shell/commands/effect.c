@@ -2,6 +2,7 @@
 /* The commands effect, effects and scene, which turn effects on and off, measure how much time effects take,
  * and show how the scene is computed. */
 #include "commands/cost.h"
+#include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "session/errors.h"
@@ -42,6 +43,8 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     struct scene_row row = {.domino = NULL};
     struct scene core = *query->scene;
     errors_off(&core);
+    if (random && !errors_check(query->scene, problem))
+        return false;
     if (query->scene->effect[DOM_EFFECT_row].on && !scene_row_make(query->scene, &row, problem))
         return false;
     enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
@@ -49,7 +52,7 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
         status = scene_answer(query->scene, &row, work);
     *dominoes = row.row.count;
     free(row.domino);
-    return status == DOM_OK || problem_status(problem, query->scene, status);
+    return status == DOM_OK || row_status(query, problem, status);
 }
 
 /* A scene that is to be timed, and its row. */

@@ -117,9 +117,9 @@ bool effect_needs(const struct scene *scene, int name, struct problem *problem)
 {
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (needs(name, k) && !scene->effect[k].on)
-            return problem_error(problem, "'effect %s' needs a %s; first enter 'effect %s %s'",
-                                 effect_at(name)->name, effect_at(k)->name, effect_at(k)->name,
-                                 effect_at(k)->argument[0].name);
+            return problem_error(problem, "'effect %s' needs %s%s; first enter 'effect %s %s'",
+                                 effect_at(name)->name, k == DOM_EFFECT_row ? "a " : "the effect ",
+                                 effect_at(k)->name, effect_at(k)->name, effect_at(k)->argument[0].name);
     return name >= DOM_DYNAMICS_COUNT || effect_at(name)->cancels || scene->train.fuel != DOM_FUEL_PAPER ||
            problem_no_answer(problem, "'fuel paper' cannot be combined with %s; first enter 'set fuel exact'",
                              effect_at(name)->name);

@@ -47,11 +47,16 @@ bool scene_errors(const struct scene *scene, struct domq_error error[DOM_ERROR_C
 
 bool errors_check(const struct scene *scene, struct problem *problem)
 {
-    const char *other = scene->train.rho != 0 ? "rounded edges; first enter 'effect edges off'"
-                                              : "the rigid-body engine, which runs this row";
-    return !scene->effect[EFFECT_error_lean].on || (scene->train.rho == 0 && !scene_has_engine(scene)) ||
-           problem_error(problem,
-                         "'effect error_lean' cannot be combined with %s, or 'effect error_lean off'", other);
+    if (!scene->effect[EFFECT_error_lean].on)
+        return true;
+    if (scene_has_engine(scene))
+        return problem_error(problem,
+                             "'effect error_lean' cannot be combined with the rigid-body engine, which runs "
+                             "this row since %s; turn that off, or enter 'effect error_lean off'",
+                             scene_engine_why(scene));
+    return scene->train.rho == 0 ||
+           problem_error(problem, "'effect error_lean' cannot be combined with rounded edges; first enter "
+                                  "'effect edges off', or 'effect error_lean off'");
 }
 
 void errors_off(struct scene *scene)

@@ -144,6 +144,8 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "%s of %.3g; 'set precision %s' has more digits, 'set tol' allows fewer",
                                  dom_status_text(status), (double)scene->compute.tol,
                                  scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+    if (status == DOM_NO_FUEL)
+        return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     if (status == DOM_NO_ROOM)
         return problem_no_room(problem, scene, 0, t->d * scene->scale.h);
     if (status == DOM_TOO_LONG)

@@ -222,11 +222,15 @@ static bool row_answer(const struct query *query, struct answer *a, struct probl
             feet_say(a, &f.feet, scene->row.count);
         engine_say(a, &f.run);
     }
+    bool leans = false;
+    for (size_t k = 0; k < scene->row.count; k++)
+        leans = leans || scene->domino[k].lean != 0;
     row_run_free(&f.run);
     if (status != DOM_OK)
         return row_status(query, problem, status);
-    return known || problem_no_answer(problem, "there is no verdict after domino %zu: %s", v->domino,
-                                      dom_row_end_text(v->end));
+    return known ||
+           problem_no_answer(problem, "there is no verdict after domino %zu: %s%s", v->domino,
+                             dom_row_end_text(v->end), leans ? "" : "; 'set method engine' includes it");
 }
 
 bool run_fall(const struct query *query, struct answer *a, struct problem *problem)
