@@ -19,7 +19,6 @@ DESTDIR ?=
 B       ?= .build
 
 CC      ?= gcc
-OBJCOPY ?= objcopy
 OPTIM   ?= -O2 -g
 # A wild write ends the program, and addresses of functions are found before main, in memory that is read-only from then
 # on. FORTIFY needs an optimiser.
@@ -97,7 +96,7 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/kernel_names.h $(B)/tutorial.h # made of other sources
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/kernel_names.h $(B)/tutorial.h # made of other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -110,6 +109,14 @@ KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c s
 $(B)/kernel_names.h: $(KERNEL_C) Makefile
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
+
+# The names that the files of the library share. All are compiled again if one is added, but not after another change.
+SHARED_AWK := src/model/precision/shared.awk
+SHARED_OF  := $(wildcard src/model/*/*.h)
+$(B)/library.h: $(SHARED_OF) $(SHARED_AWK)
+	@mkdir -p $(@D)
+	@awk -f $(SHARED_AWK) $(SHARED_OF) > $@.new
+	@cmp -s $@.new $@ || cp $@.new $@
 
 # The text of 'lesson', as numbers for an array of C.
 $(B)/tutorial.h: examples/tutorial.dom
@@ -130,33 +137,29 @@ $(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
 MODEL_OBJ  := $(call OBJ,$(TYPED))
 MODEL_OBJQ := $(TYPED:%.c=$(B)/objq/%.o)
 COMMON_OBJ := $(call OBJ,$(COMMON))
-# 'ld -r' and objcopy below join and hide what an object has, and cannot read what -flto leaves for later.
-LIB_FLAGS  := -fPIC -fno-lto $(COVER)
+# With -flto the archive has machine code as well, for programs that are linked without it.
+LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$< (quad))
 	$(Q)$(CC) $(C_FLAGS) $(LIB_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
 
-# The library exports only dom_* and domq_*. A program that uses one of the two headers links one of two objects.
-$(B)/lib/domino.o: $(MODEL_OBJ)
-$(B)/lib/domino_quad.o: $(MODEL_OBJQ)
-$(B)/lib/common.o: $(COMMON_OBJ)
-LIB_OBJ := $(addprefix $(B)/lib/,domino.o domino_quad.o common.o)
-$(LIB_OBJ):
-	@mkdir -p $(@D)
-	$(Q)$(LD) -r -o $@ $^
-	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='dom_*' --keep-global-symbol='domq_*' $@
+LIB_OBJ := $(MODEL_OBJ) $(MODEL_OBJQ) $(COMMON_OBJ)
+$(LIB_OBJ): $(B)/library.h
+# Files of several folders may have one name, so each is appended, where 'r' would replace another.
 $(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
-	$(Q)$(AR) rcsD $@ $^
+	$(Q)$(AR) qcsD $@ $^
 
 # A change of a structure or of a function needs a new major version, which is the number of the soname.
-SONAME := libdomino.so.$(firstword $(subst ., ,$(VERSION)))
+MAJOR  := $(firstword $(subst ., ,$(VERSION)))
+SONAME := libdomino.so.$(MAJOR)
 $(B)/$(SONAME): $(LIB_OBJ)
 	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) $^ $(GSL) -o $@
+	@echo 'DOMINO_$(MAJOR) { global: dom_*; domq_*; local: *; };' > $(B)/libdomino.map
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(B)/libdomino.map $^ $(GSL) -o $@
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 

@@ -7,9 +7,7 @@
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H
 
-/* Hidden symbols: several object files of the library call these functions, but nothing outside the library
- * does. */
-__attribute__((visibility("hidden"))) void dom_quiet_begin(void);
-__attribute__((visibility("hidden"))) void dom_quiet_end(void);
+void dom_quiet_begin(void);
+void dom_quiet_end(void);
 
 #endif
