@@ -33,12 +33,13 @@ INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
 STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
 C_FLAGS := -std=c17 $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
-GSL     := -lgsl -lgslcblas -lm -pthread
+BSD     := $(if $(PORTABLE),-lbsd)
+GSL     := -lgsl -lgslcblas -lm -pthread $(BSD)
 # The program takes what it uses of GSL and Readline from their archives, where they are installed: to load the shared
 # libraries takes a quarter of its start.
 THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
-           $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread
+           $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
 # Proofs are in double alone.
@@ -96,13 +97,20 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/kernel_names.h $(B)/tutorial.h # made of other sources
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/kernel_names.h $(B)/tutorial.h \
+           $(B)/system_features.h # made of other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
+
+# The functions of this system that are not in POSIX. 'make PORTABLE=1' uses none of them, but on Linux funopen of libbsd.
+FEATURES := src/shell/io/features
+$(B)/system_features.h: $(FEATURES)
+	@mkdir -p $(@D)
+	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) -std=c17 > $@
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
 KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
@@ -163,6 +171,16 @@ $(B)/$(SONAME): $(LIB_OBJ)
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
+# The program with POSIX alone, for 'make portable'. All that differs is in one file.
+$(B)/portable/system_features.h: $(FEATURES)
+	@mkdir -p $(@D)
+	@PORTABLE=1 $(FEATURES) $(CC) -std=c17 > $@
+$(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
+	$(Q)$(CC) -I$(B)/portable $(C_FLAGS) -c $< -o $@
+$(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/portable/system.o $(B)/libdomino.a
+	$(call SAY,LD,$@)
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -lbsd -o $@
+
 $(B)/shared/domino: PROGRAM := $(GSL) -lreadline
 $(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
 	@mkdir -p $(@D)
@@ -205,7 +223,7 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 # In this test memory and threads run out where it asks for that.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
 # The library has no threads: the shell's pool runs its tasks.
-$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/terminal.c))
+$(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: how it writes numbers.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
 # Where the quotes and comments of a line end.

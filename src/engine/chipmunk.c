@@ -37,7 +37,12 @@ static void make_first(void)
 
 static void load(void)
 {
-    void *library = dlopen("libchipmunk.so.7", RTLD_NOW | RTLD_LOCAL);
+    /* Linux and FreeBSD, macOS, and Homebrew on macOS. */
+    static const char *const names[] = {"libchipmunk.so.7", "libchipmunk.dylib",
+                                        "/opt/homebrew/lib/libchipmunk.dylib"};
+    void *library = NULL;
+    for (size_t i = 0; i < sizeof names / sizeof *names && !library; i++)
+        library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
     if (!library)
         return;
     loaded = true;

@@ -10,6 +10,7 @@
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
+#include "io/system.h"
 #include "io/target.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -95,8 +96,8 @@ static bool file_fill(const struct file *f, int file)
     struct stat old, text;
     fstat(file, &old);
     fstat(fileno(o->out), &text);
-    int reason = o->append || text.st_size == 0 ? 0 : posix_fallocate(file, 0, text.st_size);
-    bool has_room = reason == 0 || reason == EINVAL || reason == EOPNOTSUPP;
+    int reason = o->append ? 0 : system_reserve(file, 0, text.st_size);
+    bool has_room = reason == 0;
     bool is_copied = has_room && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
     reason = has_room ? errno : reason;
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;

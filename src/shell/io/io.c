@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/io.h"
 #include "domino_quad.h"
+#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -28,10 +29,10 @@ void io_unblock(const sigset_t *before)
 
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
 {
-    struct pollfd ready = {.fd = file, .events = events};
+    const struct pollfd ready = {.fd = file, .events = events};
     sigset_t before = io_block();
     if (!dom_raised(interrupt))
-        (void)ppoll(&ready, 1, longest, &before);
+        system_poll(&ready, longest, &before);
     io_unblock(&before);
     if (dom_raised(interrupt))
         errno = ECANCELED;
@@ -87,5 +88,5 @@ void io_begin(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
         if (fcntl(file, F_GETFD) < 0)
-            (void)!open("/", O_PATH);
+            (void)!open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }

@@ -3,6 +3,7 @@
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
+#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -108,7 +109,7 @@ static bool program_open(struct pager *p)
     int ends[2];
     command = command && *command ? command : NULL;
     if (!p->may_run || (!command && !(term && *term && strcmp(term, "dumb") != 0)) ||
-        tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe2(ends, O_CLOEXEC) != 0)
+        tcgetattr(STDIN_FILENO, &p->modes) != 0 || !system_pipe(ends))
         return false;
     bool is_started = program_start(command, ends[0], &p->child);
     close(ends[0]);
@@ -256,7 +257,7 @@ bool pager_push(struct output **top, double screens, bool may_run, const volatil
         !terminal_size(terminal, &width, &height) || width <= 0 || height <= 0)
         return false;
     struct pager *p = malloc(sizeof *p);
-    FILE *out = p ? fopencookie(p, "w", (cookie_io_functions_t){.write = pager_write}) : NULL;
+    FILE *out = p ? system_stream(p, "w", (struct system_stream){.write = pager_write}) : NULL;
     if (!out) {
         free(p);
         return false;

@@ -3,6 +3,7 @@
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
+#include "io/system.h"
 #include "io/target.h"
 #include <errno.h>
 #include <fcntl.h>
@@ -86,7 +87,7 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
     }
     int file = io_open(path, O_WRONLY | O_CREAT | (is_log ? O_APPEND : O_TRUNC), 0666, interrupt);
     r->file = file < 0 ? NULL : io_stream(file, is_log ? "a" : "w", interrupt);
-    FILE *out = r->file ? fopencookie(r, "w", (cookie_io_functions_t){.write = record_write}) : NULL;
+    FILE *out = r->file ? system_stream(r, "w", (struct system_stream){.write = record_write}) : NULL;
     if (!out) {
         wrong = strerror(errno);
         target_end(&r->target);

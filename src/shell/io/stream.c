@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "domino_quad.h"
 #include "io/io.h"
+#include "io/system.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -12,10 +13,10 @@
 #include <unistd.h>
 
 /* Opens a stream whose functions receive a copy of the cookie.  The close function must free that copy. */
-static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, cookie_io_functions_t functions)
+static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, struct system_stream functions)
 {
     void *copy = malloc(size);
-    FILE *stream = copy ? fopencookie(memcpy(copy, cookie, size), mode, functions) : NULL;
+    FILE *stream = copy ? system_stream(memcpy(copy, cookie, size), mode, functions) : NULL;
     if (!stream)
         free(copy);
     return stream;
@@ -35,7 +36,6 @@ static atomic_flag held_lock = ATOMIC_FLAG_INIT;
 
 static FILE *standard;
 static const volatile sig_atomic_t *standard_interrupt;
-static timer_t timer;
 
 static void held_begin(void)
 {
@@ -50,12 +50,6 @@ static void held_write(void)
     held_size = 0;
 }
 
-static void timer_start(void)
-{
-    const struct itimerspec moment = {.it_value = {.tv_nsec = MOMENT}};
-    timer_settime(timer, 0, &moment, NULL);
-}
-
 static void on_timer(int number)
 {
     int reason = errno;
@@ -64,7 +58,7 @@ static void on_timer(int number)
         held_write();
         atomic_flag_clear(&held_lock);
     } else
-        timer_start();
+        system_timer_start(MOMENT);
     errno = reason;
 }
 
@@ -76,7 +70,7 @@ static ssize_t standard_write(void *cookie, const char *bytes, size_t size)
         if (held_size == HELD_MOST)
             held_write();
         if (held_size == 0)
-            timer_start();
+            system_timer_start(MOMENT);
         part = size - done < HELD_MOST - held_size ? size - done : HELD_MOST - held_size;
         memcpy(held + held_size, bytes + done, part);
         held_size += part;
@@ -106,13 +100,14 @@ static int standard_close(void *cookie)
 
 FILE *io_stdout(const volatile sig_atomic_t *interrupt)
 {
-    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN};
-    const struct sigaction action = {.sa_handler = on_timer, .sa_flags = SA_RESTART};
-    const cookie_io_functions_t functions = {.write = standard_write, .close = standard_close};
+    const struct system_stream functions = {.write = standard_write, .close = standard_close};
     standard_interrupt = interrupt;
-    if (!standard && !isatty(STDOUT_FILENO) && sigaction(SIGRTMIN, &action, NULL) == 0 &&
-        timer_create(CLOCK_MONOTONIC, &event, &timer) == 0)
-        standard = fopencookie(NULL, "w", functions);
+    if (!standard && !isatty(STDOUT_FILENO)) {
+        if (system_timer(on_timer))
+            standard = system_stream(NULL, "w", functions);
+        else
+            setvbuf(stdout, NULL, _IOLBF, BUFSIZ); /* each line is written at once */
+    }
     standard = standard ? standard : stdout;
     return standard;
 }
@@ -141,7 +136,7 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     return n;
 }
 
-/* Writes all bytes, because a stream of fopencookie treats a short count as an error. */
+/* Writes all bytes, because a stream of functions treats a short count as an error. */
 static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -173,7 +168,7 @@ static bool may_wait(int file, const char *mode)
 FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interrupt)
 {
     const struct channel channel = {file, interrupt};
-    const cookie_io_functions_t functions = {
+    const struct system_stream functions = {
         .read = channel_read, .write = channel_write, .close = channel_close};
     bool waits = may_wait(file, mode);
     if (!waits)
@@ -203,10 +198,10 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 {
     static FILE *in;
     static struct channel channel;
-    const cookie_io_functions_t functions = {.read = channel_read};
+    const struct system_stream functions = {.read = channel_read};
     if (!in) {
         channel = (struct channel){STDIN_FILENO, interrupt};
-        in = may_wait(STDIN_FILENO, "r") ? fopencookie(&channel, "r", functions) : stdin;
+        in = may_wait(STDIN_FILENO, "r") ? system_stream(&channel, "r", functions) : stdin;
     }
     if (in)
         clearerr(in); /* after ^D on a terminal, the next command can read again */
@@ -215,11 +210,11 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 
 FILE *io_temporary(const char *folder)
 {
-    const char *variable = secure_getenv("TMPDIR");
+    const char *variable = system_environment("TMPDIR");
     char *name;
     folder = folder ? folder : variable && *variable ? variable : P_tmpdir;
-    int file = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    if (file < 0 && asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) { /* the file system lacks O_TMPFILE */
+    int file = system_unnamed(folder);
+    if (file < 0 && asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) {
         sigset_t before = io_block();
         file = mkostemp(name, O_CLOEXEC);
         if (file >= 0)
@@ -257,7 +252,7 @@ static int memory_close(void *cookie)
 
 FILE *io_memory(char **text, size_t *size)
 {
-    const cookie_io_functions_t functions = {.write = memory_write, .close = memory_close};
+    const struct system_stream functions = {.write = memory_write, .close = memory_close};
     const struct memory memory = {text, size};
     *text = NULL;
     *size = 0;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "parallel/workers.h"
 #include "io/io.h"
+#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -204,10 +204,9 @@ struct workers_end workers_run(const struct workers *job)
 
 unsigned workers_count(domq_real threads, size_t points)
 {
-    cpu_set_t allowed;
     size_t n = (size_t)threads;
     if (n == 0)
-        n = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? (size_t)CPU_COUNT(&allowed) : 1;
+        n = system_processors();
     n = n < points ? n : points;
     return n == 0 ? 1 : n < THREADS_MOST ? (unsigned)n : THREADS_MOST;
 }

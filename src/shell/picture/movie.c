@@ -84,7 +84,7 @@ static bool movie_convert(struct movie *m, struct problem *problem)
         argv[n++] = *option;
     /* ffmpeg writes to a file, because in a pipe it could not go back to write the duration of the film. The
      * remaining elements of argv are NULL. */
-    argv[n] = "file:/proc/self/fd/1";
+    argv[n] = "file:/dev/stdout";
     return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
 }
 

@@ -2,13 +2,13 @@
 #include "picture/picture.h"
 #include "domino_quad.h"
 #include "io/io.h"
+#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -52,7 +52,7 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
      */
     setpgid(0, 0);
     /* The program has to end when its parent ends, which may already have happened. */
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    system_end_with_parent();
     if (getppid() != parent)
         _exit(127);
     for (int i = 0; i < 3; i++)
@@ -125,7 +125,7 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
  */
 static int drawing_error(FILE *drawing, long size)
 {
-    int error = posix_fallocate(fileno(drawing), size, BUFSIZ);
+    int error = system_reserve(fileno(drawing), size, size + BUFSIZ);
     return ftruncate(fileno(drawing), size) != 0 ? errno : error;
 }
 

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "io/system.h"
+#include "system_features.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <sched.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/select.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#ifdef HAVE_BSD_FUNOPEN
+#include <bsd/stdio.h>
+#define HAVE_FUNOPEN
+#endif
+#ifdef HAVE_PDEATHSIG
+#include <sys/prctl.h>
+#endif
+#ifdef HAVE_PROCCTL
+#include <sys/procctl.h>
+#include <sys/wait.h>
+#endif
+
+/* ---- Streams ---- */
+
+#ifdef HAVE_FOPENCOOKIE
+
+FILE *system_stream(void *cookie, const char *mode, struct system_stream functions)
+{
+    const cookie_io_functions_t own = {
+        .read = functions.read, .write = functions.write, .close = functions.close};
+    return fopencookie(cookie, mode, own);
+}
+
+#elif defined HAVE_FUNOPEN
+
+/* The functions of funopen count in int. */
+struct bsd_stream {
+    void *cookie;
+    struct system_stream functions;
+};
+
+static int bsd_read(void *stream, char *bytes, int size)
+{
+    const struct bsd_stream *s = stream;
+    return (int)s->functions.read(s->cookie, bytes, (size_t)size);
+}
+
+static int bsd_write(void *stream, const char *bytes, int size)
+{
+    const struct bsd_stream *s = stream;
+    ssize_t n = s->functions.write(s->cookie, bytes, (size_t)size);
+    return n < size ? -1 : size;
+}
+
+static int bsd_close(void *stream)
+{
+    const struct bsd_stream *s = stream;
+    int closed = s->functions.close ? s->functions.close(s->cookie) : 0, reason = errno;
+    free(stream);
+    errno = reason;
+    return closed;
+}
+
+FILE *system_stream(void *cookie, const char *mode, struct system_stream functions)
+{
+    struct bsd_stream *s = malloc(sizeof *s);
+    if (!s)
+        return NULL;
+    *s = (struct bsd_stream){cookie, functions};
+    FILE *stream =
+        funopen(s, *mode == 'r' ? bsd_read : NULL, *mode == 'r' ? NULL : bsd_write, NULL, bsd_close);
+    if (!stream)
+        free(s);
+    return stream;
+}
+
+#else
+#error "this system has neither fopencookie() nor funopen(), which libbsd has"
+#endif
+
+/* ---- Files ---- */
+
+void system_poll(const struct pollfd *file, const struct timespec *longest, const sigset_t *mask)
+{
+#ifdef HAVE_PPOLL
+    struct pollfd ready = *file;
+    (void)ppoll(&ready, 1, longest, mask);
+#else
+    fd_set in, out;
+    FD_ZERO(&in);
+    FD_ZERO(&out);
+    if (file->fd >= FD_SETSIZE)
+        return;
+    if (file->fd >= 0 && file->events & POLLIN)
+        FD_SET(file->fd, &in);
+    if (file->fd >= 0 && file->events & POLLOUT)
+        FD_SET(file->fd, &out);
+    (void)pselect(file->fd + 1, &in, &out, NULL, longest, mask);
+#endif
+}
+
+bool system_pipe(int ends[2])
+{
+#ifdef HAVE_PIPE2
+    return pipe2(ends, O_CLOEXEC) == 0;
+#else
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 &&
+           fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
+#endif
+}
+
+int system_reserve(int file, off_t from, off_t to)
+{
+#ifdef HAVE_FALLOCATE
+    int reason = to > from ? posix_fallocate(file, from, to - from) : 0;
+    return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot tell */
+#else
+    /* A byte in each block past the end of the file. Blocks before its end are taken to be there. */
+    struct stat status;
+    if (fstat(file, &status) != 0)
+        return errno;
+    off_t block = status.st_blksize > 0 ? (off_t)status.st_blksize : 512;
+    for (off_t at = from > status.st_size ? from : status.st_size; at < to; at += block - at % block)
+        if (pwrite(file, "", 1, at) != 1)
+            return errno;
+    return to > status.st_size && pwrite(file, "", 1, to - 1) != 1 ? errno : 0;
+#endif
+}
+
+int system_unnamed(const char *folder)
+{
+#ifdef HAVE_TMPFILE
+    return open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+#else
+    (void)folder;
+    errno = EOPNOTSUPP;
+    return -1;
+#endif
+}
+
+/* ---- Processes ---- */
+
+const char *system_environment(const char *name)
+{
+#ifdef HAVE_SECURE_GETENV
+    return secure_getenv(name);
+#else
+    return getuid() == geteuid() && getgid() == getegid() ? getenv(name) : NULL;
+#endif
+}
+
+void system_end_with_parent(void)
+{
+#if defined HAVE_PDEATHSIG
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#elif defined HAVE_PROCCTL
+    int signal = SIGKILL;
+    procctl(P_PID, 0, PROC_PDEATHSIG_CTL, &signal);
+#endif
+}
+
+unsigned system_processors(void)
+{
+#ifdef HAVE_AFFINITY
+    cpu_set_t allowed;
+    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? (unsigned)CPU_COUNT(&allowed) : 1;
+#else
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    return processors > 0 ? (unsigned)processors : 1;
+#endif
+}
+
+/* ---- The timer ---- */
+
+#ifdef HAVE_TIMER
+
+static timer_t timer;
+
+bool system_timer(void (*handler)(int))
+{
+    struct sigevent event = {.sigev_notify = SIGEV_SIGNAL, .sigev_signo = SIGRTMIN};
+    const struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
+    return sigaction(SIGRTMIN, &action, NULL) == 0 && timer_create(CLOCK_MONOTONIC, &event, &timer) == 0;
+}
+
+void system_timer_start(long nanoseconds)
+{
+    const struct itimerspec moment = {.it_value = {.tv_nsec = nanoseconds}};
+    timer_settime(timer, 0, &moment, NULL);
+}
+
+#else
+
+bool system_timer(void (*handler)(int))
+{
+    (void)handler;
+    return false;
+}
+
+void system_timer_start(long nanoseconds)
+{
+    (void)nanoseconds;
+}
+
+#endif
