@@ -188,7 +188,9 @@ C
     same "global names" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' <<<"$names")"
     readelf -sW "$build/libdomino.a" | awk '$5 == "GLOBAL" && $6 != "HIDDEN" && $7 ~ /^[0-9]+$/ { print $8 }' |
         sort >static
-    nm -D --defined-only "$build/libdomino.so" | awk 'NF == 3 { print $3 }' | sort >shared
+    # Each name of the shared library has the version of the soname.
+    nm -D --defined-only "$build/libdomino.so" | awk -v v="@@DOMINO_${soname##*.}" '
+        NF == 3 && $2 != "A" { if (sub(v "$", "", $3)) print $3; else print $3, "has no version" }' | sort >shared
     for way in static shared; do
         names=$way
         [ "$(grep -c '^dom_' "$names")" -gt 35 ]
