@@ -114,9 +114,10 @@ $(B)/system_features.h: $(FEATURES)
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
 KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
-$(B)/kernel_names.h: $(KERNEL_C) Makefile
+$(B)/kernel_names.h: $(KERNEL_C)
 	@mkdir -p $(@D)
-	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z]\w*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@
+	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z][A-Za-z_0-9]*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@.new
+	@cmp -s $@.new $@ || cp $@.new $@
 
 # The names that the files of the library share. All are compiled again if one is added, but not after another change.
 SHARED_AWK := src/model/precision/shared.awk
