@@ -113,6 +113,30 @@ static const char *name_split(const char *text, char name[NAMES_SHOWN])
     return unit;
 }
 
+/* Returns the index of the column of a kind that has this name, or kind->columns if there is none. */
+static int column_find(const struct csv_kind *kind, const char *name)
+{
+    int k = 0;
+    while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
+           !is_among(kind->column[k].synonyms, name))
+        k++;
+    return k;
+}
+
+/* Returns true if the first line names all columns that every file of this kind must have. */
+static bool kind_fits(const struct csv_table *csv, const struct csv_kind *kind)
+{
+    bool found[CSV_COLUMNS_MOST + 1] = {false}, fits = true;
+    char name[NAMES_SHOWN];
+    for (int i = 0; i < csv->head.cells; i++) {
+        name_split(csv->head.cell[i].text, name);
+        found[column_find(kind, name)] = true;
+    }
+    for (int k = 0; k < kind->columns; k++)
+        fits = fits && (found[k] || !(kind->column[k].traits & CSV_REQUIRED));
+    return fits;
+}
+
 /* Reads the name and the unit of column i of the file. */
 static bool name_read(struct csv_table *csv, int i, const char *text)
 {
@@ -121,10 +145,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     char name[NAMES_SHOWN], shown[NAMES_SHOWN];
     const char *unit = name_split(text, name), *close = NULL;
     bool note = is_among(",note,notes,comment,comments,remark", name);
-    int k = 0;
-    while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
-           !is_among(kind->column[k].synonyms, name))
-        k++;
+    const int k = column_find(kind, name);
     csv->other[i] = k == kind->columns;
     if (isdigit((unsigned char)*text) || *text == '.')
         return csv_wrong(&csv->file, at,
@@ -153,6 +174,9 @@ static bool head_read(struct csv_table *csv)
     bool good = true;
     if (!csv_read(&csv->file, &csv->head))
         return !*csv->file.problem.text; /* an empty file is not an error yet: csv_next reports it */
+    while (kind && !kind_fits(csv, kind))
+        kind = kind->otherwise;
+    kind = csv->kind = kind ? kind : csv->kind;
     if (csv->head.cells == 1)
         return csv_wrong(&csv->file, csv->head.at,
                          "there is only one column; the first line names %s, separated by ',', ';' or tabs",
@@ -260,7 +284,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q, is, sizeof is),
                          c->advice);
-    domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0';
+    domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);
     csv->value[k] = bare ? q.value * unit : q.value;

@@ -22,6 +22,7 @@ enum {
     CSV_EMPTY = 2,     /* its cells may be empty */
     CSV_NOT_FIRST = 4, /* the first row does not use the value, which may be missing or out of range */
     CSV_WHOLE = 8,     /* its values are whole numbers */
+    CSV_BARE = 16,     /* numbers without a unit are in its SI unit */
 };
 
 /* A column that a table of some kind may have. */
@@ -52,9 +53,12 @@ struct csv_kind {
         *items;
     const char *names;   /* for messages: a list of the columns */
     const char *example; /* for messages: an example of a first line */
+    /* Another kind that a file may be, or NULL. A file is of the first kind of which it has all required columns,
+     * or else of the first kind of all. */
+    const struct csv_kind *otherwise;
 };
 
-/* A table that is being read. Arrays of size CSV_COLUMNS_MOST have one element for each column of the kind,
+/* A table that is being read. `kind` is chosen when the first line has been read. Arrays of size CSV_COLUMNS_MOST have one element for each column of the kind,
  * and arrays of size CSV_CELLS_MOST have one element for each column of the file. */
 struct csv_table {
     const struct csv_kind *kind;

@@ -69,11 +69,10 @@ extern const struct wishes usual_wishes;
 
 /* ---- The commands ---- */
 
-extern const struct column design_columns[], solve_columns[], sensitivity_columns[], fit_columns[];
+extern const struct column design_columns[], solve_columns[], sensitivity_columns[];
 bool run_design(const struct query *query, struct answer *a, struct problem *problem);
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
-bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
 bool run_watch(struct session *session, const struct arguments *given, struct answer *a,
                struct problem *problem);
@@ -90,11 +89,13 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* Lists, in the form that names.h expects: the wishes of 'design', the parameters of 'solve' and 'watch', the
- * quantities that 'fit' can find, and the commands with a verdict. */
+/* Lists, in the form that names.h expects: the wishes of 'design', the parameters of 'solve' and 'watch',
+ * and the commands with a verdict. */
 const char *wish_names(const void *context, int k);
 const char *solve_names(const void *context, int k);
-const char *fit_names(const void *context, int k);
 const char *assert_names(const void *context, int k);
+
+/* Finds the range in which 'solve' searches a parameter of solve_names, unless the user gives one. */
+void solve_range(const char *name, double *from, double *to);
 
 #endif

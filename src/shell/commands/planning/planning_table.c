@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of the commands design, solve, watch, sensitivity, fit and assert. */
+#include "commands/fit/fit.h"
 #include "commands/planning/planning.h"
 #include "commands/tables.h"
 
@@ -80,17 +81,34 @@ const struct command design_commands[] = {
      .rows = true,
      ANSWER(sensitivity)},
     {.name = "fit",
-     .argument = {{.name = "friction", .kind = ARGUMENT_CHOICE, .of = "thing to fit", .choices = fit_names},
-                  {.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "the friction that explains measured speeds best",
-     .help = "FILE is csv with the columns 'gap (mm)' and 'speed (m/s)', and 'error (m/s)' if errors are "
-             "known. Each line is about one row of equal dominoes, with the h and d of the scene. Finds the "
-             "friction with the least sum of squared residuals, each divided by its error, or by the speed "
-             "if errors are not known. Also gives the standard deviation of the friction, and the residuals.",
-     .see = "solve duration",
+     .synonyms = "measured camera video tracker regression estimate calibrate",
+     .argument = {{.name = "NAMES", .kind = ARGUMENT_GRID, .parse = fit_parse, .choices = fit_names},
+                  {.name = "FILE", .kind = ARGUMENT_FILE},
+                  {.name = "RATE", .kind = ARGUMENT_NUMBER, .optional = true}},
+     .summary = "the parameters that explain measurements best",
+     .help =
+         "NAMES are up to four parameters or effects with commas between them, such as 'friction' or "
+         "'friction, "
+         "push'. FILE is csv, of one of three kinds. With the columns 'domino' and 'time (s)' or 'frame' it "
+         "says "
+         "when each domino of the row is hit, as a camera shows it. With 'time (s)' or 'frame', 'angle "
+         "(deg)' and, "
+         "unless it is the first, 'domino' it says how a domino turns. With 'gap (mm)' and 'speed (m/s)' "
+         "each line "
+         "is the speed of one row of equal dominoes. RATE is the number of frames in a second, unless a "
+         "column "
+         "'rate' has it. A column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' "
+         "gives the gap of each run; a column 'error' gives standard errors. The dominoes are those of "
+         "'effect "
+         "row', or else all have the growth r. Finds the values with the least sum of squared residuals, "
+         "each "
+         "divided by its error, and their standard deviations and correlations. "
+         "'fit ... > fit.svg' (or .png, .pdf) draws what was measured against what the best values give.",
+     .see = "solve duration fall sensitivity",
      .files = true,
      .rows = true,
-     ANSWER(fit)},
+     ANSWER(fit),
+     .picture = picture_fit},
     {.name = "assert",
      .argument = {{.name = "COMMAND",
                    .kind = ARGUMENT_COMMAND,

@@ -48,6 +48,13 @@ const char *solve_names(const void *context, int k)
     return k < (int)(sizeof usual_ranges / sizeof *usual_ranges) ? usual_ranges[k].name : NULL;
 }
 
+void solve_range(const char *name, double *from, double *to)
+{
+    const struct usual_range *range = &usual_ranges[names_exact(solve_names, NULL, name)];
+    *from = range->from;
+    *to = range->to;
+}
+
 /* Returns examples of how to type the command, for messages. */
 static const char *form_of(const struct problem *problem)
 {

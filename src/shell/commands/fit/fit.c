@@ -1,0 +1,305 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "commands/fit/fit.h"
+#include "commands/planning/planning.h"
+#include "commands/rows/falling.h"
+#include <gsl/gsl_cdf.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The arguments ---- */
+
+/* The parameters of 'solve' that change how dominoes move. */
+const char *fit_names(const void *context, int k)
+{
+    const char *name;
+    for (int i = 0; (name = solve_names(context, i)) != NULL; i++)
+        if (strncmp(name, "error_", 6) != 0 && strcmp(name, "placement") != 0 && k-- == 0)
+            return name;
+    return NULL;
+}
+
+struct fit_given {
+    const struct parameter *parameter[FIT_UNKNOWNS];
+    int count;
+};
+
+/* Parses "friction, push": names with commas between them. */
+bool fit_parse(struct reader *r, struct question *q)
+{
+    char message[NAMES_MESSAGE] = "", name[32];
+    struct fit_given *g = q->parsed = arena_take(r->arena, sizeof *g);
+    bool more = g != NULL, usual;
+    while (more) {
+        reader_place(r, r->at);
+        offer_names(r, fit_names, NULL);
+        const size_t length = strcspn(r->at, " \t,;>");
+        snprintf(name, sizeof name, "%.*s", (int)length, r->at);
+        const int k = names_find(fit_names, NULL, "thing to fit", name, message);
+        const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
+        if (meant)
+            return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
+        if (k < 0)
+            return problem_error(r->problem, "%s; the form is 'fit friction, push FILE'", message);
+        if (g->count == FIT_UNKNOWNS)
+            return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
+        const struct parameter *p = parameter_find(fit_names(NULL, k));
+        for (int i = 0; i < g->count; i++)
+            if (g->parameter[i] == p)
+                return problem_error(r->problem, "'%s' is named twice", p->name);
+        g->parameter[g->count++] = p;
+        r->at = skip_blanks(r->at + length);
+        more = *r->at == ',';
+        r->at = skip_blanks(r->at + more);
+        /* A name after a blank would be read as a file that hardly exists. */
+        const size_t next = strcspn(r->at, " \t,;>");
+        snprintf(name, sizeof name, "%.*s", (int)next, r->at);
+        if (!more && names_exact(fit_names, NULL, name) >= 0)
+            return problem_error(r->problem,
+                                 "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
+    }
+    return g || problem_error(r->problem, "out of memory");
+}
+
+/* ---- The answer ---- */
+
+const struct column fit_columns[] = {
+    {"gap", "m", "of a speed: the free gap between equal dominoes", 0},
+    {"run", "", "of a hit or an angle: the number of the run", 5},
+    {"domino", "", "its domino", 0},
+    {"time", "s", "of an angle: its time", 0},
+    {"measured", "", "the measurement; in m/s, in s, or an angle", 0},
+    {"fitted", "", "what the fitted values give for it", 0},
+    {"residual", "", "measured - fitted; of a speed: measured / fitted - 1", 0},
+    {"friction", "", "the fitted value of each unknown, in every row, named after the parameter", 0},
+    {"friction_sd", "", "its standard deviation", 0},
+    {"friction_push", "", "with several unknowns: the correlation of each two of them", 0},
+    {NULL, NULL, NULL, 0},
+};
+enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
+
+/* The names of the columns of the unknowns. */
+struct fit_keys {
+    char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
+};
+
+/* Makes the columns of this kind of measurement and of these unknowns. */
+static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
+{
+    static const char *const units[] = {"m/s", "rad", "s"};
+    const struct column of[] = {fit_columns[GAP], fit_columns[RUN], fit_columns[DOMINO], fit_columns[TIME]};
+    const bool used[] = {f->data.kind == FIT_SPEEDS, f->data.kind != FIT_SPEEDS, f->data.kind != FIT_SPEEDS,
+                         f->data.kind == FIT_ANGLES};
+    struct column *c = a->copy;
+    for (int i = 0; i < 4; i++)
+        if (used[i])
+            *c++ = of[i];
+    for (int i = MEASURED; i <= RESIDUAL; i++) {
+        *c = fit_columns[i];
+        c++->unit = i == RESIDUAL && f->data.kind == FIT_SPEEDS ? "share" : units[f->data.kind];
+    }
+    a->columns = a->copy;
+    if (answer_for_people(a)) {
+        *c = (struct column){NULL, NULL, NULL, 0};
+        return;
+    }
+    for (int i = 0, n = 0; i < f->unknowns; i++) {
+        const struct parameter *p = f->unknown[i].parameter;
+        snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
+        *c++ = (struct column){p->name, "", "a fitted value", 0};
+        *c++ = (struct column){keys->deviation[i], "", "its standard deviation", 0};
+        for (int j = 0; j < i; j++, n++) {
+            snprintf(keys->correlation[n], sizeof keys->correlation[n], "%.24s_%.24s",
+                     f->unknown[j].parameter->name, p->name);
+            *c++ = (struct column){keys->correlation[n], "", "a correlation", 0};
+        }
+    }
+    *c = (struct column){NULL, NULL, NULL, 0};
+}
+
+/* Returns the measured number and the fitted one of point k, which for intervals are differences. */
+static void compared(const struct fit *f, const struct fit_run *run, size_t k, double *measured_,
+                     double *fitted)
+{
+    const bool first = k == run->first;
+    *measured_ =
+        f->data.point[k].measured - (f->data.intervals && !first ? f->data.point[k - 1].measured : 0);
+    *fitted = f->computed[k] - (f->data.intervals && !first ? f->computed[k - 1] : 0);
+    if (f->data.intervals && first)
+        *measured_ = *fitted = (double)NAN;
+}
+
+static void rows_write(struct answer *a, const struct fit *f)
+{
+    for (size_t i = 0; i < f->data.runs; i++)
+        for (size_t k = f->data.run[i].first;
+             k < f->data.run[i].first + f->data.run[i].count && !answer_lost(a); k++) {
+            const struct fit_point *p = &f->data.point[k];
+            struct cell cell[ANSWER_COLUMNS];
+            int n = 0;
+            double value, fitted;
+            compared(f, &f->data.run[i], k, &value, &fitted);
+            if (isnan(value)) /* the first hit of a run has no interval */
+                continue;
+            if (f->data.kind == FIT_SPEEDS)
+                cell[n++] = cell_real((domq_real)p->gap);
+            else {
+                cell[n++] = cell_real((domq_real)f->data.run[i].number);
+                cell[n++] = cell_count((domq_real)p->domino);
+            }
+            if (f->data.kind == FIT_ANGLES)
+                cell[n++] = cell_real((domq_real)p->time);
+            cell[n++] = cell_real((domq_real)value);
+            cell[n++] = cell_narrow((domq_real)fitted, 4);
+            cell[n++] =
+                cell_narrow((domq_real)(f->data.kind == FIT_SPEEDS ? value / fitted - 1 : value - fitted), 2);
+            for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
+                cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
+                cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
+                for (int v = 0; v < u; v++)
+                    cell[n++] = cell_narrow((domq_real)f->correlation[v][u], 4);
+            }
+            answer_row(a, cell, NULL);
+        }
+}
+
+/* ---- In words ---- */
+
+static void values_say(struct answer *a, const struct fit *f)
+{
+    char commands[300] = "";
+    const double t = gsl_cdf_tdist_Pinv(0.975, (double)f->freedom);
+    answer_say(a, "\n%zu measurements, %d unknown%s.", f->data.points, f->unknowns,
+               f->unknowns > 1 ? "s" : "");
+    for (int i = 0; i < f->unknowns; i++) {
+        const struct fit_unknown *u = &f->unknown[i];
+        const struct parameter *p = u->parameter;
+        const char *unit = strcmp(p->value->unit, "h") == 0 ? "" : p->value->unit;
+        const size_t at = strlen(commands);
+        const domq_real value = (domq_real)u->value;
+        snprintf(commands + at, sizeof commands - at, "%s%s %s %.4g%s%s", i ? "; " : "",
+                 p->effect ? "effect" : "set", p->name, u->value, *unit ? " " : "", unit);
+        if (u->is_at_limit)
+            answer_say(a, "The best fit is %s %s, the limit of its range.", p->name,
+                       measured(value, unit, 4).text);
+        else
+            answer_say(
+                a, "The best fit is %s %s, with a standard deviation of %s and a 95 %% interval of %s to %s.",
+                p->name, measured(value, unit, 4).text, measured((domq_real)u->deviation, unit, 2).text,
+                measured((domq_real)(u->value - t * u->deviation), unit, 4).text,
+                measured((domq_real)(u->value + t * u->deviation), unit, 4).text);
+    }
+    for (int i = 0; i < f->unknowns; i++)
+        for (int j = 0; j < i; j++)
+            if (isfinite(f->correlation[j][i]))
+                answer_say(a, "The correlation of %s and %s is %.3f%s.", f->unknown[j].parameter->name,
+                           f->unknown[i].parameter->name, f->correlation[j][i],
+                           fabs(f->correlation[j][i]) > 0.95 ? ": these measurements hardly tell them apart"
+                                                             : "");
+    answer_say(a, "'%s' sets %s.", commands, f->unknowns > 1 ? "them" : "it");
+}
+
+static void residuals_say(struct answer *a, const struct fit *f)
+{
+    static const char *const units[] = {"share", "rad", "s"}, *const alike[] = {
+                                                                  "All speeds have the same relative weight.",
+                                                                  "All angles have the same weight.",
+                                                                  "All times have the same weight."};
+    double most = 0;
+    size_t worst = 0;
+    for (size_t i = 0; i < f->data.runs; i++)
+        for (size_t k = f->data.run[i].first; k < f->data.run[i].first + f->data.run[i].count; k++) {
+            double value, fitted;
+            compared(f, &f->data.run[i], k, &value, &fitted);
+            const double left = fabs(f->data.kind == FIT_SPEEDS ? value / fitted - 1 : value - fitted);
+            worst = left > most ? k : worst;
+            most = fmax(most, left);
+        }
+    if (f->data.intervals)
+        answer_say(
+            a,
+            "The times drift away from the model's, as they do where the gaps of a row are not all equal. So "
+            "the times between successive hits are compared, in the table too.");
+    else if (f->data.has_errors)
+        answer_say(a, "The measurements are weighted by their errors%s.",
+                   f->spread > 2 ? ", which are smaller than the residuals" : "");
+    else
+        answer_say(a, "%s", alike[f->data.kind]);
+    if (f->data.kind == FIT_SPEEDS)
+        answer_say(a, "The largest residual is %s.", measured((domq_real)most, units[f->data.kind], 2).text);
+    else
+        answer_say(a, "The largest residual is %s, at domino %zu.",
+                   measured((domq_real)most, units[f->data.kind], 2).text, f->data.point[worst].domino);
+}
+
+/* ---- The command ---- */
+
+/* Checks that speeds can determine the unknowns. If not, sets *problem and returns false. */
+static bool speeds_check(const struct fit *f, const char *shown, struct problem *problem)
+{
+    const domq_real h = f->query->scene->scale.h;
+    bool several = false;
+    for (size_t k = 0; k < f->data.points; k++) {
+        const domq_real gap = (domq_real)f->data.point[k].gap;
+        several = several || f->data.point[k].gap != f->data.point[0].gap;
+        if (gap > h)
+            return problem_no_answer(
+                problem, "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes that",
+                shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
+    }
+    return several ||
+           problem_no_answer(
+               problem,
+               "%s has one gap, which any %s may fit; add a second gap, or use 'set r 1; set s GAP/h; "
+               "solve %s : duration.speed = SPEED'",
+               shown, f->unknown[0].parameter->name, f->unknown[0].parameter->name);
+}
+
+/* Returns the first unknown that the measurements do not determine, or NULL. */
+static const struct parameter *undetermined(const struct fit *f)
+{
+    for (int i = 0; i < f->unknowns; i++)
+        if (f->unknown[i].deviation == HUGE_VAL)
+            return f->unknown[i].parameter;
+    return NULL;
+}
+
+bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
+{
+    const struct fit_given *given = query->given->bound;
+    char shown[NAMES_SHOWN];
+    names_shown(query->given->word[1], shown);
+    *f = (struct fit){.query = query, .unknowns = given->count};
+    for (int i = 0; i < given->count; i++) {
+        f->unknown[i].parameter = given->parameter[i];
+        solve_range(given->parameter[i]->name, &f->unknown[i].lowest, &f->unknown[i].highest);
+    }
+    const double rate = query->given->count > 2 ? (double)query->given->number[2] : (double)NAN;
+    if (!fit_read(query, query->given->word[1], rate, &f->data, problem) ||
+        (f->data.kind == FIT_SPEEDS && !speeds_check(f, shown, problem)) || !fit_solve(f, problem))
+        return false;
+    const struct parameter *open = undetermined(f);
+    return !open || problem_no_answer(
+                        problem, "%s: the measurements do not depend on %s%s", shown, open->name,
+                        f->unknowns > 1 ? ", or not separately from the others; fit fewer parameters" : "");
+}
+
+void fit_free(struct fit *f)
+{
+    fit_data_free(&f->data);
+    free(f->computed);
+}
+
+bool run_fit(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct fit f;
+    struct fit_keys keys;
+    const bool done = fit_make(query, &f, problem);
+    if (done) {
+        columns_make(a, &f, &keys);
+        rows_write(a, &f);
+        values_say(a, &f);
+        residuals_say(a, &f);
+    }
+    fit_free(&f);
+    return done;
+}

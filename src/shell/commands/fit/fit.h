@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The command fit, which finds the values of parameters with which the model explains measurements best. The
+ * measurements are read from a csv file (language/csv_table.h), which is of one of three kinds:
+ *
+ *     gap (mm), speed (m/s)          speeds of the front of rows of equal dominoes
+ *     domino, time (s)               when each domino of a row is hit, as a camera shows it
+ *     time (s), angle (deg)          the tilt of a domino over time
+ *
+ * fit_read.c reads the file, fit_model.c computes what should have been measured, fit_solve.c finds the least
+ * sum of squares, and fit.c writes the answer.
+ */
+#ifndef SHELL_FIT_H
+#define SHELL_FIT_H
+
+#include "interpreter/question.h"
+
+enum { FIT_UNKNOWNS = 4, FIT_POINTS = 20000 };
+
+enum fit_kind { FIT_SPEEDS, FIT_ANGLES, FIT_HITS };
+
+/* One measurement, in SI units. */
+struct fit_point {
+    double gap;      /* for a speed */
+    size_t domino;   /* for a hit and an angle: the number of the domino, from 1 */
+    double time;     /* for an angle: on the clock of its run */
+    double measured; /* the speed, the time of the hit on the clock of its run, or the angle */
+    double error;    /* the standard error of `measured`; 0 if it is not known */
+};
+
+/* The measurements of one run of a row, which share a clock. Speeds are all in one run. */
+struct fit_run {
+    double number; /* as the file numbers the runs */
+    double gap;    /* the gap of this run's row, or NaN if the row is that of the scene */
+    size_t first, count;
+    size_t dominoes; /* the largest number of a domino that was measured */
+};
+
+struct fit_data {
+    enum fit_kind kind;
+    struct fit_point *point;
+    struct fit_run *run;
+    size_t points, runs;
+    bool has_errors; /* the errors of all measurements are known */
+    /* Times of hits are compared as intervals, each from the last measured domino to this one. */
+    bool intervals;
+};
+
+/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. Returns
+ * false with a problem. The caller calls fit_data_free in both cases. */
+bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
+              struct problem *problem);
+void fit_data_free(struct fit_data *data);
+
+/* An unknown parameter, and what the fit finds out about it. */
+struct fit_unknown {
+    const struct parameter *parameter;
+    double lowest, highest;  /* the range in which the search begins */
+    double value, deviation; /* the best value, and its standard deviation */
+    bool is_at_limit;        /* the best value is a limit of the parameter's range; it has no deviation */
+};
+
+struct fit {
+    const struct query *query;
+    struct fit_data data;
+    struct fit_unknown unknown[FIT_UNKNOWNS];
+    int unknowns;
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS];
+    double spread;    /* the sum of the squared residuals, each divided by its error, over the freedom */
+    size_t freedom;   /* the number of measurements less the number of fitted numbers */
+    double *computed; /* for each measurement: what the best values give */
+    struct problem problem; /* why the last computation gave no answer */
+};
+
+/*
+ * Computes what should have been measured with these values of the unknowns. Times of hits are on the clocks
+ * of their runs, which are set so that the residuals are least. For angles, clock[k] is the time at which the
+ * motion of run k begins. Returns false, with fit->problem, if the row does not get as far as it was
+ * measured, or if there is no answer.
+ */
+bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
+
+/* For angles, estimates the times at which the motions of the runs begin. Returns false with fit->problem. */
+bool fit_clocks(struct fit *fit, const double *value, double *clock);
+
+/* Returns the error by which the residual of measurement k is divided. If errors are not known, all speeds
+ * have the same relative error, and all times and angles the same error. */
+double fit_error(const struct fit *fit, size_t k);
+
+/* Finds the values with the least sum of squares, their standard deviations and correlations. Returns false
+ * with a problem. */
+bool fit_solve(struct fit *fit, struct problem *problem);
+
+/* Fits the parameters that the arguments of the query name. Returns false with a problem. The caller calls
+ * fit_free in both cases. */
+bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
+void fit_free(struct fit *fit);
+
+/* The command: its parser, its answer, and the picture of its answer. */
+extern const struct column fit_columns[];
+const char *fit_names(const void *context, int k); /* a names_list of the parameters that can be fitted */
+bool fit_parse(struct reader *reader, struct question *question);
+bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
+bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
+
+#endif

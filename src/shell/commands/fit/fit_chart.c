@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The picture of a fit: what was measured against what the fitted values give. */
+#include "commands/fit/fit.h"
+#include "picture/show.h"
+#include <string.h>
+
+enum { RUNS_NAMED = CHART_CURVES - 1 };
+
+/* Adds the points of a run, or with `after` all runs from it on. Times are counted from the first hit of each
+ * run. */
+static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t after, double unit,
+                       double *most)
+{
+    static const enum ink inks[RUNS_NAMED] = {INK_BLUE, INK_RED,    INK_GREEN, INK_PURPLE, INK_ORANGE,
+                                              INK_SKY,  INK_PURPLE, INK_GREEN, INK_RED};
+    struct chart_curve *points =
+        f->data.runs == 1 ? chart_curve(chart, CHART_POINTS, INK_BLUE, 0, "measured")
+        : after - i > 1
+            ? chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g and later ones", f->data.run[i].number)
+            : chart_curve(chart, CHART_POINTS, inks[i], 0, "run %g", f->data.run[i].number);
+    for (; i < after; i++) {
+        const struct fit_run *run = &f->data.run[i];
+        const double clock = f->data.kind == FIT_HITS ? f->computed[run->first] : 0;
+        for (size_t k = run->first; k < run->first + run->count; k++) {
+            const double x = (f->computed[k] - clock) / unit, y = (f->data.point[k].measured - clock) / unit,
+                         error = f->data.point[k].error / unit;
+            chart_range(chart, points, x, y, error > 0 ? y - error : (double)NAN,
+                        error > 0 ? y + error : (double)NAN);
+            *most = fmax(*most, fmax(x, y));
+        }
+    }
+}
+
+/* Makes a chart with a point for each measurement, whose distance from a straight line is the residual. */
+static void fit_chart(struct chart *chart, const struct fit *f, const struct answer_style *style)
+{
+    static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};
+    const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
+    const double size = f->data.kind == FIT_ANGLES ? 1 / (double)style_angle(style, 1) : 1;
+    double most = 0;
+    size_t at = 0;
+    snprintf(chart->title, sizeof chart->title, "Measured against fitted");
+    snprintf(chart->x.label, sizeof chart->x.label, "fitted %s in %s", what[f->data.kind], unit);
+    snprintf(chart->y.label, sizeof chart->y.label, "measured %s in %s", what[f->data.kind], unit);
+    for (int i = 0; i < f->unknowns && at < sizeof chart->note; i++) {
+        const struct fit_unknown *u = &f->unknown[i];
+        const char *of = strcmp(u->parameter->value->unit, "h") == 0 ? "" : u->parameter->value->unit;
+        at += (size_t)snprintf(chart->note + at, sizeof chart->note - at, "%s%s %s", i ? ", " : "",
+                               u->parameter->name, measured((domq_real)u->value, of, 4).text);
+    }
+    for (size_t i = 0; i < f->data.runs && i < RUNS_NAMED; i++)
+        run_points(chart, f, i, i + 1 == RUNS_NAMED ? f->data.runs : i + 1, size, &most);
+    struct chart_curve *line = chart_curve(chart, CHART_LINE, INK_GREY, 0, "measured = fitted");
+    chart_point(chart, line, 0, 0);
+    chart_point(chart, line, most, most);
+}
+
+bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct fit f;
+    if (!picture_ready(a, problem))
+        return false;
+    struct chart chart = chart_make();
+    const bool done = fit_make(query, &f, problem);
+    if (done)
+        fit_chart(&chart, &f, &a->style);
+    fit_free(&f);
+    if (done)
+        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
+    chart_free(&chart);
+    return false;
+}

@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the model gives for each measurement of 'fit'. */
+#include "commands/fit/fit.h"
+#include "commands/rows/falling.h"
+#include <stdlib.h>
+
+/* The scene with the values of the unknowns, in a copy of the state. */
+struct trial {
+    struct state state;
+    struct query query;
+};
+
+/* Prepares the scene for a run. Speeds are those of equal dominoes with the gap of the point. Returns false
+ * with fit->problem. */
+static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
+{
+    const struct scene *scene = f->query->scene;
+    struct assigned assigned[FIT_UNKNOWNS + 2];
+    int count = 0;
+    problem_begin(&f->problem, "fit");
+    if (f->data.kind != FIT_SPEEDS && !scene->effect[DOM_EFFECT_row].on)
+        assigned[count++] = (struct assigned){parameter_find("row"), (domq_real)(run->dominoes + 1), NULL};
+    if (f->data.kind != FIT_SPEEDS && !isnan(run->gap))
+        assigned[count++] =
+            (struct assigned){parameter_find("s"), (domq_real)run->gap / scene->scale.h, NULL};
+    for (int i = 0; i < f->unknowns; i++)
+        assigned[count++] = (struct assigned){f->unknown[i].parameter, (domq_real)value[i], NULL};
+    return query_with(f->query, assigned, count, &t->state, &t->query, &f->problem);
+}
+
+/* ---- Speeds ---- */
+
+static bool speeds_compute(struct fit *f, const double *value, double *computed)
+{
+    struct trial t;
+    if (!trial_make(f, value, f->data.run, &t))
+        return false;
+    struct domq_train train = t.query.scene->train;
+    train.r = 1;
+    for (size_t k = 0; k < f->data.points; k++) {
+        struct domq_value duration;
+        train.s = (domq_real)f->data.point[k].gap / t.query.scene->scale.h;
+        enum dom_status status = domq_cycle_duration(&train, &t.query.scene->compute, &duration);
+        if (status != DOM_OK)
+            return problem_status(&f->problem, t.query.scene, status);
+        computed[k] = (double)domq_scale_speed(&t.query.scene->scale, &train, duration.value);
+    }
+    return true;
+}
+
+/* ---- Rows ---- */
+
+/* Reports that the row of the scene, or the part of it that falls, is shorter than what was measured, unless
+ * `dominoes` are enough. */
+static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
+{
+    return dominoes >= run->dominoes ||
+           problem_no_answer(
+               &f->problem,
+               "domino %zu was measured in run %g, but the row of the scene ends at domino %zu: 'fall' "
+               "shows why; a row that was pushed needs 'effect push', or push as an unknown",
+               run->dominoes, run->number, dominoes);
+}
+
+static bool hits_compute(struct fit *f, const double *value, const struct fit_run *run, double *computed)
+{
+    struct trial t;
+    struct row_run row;
+    if (!trial_make(f, value, run, &t) || !row_run(&t.query, &f->problem, true, &row))
+        return false;
+    size_t i = 0, hits = row.timeless ? 0 : row.hits;
+    bool done = true;
+    for (size_t k = run->first; k < run->first + run->count && done; k++) {
+        while (i < hits && row.fall[i].domino < f->data.point[k].domino)
+            i++;
+        done = i < hits && row.fall[i].domino == f->data.point[k].domino;
+        computed[k] = done ? (double)row.fall[i].time : 0;
+    }
+    const size_t last = row.verdict.domino;
+    row_run_free(&row);
+    return done || row_long_enough(f, run, last);
+}
+
+/* ---- Angles ---- */
+
+/* Tilts at a list of times, which must not decrease. */
+struct watch {
+    const double *time;
+    const size_t *domino; /* the number of the domino whose tilt is wanted at each time */
+    size_t count, done;
+    double *tilt;
+};
+
+static bool tilt_keep(const struct domq_moment *moment, void *context)
+{
+    struct watch *w = context;
+    w->tilt[w->done] = (double)moment->tilt[w->domino[w->done] - 1];
+    w->done++;
+    return true;
+}
+
+/* Before a push, a domino has the tilt with which it was set up. */
+static void tilts_before(struct watch *w, const struct scene_row *row)
+{
+    for (; w->done < w->count && w->time[w->done] < 0; w->done++)
+        w->tilt[w->done] = (double)row->domino[w->domino[w->done] - 1].lean;
+}
+
+/* Fills in the tilts of a run at times that are counted from the beginning of its motion. */
+static bool tilts_find(struct fit *f, const double *value, const struct fit_run *run, struct watch *w)
+{
+    struct trial t;
+    struct scene_row row;
+    struct domq_verdict verdict;
+    if (!trial_make(f, value, run, &t) || !scene_row_make(t.query.scene, &row, &f->problem))
+        return false;
+    const bool engine = row.row.engine, fits = run->dominoes <= row.row.count;
+    enum dom_status status = DOM_OK;
+    if (!engine && fits && !isnan(row.row.push))
+        tilts_before(w, &row);
+    if (!engine && fits && w->done < w->count) {
+        domq_real *time = malloc((w->count - w->done) * sizeof *time);
+        for (size_t k = w->done; k < w->count && time; k++)
+            time[k - w->done] = (domq_real)w->time[k];
+        status =
+            time ? domq_row_watch(&row.row, &row.compute, time, w->count - w->done, tilt_keep, w, &verdict)
+                 : DOM_NO_MEMORY;
+        free(time);
+    }
+    free(row.domino);
+    if (engine)
+        return problem_no_answer(&f->problem,
+                                 "angles can be compared with the model, but not with the rigid-body engine; "
+                                 "times of hits can be compared with both");
+    return row_long_enough(f, run, fits ? run->dominoes : (size_t)row.row.count) &&
+           (status == DOM_OK || row_status(&t.query, &f->problem, status));
+}
+
+static bool angles_compute(struct fit *f, const double *value, const struct fit_run *run, double clock,
+                           double *computed)
+{
+    double *time = malloc(run->count * sizeof *time);
+    size_t *domino = malloc(run->count * sizeof *domino);
+    struct watch w = {time, domino, run->count, 0, &computed[run->first]};
+    for (size_t k = 0; k < run->count && time && domino; k++) {
+        time[k] = f->data.point[run->first + k].time - clock;
+        domino[k] = f->data.point[run->first + k].domino;
+    }
+    bool done = time && domino ? tilts_find(f, value, run, &w)
+                               : problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
+    free(time);
+    free(domino);
+    return done;
+}
+
+/* Returns the time at which a list of tilts first reaches a level, by linear interpolation, or NaN. */
+static double level_time(const double *time, const double *tilt, size_t count, double level)
+{
+    for (size_t k = 1; k < count; k++)
+        if (tilt[k - 1] < level && tilt[k] >= level)
+            return time[k - 1] + (time[k] - time[k - 1]) * (level - tilt[k - 1]) / (tilt[k] - tilt[k - 1]);
+    return (double)NAN;
+}
+
+/* Estimates when the motion of a run began: the first domino that was measured reaches half of its largest
+ * measured angle at the same time as in the model. */
+static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
+{
+    enum { STEPS = 400 };
+    const struct fit_point *first = &f->data.point[run->first];
+    double time[STEPS], tilt[STEPS], most = 0, length = first[run->count - 1].time - first->time;
+    size_t domino[STEPS], n = 0;
+    double *measured = malloc(2 * run->count * sizeof *measured), *at = measured + run->count;
+    if (!measured)
+        return problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
+    for (size_t k = 0; k < run->count; k++)
+        if (first[k].domino == first->domino) {
+            at[n] = first[k].time;
+            measured[n++] = first[k].measured;
+            most = fmax(most, first[k].measured);
+        }
+    for (int k = 0; k < STEPS; k++) {
+        time[k] = 2 * length * (k + 0.5 - STEPS / 2) / STEPS;
+        domino[k] = first->domino;
+    }
+    struct watch w = {time, domino, STEPS, 0, tilt};
+    bool done = tilts_find(f, value, run, &w);
+    *clock = level_time(at, measured, n, most / 2) - level_time(time, tilt, STEPS, most / 2);
+    free(measured);
+    return done &&
+           (isfinite(*clock) ||
+            problem_no_answer(&f->problem,
+                              "run %g: domino %zu does not pass half of its largest measured angle, as "
+                              "it does in the model; measure it from before it moves",
+                              run->number, first->domino));
+}
+
+bool fit_clocks(struct fit *f, const double *value, double *clock)
+{
+    bool done = true;
+    for (size_t k = 0; k < f->data.runs && f->data.kind == FIT_ANGLES && done; k++)
+        done = run_clock(f, value, &f->data.run[k], &clock[k]);
+    return done;
+}
+
+/* ---- All kinds ---- */
+
+double fit_error(const struct fit *f, size_t k)
+{
+    const struct fit_point *point = &f->data.point[k];
+    return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
+}
+
+/* Adds to the computed times of a run the time at which its motion begins, which makes the sum of the squared
+ * residuals least. */
+static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
+{
+    double sum = 0, weights = 0;
+    for (size_t k = run->first; k < run->first + run->count; k++) {
+        const double weight = 1 / (fit_error(f, k) * fit_error(f, k));
+        sum += weight * (f->data.point[k].measured - computed[k]);
+        weights += weight;
+    }
+    for (size_t k = run->first; k < run->first + run->count; k++)
+        computed[k] += sum / weights;
+}
+
+bool fit_compute(struct fit *f, const double *value, const double *clock, double *computed)
+{
+    const struct fit_data *d = &f->data;
+    if (d->kind == FIT_SPEEDS)
+        return speeds_compute(f, value, computed);
+    bool done = true;
+    for (size_t k = 0; k < d->runs && done; k++) {
+        const struct fit_run *run = &d->run[k];
+        done = d->kind == FIT_HITS ? hits_compute(f, value, run, computed)
+                                   : angles_compute(f, value, run, clock[k], computed);
+        if (done && d->kind == FIT_HITS)
+            clock_add(f, run, computed);
+    }
+    return done;
+}

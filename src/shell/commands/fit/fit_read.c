@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads the measurements of 'fit'. */
+#include "commands/fit/fit.h"
+#include "session/rowfile.h"
+#include <stdlib.h>
+
+#define SPEED "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
+#define TIME  "s", "s, ms", "s", "write a time such as 0.12 s"
+#define ANGLE "rad", "deg, rad", "deg", "write an angle such as 12 deg"
+#define PLAIN "", "none", "", "write a plain number"
+
+#define DOMINO_COLUMN                                                                                        \
+    {                                                                                                        \
+        "domino", "nr,no,no.,number", 0, PLAIN, 1, 1e6, "1 .. 1e6"                                           \
+    }
+#define FRAME_COLUMN                                                                                         \
+    {                                                                                                        \
+        "frame", "frames,frame number,step", CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"                  \
+    }
+#define RATE_COLUMN                                                                                          \
+    {                                                                                                        \
+        "rate", "frame rate,framerate,fps", 0, "", "none", "", "write the frames in a second, such as 240",  \
+            CSV_ABOVE_0, 1e9, "more than 0, up to 1e9"                                                       \
+    }
+#define RUN_COLUMN                                                                                           \
+    {                                                                                                        \
+        "run", "trial,video", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"                                         \
+    }
+#define TIME_COLUMN                                                                                          \
+    {                                                                                                        \
+        "time", "t,times,hit", CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"                        \
+    }
+#define GAP_COLUMN(traits)                                                                                   \
+    {                                                                                                        \
+        "gap", "spacing,distance,separation", traits, CSV_LENGTH, "write a length such as 9 mm",             \
+            CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"                                                     \
+    }
+
+/* The columns that hits and angles have in common, in the same places. */
+enum { WHAT, TIME_AT, FRAME, RATE, RUN, ERROR, GAP, DOMINO };
+
+static const struct csv_column speed_columns[] =
+    {
+        GAP_COLUMN(CSV_REQUIRED),
+        {"speed", "velocity,v", CSV_REQUIRED, SPEED, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
+        {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEED, CSV_ABOVE_0, 3e8,
+         "more than 0, up to 3e8 m/s"},
+},
+                               angle_columns[] =
+                                   {
+                                       {"angle", "theta,tilt,rotation,\u03b8,\u03b8r",
+                                        CSV_REQUIRED | CSV_EMPTY, ANGLE, -10, 10, "-10 .. 10 rad"},
+                                       TIME_COLUMN,
+                                       FRAME_COLUMN,
+                                       RATE_COLUMN,
+                                       RUN_COLUMN,
+                                       {"error", "errors,sigma,uncertainty,angle error", CSV_EMPTY, ANGLE,
+                                        CSV_ABOVE_0, 10, "more than 0, up to 10 rad"},
+                                       GAP_COLUMN(0),
+                                       DOMINO_COLUMN,
+},
+                               hit_columns[] = {
+                                   {"domino", "nr,no,no.,number", CSV_REQUIRED | CSV_WHOLE, PLAIN, 1, 1e6,
+                                    "1 .. 1e6"},
+                                   TIME_COLUMN,
+                                   FRAME_COLUMN,
+                                   RATE_COLUMN,
+                                   RUN_COLUMN,
+                                   {"error", "errors,sigma,uncertainty,time error", CSV_EMPTY, TIME,
+                                    CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 s"},
+                                   GAP_COLUMN(0),
+};
+
+#define COUNT_OF(array) (int)(sizeof(array) / sizeof *(array))
+
+static const struct csv_kind hits = {
+    .column = hit_columns,
+    .columns = COUNT_OF(hit_columns),
+    .rows_most = FIT_POINTS,
+    .item = "measurement",
+    .items = "measurements",
+    .names = "domino, time (s) or frame, and, if needed, rate, run, gap (mm), error (s)",
+    .example = "domino, time (s)",
+};
+static const struct csv_kind angles = {
+    .column = angle_columns,
+    .columns = COUNT_OF(angle_columns),
+    .rows_most = FIT_POINTS,
+    .item = "measurement",
+    .items = "measurements",
+    .names = "time (s) or frame, angle (deg), and, if needed, rate, domino, run, gap (mm), error (deg)",
+    .example = "time (s), angle (deg)",
+    .otherwise = &hits,
+};
+static const struct csv_kind speeds = {
+    .column = speed_columns,
+    .columns = COUNT_OF(speed_columns),
+    .rows_most = FIT_POINTS,
+    .item = "measured row",
+    .items = "speeds",
+    .names = "gap (mm), speed (m/s), and, if known, error (m/s)",
+    .example = "gap (mm), speed (m/s)",
+    .otherwise = &angles,
+};
+
+void fit_data_free(struct fit_data *data)
+{
+    free(data->point);
+    free(data->run);
+}
+
+static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_point point, int error_column)
+{
+    const bool known = point.error > 0;
+    if (d->points > 0 && known != d->has_errors)
+        return csv_wrong(&csv->file, csv_cell(csv, error_column).at,
+                         "some %s have an error and some have none; give all of them one, or none",
+                         csv->kind->items);
+    struct fit_point *more = realloc(d->point, (d->points + 1) * sizeof *more);
+    if (!more)
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
+    d->has_errors = known;
+    d->point = more;
+    d->point[d->points++] = point;
+    return true;
+}
+
+static double known_or(double value, double otherwise)
+{
+    return isnan(value) ? otherwise : value;
+}
+
+/* Begins a new run if the row of the file belongs to another run than the row above it. */
+static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
+{
+    const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,
+                 gap = is_timed && csv->column[GAP] ? (double)csv->value[GAP] : (double)NAN;
+    struct fit_run *last = d->runs > 0 ? &d->run[d->runs - 1] : NULL;
+    if (last && last->number == number) {
+        last->count++;
+        return !(last->gap != gap && !isnan(gap)) ||
+               csv_wrong(&csv->file, csv_cell(csv, GAP).at,
+                         "run %g has two gaps; give each run one, or leave out the column and name the row "
+                         "with 'effect row'",
+                         number);
+    }
+    for (size_t k = 0; k < d->runs; k++)
+        if (d->run[k].number == number)
+            return csv_wrong(&csv->file, csv_cell(csv, RUN).at,
+                             "run %g goes on after another run; put all its lines together", number);
+    struct fit_run *more = realloc(d->run, (d->runs + 1) * sizeof *more);
+    if (!more)
+        return csv_wrong(&csv->file, csv->row.at, "out of memory");
+    d->run = more;
+    d->run[d->runs++] = (struct fit_run){.number = number, .gap = gap, .first = d->points, .count = 1};
+    return true;
+}
+
+/* Finds the time of a row of the file, from its frame if it has no time. The time is NaN if the row has
+ * neither. */
+static bool time_find(struct csv_table *csv, double rate, double *time)
+{
+    const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;
+    *time = csv->column[TIME_AT] ? (double)csv->value[TIME_AT] : (double)NAN;
+    if (csv->column[RATE])
+        rate = (double)csv->value[RATE];
+    if (!csv->column[TIME_AT] && !csv->column[FRAME])
+        return csv_wrong(&csv->file, csv->head.at,
+                         "there is neither a column 'time (s)' nor a column 'frame'");
+    if (isnan(*time) && !isnan(frame) && isnan(rate))
+        return csv_wrong(
+            &csv->file, csv_cell(csv, FRAME).at,
+            "frames need a frame rate: 'fit ... FILE 240' for 240 frames in a second, or a column "
+            "'rate'");
+    *time = isnan(*time) ? frame / rate : *time;
+    return true;
+}
+
+/* Adds the measurement of the current row of the file, unless its cell or its time is empty. */
+static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
+{
+    const domq_real *value = csv->value;
+    if (d->kind == FIT_SPEEDS) {
+        enum { S_GAP, S_SPEED, S_ERROR };
+        struct fit_point point = {.gap = (double)value[S_GAP],
+                                  .measured = (double)value[S_SPEED],
+                                  .error = known_or((double)value[S_ERROR], 0)};
+        return run_follow(d, csv, false) && point_add(d, csv, point, S_ERROR);
+    }
+    struct fit_point point = {.domino = 1, .error = known_or((double)value[ERROR], 0)};
+    const int domino = d->kind == FIT_HITS ? WHAT : DOMINO;
+    if (csv->column[domino])
+        point.domino = (size_t)value[domino];
+    if (!time_find(csv, rate, &point.time))
+        return false;
+    if (isnan(point.time) || isnan(value[WHAT]))
+        return true;
+    if (!run_follow(d, csv, true))
+        return false;
+    struct fit_run *run = &d->run[d->runs - 1];
+    const struct fit_point *last = run->count > 1 ? &d->point[d->points - 1] : NULL;
+    point.measured = d->kind == FIT_HITS ? point.time : (double)value[WHAT];
+    if (d->kind == FIT_HITS && last && last->domino >= point.domino)
+        return csv_wrong(
+            &csv->file, csv_cell(csv, WHAT).at,
+            "domino %zu comes after domino %zu; list the dominoes of a run in the order in which "
+            "they are hit, each once",
+            point.domino, last->domino);
+    if (last && (d->kind == FIT_HITS || last->domino == point.domino) && last->time >= point.time)
+        return csv_wrong(&csv->file, csv->row.at, "the time %g s does not come after %g s, on the line above",
+                         point.time, last->time);
+    if (point.domino > run->dominoes)
+        run->dominoes = point.domino;
+    return point_add(d, csv, point, ERROR);
+}
+
+/* Compares two measurements for qsort: by time, and then by domino. */
+static int earlier(const void *one, const void *other)
+{
+    const struct fit_point *a = one, *b = other;
+    return a->time < b->time ? -1 : a->time > b->time ? 1 : (a->domino > b->domino) - (a->domino < b->domino);
+}
+
+bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
+              struct problem *problem)
+{
+    *data = (struct fit_data){.points = 0};
+    struct csv_table *csv = csv_named(query->scene, query->means, name, false, &speeds, problem);
+    if (csv)
+        data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->kind == &angles ? FIT_ANGLES : FIT_HITS;
+    while (csv && csv_next(csv) && row_add(data, csv, rate))
+        ;
+    /* The dominoes of a run may have been measured one after the other. */
+    for (size_t k = 0; k < data->runs && data->kind == FIT_ANGLES; k++)
+        qsort(&data->point[data->run[k].first], data->run[k].count, sizeof *data->point, earlier);
+    return csv_end(csv, problem);
+}

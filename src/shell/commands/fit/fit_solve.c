@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The least sum of squares of 'fit': a coarse grid of starting values, and the method of Levenberg and
+ * Marquardt of GSL from the best of them. */
+#include "commands/fit/fit.h"
+#include <gsl/gsl_blas.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multifit_nlinear.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The numbers that are fitted: the unknowns that are not at a limit and, for angles, the clocks of the runs.
+ */
+static size_t free_count(const struct fit *f)
+{
+    size_t count = 0;
+    for (int i = 0; i < f->unknowns; i++)
+        count += !f->unknown[i].is_at_limit;
+    return count;
+}
+
+static size_t numbers_of(const struct fit *f)
+{
+    return free_count(f) + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
+}
+
+static size_t residuals_of(const struct fit *f)
+{
+    return f->data.points - (f->data.intervals ? f->data.runs : 0);
+}
+
+static bool is_interrupted(const struct fit *f)
+{
+    return dom_raised(f->query->scene->compute.interrupt);
+}
+
+/* Moves a value that lies outside the range of its parameter to the other side of the limit. The sum of
+ * squares is then defined for all values, and has its minimum at the limit if it decreases towards it. */
+static double inside(const struct fit_unknown *u, double value)
+{
+    const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
+    value = value < lowest ? 2 * lowest - value : value;
+    return value > highest ? 2 * highest - value : value;
+}
+
+/* Fills in the residuals, each divided by its error. */
+static void residuals_fill(const struct fit *f, gsl_vector *residual)
+{
+    const struct fit_data *d = &f->data;
+    size_t n = 0;
+    for (size_t i = 0; i < d->runs; i++)
+        for (size_t k = d->run[i].first; k < d->run[i].first + d->run[i].count; k++) {
+            double left = f->computed[k] - d->point[k].measured;
+            if (d->intervals && k == d->run[i].first)
+                continue;
+            if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one */
+                left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
+                       sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
+            gsl_vector_set(residual, n++, left / fit_error(f, k));
+        }
+}
+
+/* Fills in the values of all unknowns. Returns the clocks of the runs, which follow the unknowns in *x. */
+static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
+{
+    size_t n = 0;
+    for (int i = 0; i < f->unknowns; i++)
+        value[i] = f->unknown[i].is_at_limit ? f->unknown[i].value : inside(&f->unknown[i], x->data[n++]);
+    return x->data + n;
+}
+
+/* Returns the place of an unknown among the fitted numbers. */
+static size_t place_of(const struct fit *f, int i)
+{
+    size_t place = 0;
+    while (i-- > 0)
+        place += !f->unknown[i].is_at_limit;
+    return place;
+}
+
+/* Returns false where the model has no answer. The residuals are then so large that the search turns back. */
+static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
+{
+    double value[FIT_UNKNOWNS];
+    const double *clock = values_of(f, x, value);
+    bool done = !is_interrupted(f) && fit_compute(f, value, clock, f->computed);
+    if (done)
+        residuals_fill(f, residual);
+    else
+        gsl_vector_set_all(residual, 1e12);
+    return done;
+}
+
+static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *residual)
+{
+    residuals_at(context, x, residual);
+    return GSL_SUCCESS;
+}
+
+/* Returns the step of the difference quotients: the error of a step h is of the order h^2 + tol / h, and the
+ * engine's answers have about three digits. */
+static double step_of(const struct fit *f, size_t i, double x)
+{
+    const bool engine = scene_has_engine(f->query->scene);
+    const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
+    const size_t unknowns = free_count(f);
+    if (i >= unknowns) {
+        const struct fit_run *run = &f->data.run[i - unknowns];
+        return relative * (f->data.point[run->first + run->count - 1].time - f->data.point[run->first].time);
+    }
+    const struct fit_unknown *u = f->unknown;
+    for (size_t n = 0; u->is_at_limit || n++ < i; u++)
+        ;
+    return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
+}
+
+/* Fills in the derivatives of the residuals, by central differences, or to one side where the model has no
+ * answer on the other. */
+static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
+{
+    struct fit *f = context;
+    gsl_vector *at = gsl_vector_alloc(x->size), *left = gsl_vector_alloc(J->size1),
+               *right = gsl_vector_alloc(J->size1);
+    for (size_t i = 0; i < x->size && at && left && right; i++) {
+        const double here = gsl_vector_get(x, i), step = step_of(f, i, here);
+        gsl_vector_memcpy(at, x);
+        gsl_vector_set(at, i, here - step);
+        double width = residuals_at(f, at, left) ? step : 0;
+        gsl_vector_set(at, i, here + step);
+        const bool above = residuals_at(f, at, right);
+        if (!above || width == 0)
+            residuals_at(f, x, above ? left : right);
+        width += above ? step : 0;
+        gsl_vector_sub(right, left);
+        gsl_vector_scale(right, width > 0 ? 1 / width : 0);
+        gsl_matrix_set_col(J, i, right);
+    }
+    const bool done = at && left && right;
+    gsl_vector_free(at);
+    gsl_vector_free(left);
+    gsl_vector_free(right);
+    return done ? GSL_SUCCESS : GSL_ENOMEM;
+}
+
+/* ---- Where the search begins ---- */
+
+/* Returns starting value number k of an unknown, or NaN after the last one. The first is the present value.
+ */
+static double start_of(const struct fit *f, int i, int k)
+{
+    static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
+    const struct fit_unknown *u = &f->unknown[i];
+    const int count = f->unknowns > 2 ? 3 : 6;
+    const domq_real now = parameter_get(f->query->state, u->parameter);
+    if (k == 0)
+        return now == EFFECT_OFF ? u->lowest + (u->highest - u->lowest) / 100 : (double)now;
+    return k > count ? (double)NAN
+                     : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
+}
+
+/* Tries all combinations of starting values, and keeps the best in the unknowns and in *clock. Returns false
+ * with fit->problem if the model has an answer for none of them. */
+static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
+{
+    int k[FIT_UNKNOWNS] = {0};
+    double least = HUGE_VAL, value[FIT_UNKNOWNS];
+    double *at = calloc(f->data.runs, sizeof *at);
+    struct problem first = {.kind = PROBLEM_NONE};
+    for (int i = 0; at && i < f->unknowns && !is_interrupted(f);) {
+        double squares = HUGE_VAL;
+        for (i = 0; i < f->unknowns; i++)
+            value[i] = start_of(f, i, k[i]);
+        if (fit_clocks(f, value, at) && fit_compute(f, value, at, f->computed)) {
+            residuals_fill(f, residual);
+            gsl_blas_ddot(residual, residual, &squares);
+        } else if (first.kind == PROBLEM_NONE)
+            first = f->problem;
+        if (squares < least) {
+            least = squares;
+            memcpy(clock, at, f->data.runs * sizeof *at);
+            for (i = 0; i < f->unknowns; i++)
+                f->unknown[i].value = value[i];
+        }
+        for (i = 0; i < f->unknowns && isnan(start_of(f, i, ++k[i])); i++)
+            k[i] = 0;
+    }
+    free(at);
+    if (!(least < HUGE_VAL))
+        f->problem = first;
+    return least < HUGE_VAL;
+}
+
+/* ---- The search ---- */
+
+/* Finds standard deviations and correlations from the derivatives at the minimum. If the residuals are larger
+ * than the errors, or if no errors are known, the residuals are used in place of the errors. A deviation is
+ * infinite if the measurements do not determine the unknown. */
+static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
+{
+    const size_t n = derivatives->size2;
+    gsl_matrix *J = gsl_matrix_alloc(derivatives->size1, n), *covariance = gsl_matrix_calloc(n, n);
+    gsl_vector *size = gsl_vector_alloc(n);
+    const bool done = J && covariance && size;
+    if (done) {
+        gsl_matrix_memcpy(J, derivatives);
+        for (size_t i = 0; i < n; i++) { /* in units in which all unknowns matter equally */
+            gsl_vector_view column = gsl_matrix_column(J, i);
+            const double norm = gsl_blas_dnrm2(&column.vector);
+            gsl_vector_set(size, i, norm);
+            if (norm > 0)
+                gsl_vector_scale(&column.vector, 1 / norm);
+        }
+        gsl_multifit_nlinear_covar(J, 1e-7, covariance);
+    }
+    const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
+    for (int i = 0; i < f->unknowns && done; i++) {
+        const size_t a = place_of(f, i);
+        const double own = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
+        if (f->unknown[i].is_at_limit)
+            continue;
+        f->unknown[i].deviation = own > 0 && norm > 0 ? sqrt(factor * own) / norm : HUGE_VAL;
+        for (int j = 0; j < i; j++) {
+            const size_t b = place_of(f, j);
+            f->correlation[j][i] =
+                f->unknown[j].is_at_limit
+                    ? (double)NAN
+                    : gsl_matrix_get(covariance, a, b) / sqrt(own * gsl_matrix_get(covariance, b, b));
+        }
+    }
+    gsl_matrix_free(J);
+    gsl_matrix_free(covariance);
+    gsl_vector_free(size);
+    return done;
+}
+
+/* Runs the method from the values in the unknowns and in *clock, and keeps the values that it finds. Returns
+ * a status of GSL. */
+static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
+{
+    enum { STEPS_MOST = 50 };
+    const gsl_multifit_nlinear_parameters usual = gsl_multifit_nlinear_default_parameters();
+    gsl_vector *x = gsl_vector_alloc(numbers_of(f));
+    gsl_multifit_nlinear_fdf problem = {.f = residuals_of_gsl,
+                                        .df = derivatives_of_gsl,
+                                        .n = residual->size,
+                                        .p = numbers_of(f),
+                                        .params = f};
+    gsl_multifit_nlinear_workspace *w =
+        x ? gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &usual, problem.n, problem.p) : NULL;
+    int info = 0, status = GSL_ENOMEM;
+    if (w) {
+        for (int i = 0; i < f->unknowns; i++)
+            if (!f->unknown[i].is_at_limit)
+                gsl_vector_set(x, place_of(f, i), f->unknown[i].value);
+        memcpy(x->data + free_count(f), clock, (x->size - free_count(f)) * sizeof *clock);
+        status = gsl_multifit_nlinear_init(x, &problem, w);
+    }
+    if (status == GSL_SUCCESS)
+        status = gsl_multifit_nlinear_driver(STEPS_MOST, 1e-10, 1e-12, 0, NULL, NULL, &info, w);
+    if (info == GSL_ENOPROG) /* the start is the minimum already */
+        status = GSL_SUCCESS;
+    if (w && !is_interrupted(f)) {
+        double value[FIT_UNKNOWNS], squares;
+        gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
+        residuals_at(f, x, residual); /* the computed measurements are those of the minimum again */
+        gsl_blas_ddot(residual, residual, &squares);
+        f->spread = squares / (double)f->freedom;
+        memcpy(clock, values_of(f, x, value), (x->size - free_count(f)) * sizeof *clock);
+        for (int i = 0; i < f->unknowns; i++)
+            f->unknown[i].value = value[i];
+        if (!deviations_find(f, gsl_multifit_nlinear_jac(w)))
+            status = GSL_ENOMEM;
+    }
+    gsl_multifit_nlinear_free(w);
+    gsl_vector_free(x);
+    return status;
+}
+
+/* If an unknown has come so near to a limit of its range, relative to the range of the search, sets it to
+ * that limit and returns true. */
+static bool limit_take(struct fit *f, double near)
+{
+    for (int i = 0; i < f->unknowns; i++) {
+        struct fit_unknown *u = &f->unknown[i];
+        const double lowest = (double)u->parameter->value->lowest,
+                     highest = (double)u->parameter->value->highest;
+        const bool low = u->value - lowest < near * (u->highest - u->lowest),
+                   high = highest - u->value < near * (u->highest - u->lowest);
+        if (!u->is_at_limit && (low || high)) {
+            u->is_at_limit = true;
+            u->value = low ? lowest : highest;
+            u->deviation = (double)NAN;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Finds the minimum. Where the sum of squares decreases towards a limit of a range, the search swings from
+ * one side of the limit to the other, so that unknown is set to the limit, and the others are searched again.
+ */
+static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
+{
+    int status;
+    do {
+        status = numbers_of(f) > 0 ? minimum_search(f, clock, residual) : GSL_SUCCESS;
+    } while (limit_take(f, status == GSL_SUCCESS ? 1e-6 : 1e-3));
+    if (numbers_of(f) == 0) {
+        double value[FIT_UNKNOWNS], squares;
+        for (int i = 0; i < f->unknowns; i++)
+            value[i] = f->unknown[i].value;
+        if (!fit_compute(f, value, clock, f->computed))
+            return GSL_EDOM;
+        residuals_fill(f, residual);
+        gsl_blas_ddot(residual, residual, &squares);
+        f->spread = squares / (double)f->freedom;
+    }
+    return status;
+}
+
+/* Returns the sum of the squared differences of successive residuals over the sum of the squared residuals: 2
+ * if the residuals are independent, and near 0 if they drift (Durbin and Watson). */
+static double drift_of(const struct fit *f, const gsl_vector *residual)
+{
+    double steps = 0, all = 0;
+    for (size_t i = 0; i < f->data.runs; i++)
+        for (size_t k = f->data.run[i].first; k < f->data.run[i].first + f->data.run[i].count; k++) {
+            const double here = gsl_vector_get(residual, k);
+            all += here * here;
+            if (k > f->data.run[i].first)
+                steps += pow(here - gsl_vector_get(residual, k - 1), 2);
+        }
+    return steps / all;
+}
+
+static int fit_once(struct fit *f)
+{
+    for (int i = 0; i < f->unknowns; i++)
+        f->unknown[i].is_at_limit = false;
+    const size_t clocks = f->data.kind == FIT_HITS && !f->data.intervals ? f->data.runs : 0;
+    gsl_vector *residual = gsl_vector_alloc(residuals_of(f));
+    double *clock = calloc(f->data.runs, sizeof *clock);
+    f->freedom = residuals_of(f) - numbers_of(f) - clocks;
+    int status = !clock || !residual               ? GSL_ENOMEM
+                 : !start_find(f, clock, residual) ? GSL_EDOM
+                                                   : minimum_find(f, clock, residual);
+    /* Where gaps are not all equal, the times of hits drift away from the model's. */
+    const bool drifts = status == GSL_SUCCESS && f->data.kind == FIT_HITS && !f->data.has_errors &&
+                        !f->data.intervals && f->freedom >= 8 && drift_of(f, residual) < 1;
+    gsl_vector_free(residual);
+    free(clock);
+    f->data.intervals = f->data.intervals || drifts;
+    return drifts ? GSL_CONTINUE : status;
+}
+
+bool fit_solve(struct fit *f, struct problem *problem)
+{
+    const size_t fitted = (size_t)f->unknowns + (f->data.kind == FIT_SPEEDS ? 0 : f->data.runs);
+    if (f->data.points <= fitted)
+        return problem_no_answer(
+            problem,
+            "%zu measurements are too few for %d unknown%s%s; measure more, or name fewer "
+            "unknowns",
+            f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
+            f->data.kind == FIT_SPEEDS ? "" : " and the clock of each run");
+    f->computed = malloc(f->data.points * sizeof *f->computed);
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    int status = f->computed ? fit_once(f) : GSL_ENOMEM;
+    if (status == GSL_CONTINUE)
+        status = fit_once(f);
+    gsl_set_error_handler(handler);
+    if (is_interrupted(f))
+        return problem_status(problem, f->query->scene, DOM_INTERRUPTED);
+    if (status == GSL_ENOMEM)
+        return problem_status(problem, f->query->scene, DOM_NO_MEMORY);
+    if (status == GSL_EDOM)
+        *problem = f->problem;
+    else if (status != GSL_SUCCESS)
+        problem_no_answer(problem,
+                          "the values do not settle: many of them explain the measurements equally well; "
+                          "name fewer unknowns, or set the others closer to what they are");
+    return status == GSL_SUCCESS;
+}
