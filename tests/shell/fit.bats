@@ -70,7 +70,7 @@ END
     wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
     wrong 'fit slope one.csv' 'one.csv has one gap, which any slope may fit'
-    wrong 'fit friction' 'FILE is missing; usage: fit NAMES FILE \[RATE\]'
+    wrong 'fit friction' 'FILE is missing; usage: fit NAME FILE \[FPS\]'
     wrong 'fit mu one.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
     wrong 'fit friction push one.csv' "a comma is missing before 'push'"
     wrong 'fit friction, friction one.csv' "'friction' is named twice"

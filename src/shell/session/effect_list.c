@@ -111,6 +111,8 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
         if (e->needs >> k & 1)
             n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
     snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; %s", e->name,
-             name < EFFECT_ENGINE_END ? "scene" : "placement 500");
+             name < EFFECT_ENGINE_END      ? "scene"
+             : e->needs >> EFFECT_feet & 1 ? "placement 5" /* the engine takes a thousand times as long */
+                                           : "placement 500");
     return example;
 }
