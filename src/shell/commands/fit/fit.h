@@ -8,7 +8,7 @@
  *     time (s), angle (deg)          the tilt of a domino over time
  *
  * fit_read.c reads the file, fit_model.c computes what should have been measured, fit_solve.c finds the least
- * sum of squares, and fit.c writes the answer.
+ * sum of squares, fit_answer.c writes the answer, and fit_chart.c draws it.
  */
 #ifndef SHELL_FIT_H
 #define SHELL_FIT_H

@@ -86,19 +86,18 @@ const struct command design_commands[] = {
                   {.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
-     .help =
-         "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-         "'friction, push'. FILE is csv, of one of three kinds. With the columns 'domino' and "
-         "'time (s)' or 'frame' it says when each domino of the row is hit, as a camera shows it. "
-         "With 'time (s)' or 'frame', 'angle (deg)' and, unless it is the first, 'domino' it says "
-         "how a domino turns. With 'gap (mm)' and 'speed (m/s)' each line is the speed of one row "
-         "of equal dominoes. FPS is the number of frames in a second, unless a column 'rate' has "
-         "it. A column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' "
-         "gives the gap of each run; a column 'error' gives standard errors. The dominoes are "
-         "those of 'effect row', or else all have the growth r. Finds the values with the least "
-         "sum of squared residuals, each divided by its error, and their standard deviations and "
-         "correlations. 'fit ... > fit.svg' (or .png, .pdf) draws what was measured against what "
-         "the best values give.",
+     .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
+             "'friction, push'. FILE is csv, of one of three kinds. With the columns 'domino' and "
+             "'time (s)' or 'frame' it says when each domino of the row is hit, as a camera shows it. "
+             "With 'time (s)' or 'frame', 'angle (deg)' and, unless it is the first, 'domino' it says "
+             "how a domino turns. With 'gap (mm)' and 'speed (m/s)' each line is the speed of one row "
+             "of equal dominoes. FPS is the number of frames in a second, unless a column 'rate' has "
+             "it. A column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' "
+             "gives the gap of each run; a column 'error' gives standard errors. The dominoes are "
+             "those of 'effect row', or else all have the growth r. Finds the values with the least "
+             "sum of squared residuals, each divided by its error, and their standard deviations and "
+             "correlations. 'fit ... > fit.svg' (or .png, .pdf) draws what was measured against what "
+             "the best values give.",
      .see = "solve duration fall sensitivity",
      .files = true,
      .rows = true,
