@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-#   make deps run     install what is missing (Debian), build, open the calculator
+#   make deps run     install what is missing, build, open the calculator
 #   make deps test    also run the tests; with -j2 suites run in parallel; make quick: a selection
 #   make              .build/domino, .build/libdomino.a and .build/libdomino.so
 #   make install      program, library, Python module, man pages, examples; PREFIX, LIBDIR, DESTDIR ... as usual; make uninstall
@@ -8,6 +8,7 @@
 #   make dist         .build/domino-VERSION.tar.gz
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
+#   make portable     sessions with POSIX alone; make cross: on arm64 and i386, under qemu
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan, and the lines of
 #                     src/model that they run; make race: what runs on threads under ThreadSanitizer
 #   make valgrind     sessions under memcheck, helgrind and drd
@@ -55,7 +56,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify fuzz bench guard deps lint format \
+.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross fuzz bench guard deps lint format \
         install uninstall deb dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
@@ -71,6 +72,8 @@ DEPS_faults   := bats expect gnuplot-nox binutils util-linux
 DEPS_sanitize := $(DEPS_test)
 DEPS_race     := $(DEPS_test)
 DEPS_valgrind := valgrind libc6-dbg
+DEPS_portable := $(DEPS_test) libbsd-dev
+DEPS_cross    := python3 qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-i686-linux-gnu libc6-dev-i386-cross
 DEPS_fuzz     := clang libclang-rt-dev
 DEPS_bench    := bc python3-scipy gnuplot-nox valgrind binutils
 DEPS_guard    := valgrind
@@ -81,16 +84,7 @@ DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck hunspe
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
-	@missing=; for p in $(NEEDED); do \
-	  dpkg-query -W -f='$${Status}\n' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; \
-	done; \
-	[ -z "$$missing" ] && exit 0; \
-	echo "installing:$$missing"; \
-	command -v apt-get >/dev/null || { echo "make deps knows Debian's apt-get only; install:$$missing" >&2; exit 1; }; \
-	if [ "$$(id -u)" = 0 ]; then as=; elif command -v sudo >/dev/null; then as=sudo; \
-	else echo "make deps needs root or sudo to install:$$missing" >&2; exit 1; fi; \
-	$$as apt-get update -qq && \
-	$$as env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null
+	@.packaging/deps $(NEEDED)
 
 # In 'make deps test' nothing is compiled before the headers are installed.
 FIRST := $(filter deps,$(MAKECMDGOALS))
@@ -110,7 +104,7 @@ $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=
 FEATURES := src/shell/io/features
 $(B)/system_features.h: $(FEATURES)
 	@mkdir -p $(@D)
-	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) -std=c17 > $@
+	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
 # The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
 KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
@@ -175,7 +169,7 @@ $(B)/libdomino.so: $(B)/$(SONAME)
 # The program with POSIX alone, for 'make portable'. All that differs is in one file.
 $(B)/portable/system_features.h: $(FEATURES)
 	@mkdir -p $(@D)
-	@PORTABLE=1 $(FEATURES) $(CC) -std=c17 > $@
+	@PORTABLE=1 $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 $(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
 	$(Q)$(CC) -I$(B)/portable $(C_FLAGS) -c $< -o $@
 $(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/portable/system.o $(B)/libdomino.a
@@ -301,6 +295,16 @@ atlas: all
 	@tests/atlas $(B)/atlas.csv
 	@cp $(B)/atlas.csv examples/atlas.csv
 
+# The sessions that use files and streams, with POSIX alone.
+PORTABLE_BATS := $(patsubst %,tests/shell/%.bats,fifo files output)
+portable: $(B)/portable/domino
+	@tests/run $(B)/portable $(PORTABLE_BATS)
+
+# The unit tests and 300 answers on other machines, under qemu.
+CROSS := aarch64-linux-gnu i686-linux-gnu
+cross: | $(FIRST)
+	+@for machine in $(CROSS); do tests/cross $(B)/cross $$machine || exit 1; done
+
 # Tests failing memory, disks, streams and partners, and signals at the wrong moment.
 FAULTS := $(wildcard tests/faults/*.bats)
 faults: all $(B)/faults/fail_alloc.so
@@ -400,7 +404,7 @@ lint: $(HEADERS) | $(FIRST)
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
 	shellcheck tests/run tests/layers tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
-	  src/shell/prompt/domino.bash .packaging/install .packaging/deb
+	  src/shell/prompt/domino.bash src/shell/io/features .packaging/install .packaging/deb .packaging/deps tests/cross
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)
