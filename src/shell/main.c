@@ -35,7 +35,7 @@ static const char help[] =
     "      --interruptible     SIGINT ends the running command, not the program\n"
     "      --shard I/N         compute only part I of N of a curve, sweep or placement\n"
     "  -h, --help              print this help\n"
-    "  -V, --version           print the version\n"
+    "  -V, --version           print the version, and with what this program was built\n"
     "\n"
     "Exit status: 0, or 1 after an error in a command, or 2 for wrong options.\n"
     "The command 'help' lists the commands: domino -e help\n";
@@ -129,8 +129,11 @@ static bool options_check(int argc, char **argv, struct session *session, struct
         is_interruptible = is_interruptible || option == 'i';
         plan->init = plan->init && option != 'n';
         plan->sources = plan->sources || option == 'e' || option == 'f' || option == 1;
+        if (option == 'V')
+            command_run_text(session, "version");
+        if (option == 'h')
+            fprintf(session->output->out, "%s%s", usage, help);
         if (option == 'h' || option == 'V') {
-            fprintf(session->output->out, option == 'h' ? "%s%s" : "domino " DOM_VERSION "\n", usage, help);
             session->quit = true;
             return true;
         }

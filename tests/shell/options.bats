@@ -23,8 +23,14 @@ load common
 @test "--version and --help" {
     for option in --version -V; do
         run -0 "$DOMINO" "$option"
-        [[ $output =~ ^domino\ [0-9]+(\.[0-9]+)+$ ]]
+        [[ ${lines[0]} =~ ^domino\ [0-9]+(\.[0-9]+)+$ ]]
+        # The same facts as from the command, and once in json.
+        same version "$("$DOMINO" -n -e version)" "$output"
+        [[ $output =~ (gcc|clang)\ [0-9] ]]
     done
+    version=$("$DOMINO" -n -e 'set output json; version')
+    same json "${lines[0]#domino }" "$(values version <<<"$version")"
+    same quad "$("$DOMINO" -n -e 'set output json; show precision' | grep -o '__float128\|long double')" "$(values quad <<<"$version")"
     for option in --help -h; do
         run -0 --separate-stderr "$DOMINO" "$option"
         same stderr '(nothing)' "$stderr"

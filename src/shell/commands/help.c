@@ -355,5 +355,9 @@ const struct command help_commands[] = {
      .summary = "how LINE may go on, a line each, as <TAB> does",
      .example = "complete set output j",
      .act = run_complete},
+    {.name = "version",
+     .synonyms = "about build release compiler",
+     .summary = "the version of this program, and with what it was built",
+     ANSWER(version)},
     {.name = NULL},
 };

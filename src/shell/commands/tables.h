@@ -22,10 +22,12 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Commands that are defined in separate files. */
-extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[];
+extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[],
+    version_columns[];
 bool run_cycle(const struct query *query, struct answer *a, struct problem *problem);
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
+bool run_version(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Prints whether the train keeps falling, and how much energy it has relative to the energy that it needs. */
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,

@@ -119,6 +119,7 @@ const struct command row_commands[] = {
      .holds = "all dominoes fall",
      ANSWER(fall)},
     {.name = "verdict",
+     .shortest = "v",
      .synonyms = "result success topple stop",
      .summary = "whether the whole row falls, and where it is weakest",
      .example = "effect row 5; verdict",
