@@ -9,6 +9,7 @@
 #   make verify       rows and trains in a rigid-body engine too: make deps verify
 #   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
 #   make portable     sessions with POSIX alone; make cross: on arm64 and i386, under qemu
+#   make abi          fails if programs that are linked with the library would go wrong; KEEP=1 keeps its interface
 #   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan, and the lines of
 #                     src/model that they run; make race: what runs on threads under ThreadSanitizer
 #   make valgrind     sessions under memcheck, helgrind and drd
@@ -56,7 +57,7 @@ Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
 
-.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross fuzz bench guard deps lint format \
+.PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format \
         install uninstall deb dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
@@ -80,7 +81,8 @@ DEPS_guard    := valgrind
 DEPS_verify   := libchipmunk-dev
 DEPS_atlas    := python3
 DEPS_deb      := dpkg-dev binutils
-DEPS_lint     := clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
+DEPS_abi      := python3
+DEPS_lint     := python3 clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
@@ -376,6 +378,11 @@ guard: all $(B)/answers
 
 # ---- Checks ----
 
+# What programs that are linked with the library rely on, compared with the first library of this soname.
+abi: $(B)/python/domino/_api.py
+	@$(if $(KEEP),cp $< tests/abi/$(SONAME).py)
+	@tests/abi/check tests/abi/$(SONAME).py $<
+
 C_FILES := $(wildcard examples/*.c src/*/*.c src/*/*/*.c src/*/*/*/*.c tests/unit/*.c) $(HARD) $(VERIFY) $(wildcard tests/bench/*.c tests/fuzz/*.c tests/faults/*.c)
 PAGES   := $(wildcard man/*.[1-9])
 H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.h)
@@ -399,6 +406,7 @@ lint: $(HEADERS) | $(FIRST)
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet -j $$(nproc) --std=c11 -D_GNU_SOURCE --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
+	$(MAKE) --no-print-directory abi KEEP=
 	tests/layers $(STRICT_B)
 	tests/equations
 	mandoc -T lint -W warning $(PAGES)

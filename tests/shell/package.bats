@@ -208,6 +208,24 @@ C
     same_file declared static.api
 }
 
+@test "the interface is that of the first library with this soname, and the check of it sees a change" {
+    kept=$root/tests/abi/$soname.py
+    now=$PWD/now.py
+    python3 "$root/src/python/header.py" "$soname" cc "$root/include/domino_proof.h" >"$now"
+    run -0 "$root/tests/abi/check" "$kept" "$now"
+    while read -r status edit; do
+        sed -E "$edit" "$kept" >edited.py
+        ! cmp -s "$kept" edited.py || same "$edit" 'a change' 'none'
+        run -"$status" "$root/tests/abi/check" "$kept" edited.py
+    done <<'END'
+1 s/DOM_BAD_R = 2/DOM_BAD_R = 3/
+1 s/\("mu", c_double\)/("mu", c_int)/
+1 /^ *"dom_limit_rmax":/d
+1 s/(dom_rmax": \(c_double, \[)c_double, /\1/
+0 s/^FUNCTIONS = \{/class dom_new(Structure):\n    pass\nFUNCTIONS = {/
+END
+}
+
 @test "the shared library has a versioned soname, and is a file of that name" {
     same soname "$soname" "$(readelf -d "$build/libdomino.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/\1/p')"
     same link "$soname" "$(readlink "$build/libdomino.so")"
