@@ -1,24 +1,29 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The sweep and the study of placement in parts, under GNU parallel: on the processors of this machine, or
-# with its option --sshlogin on those of others.
+# Scenes in parts, under GNU parallel: on the processors of this machine, or with its option --sshlogin on those of
+# others that share FOLDER.
 #
-#   parallel.sh [PARTS] [FOLDER]     FOLDER/sweep.csv and, of the study, blocks.csv and its answer, placement.csv
+#   parallel.sh [PARTS] [FOLDER] [SCENE...]     FOLDER/SCENE.csv of each scene; by default all scenes but map.dom
+#
+# A part whose program is killed is computed again, twice at most. When the script itself was ended, run it again: it
+# computes only what is missing. The parts are in FOLDER/SCENE.parts.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 parts=${1:-8}
 folder=${2:-.}
-domino=${DOMINO:-domino}
+shift $(($# < 2 ? $# : 2))
+[ $# -gt 0 ] || set -- "$here/sweep.dom" "$here/placement.dom" "$here/errors.dom"
 
-# Each part computes on one thread, since as many parts run together as there are processors. --keep-order
-# concatenates their outputs in order: the same bytes as without --shard.
-in_parts() { # FILE.dom
-    seq "$parts" | parallel --quote --keep-order --halt now,fail=1 \
-        "$domino" --shard "{}/$parts" -e 'set threads 1' -f "$1"
-}
-
-in_parts "$here/sweep.dom" >"$folder/sweep.csv"
-
-# A part of a study is counts of rows, and their sum is the answer.
-in_parts "$here/placement.dom" >"$folder/blocks.csv"
-"$domino" -e 'set output csv' -e 'pool -' <"$folder/blocks.csv" >"$folder/placement.csv"
+# Each part computes on one thread, since as many parts run together as there are processors.
+for scene; do
+    name=$(basename "$scene" .dom)
+    mkdir -p "$folder/$name.parts"
+    seq -w "$parts" | parallel --quote --retries 3 --halt now,fail=1 \
+        "$here/part.sh" "$scene" {} "$parts" "$folder/$name.parts/{}.csv"
+    # The parts of a sweep, in order, are the whole. Those of a study are counts of rows, and their sum is the answer.
+    if grep -q '^placement' "$scene"; then
+        cat "$folder/$name.parts"/*.csv | "${DOMINO:-domino}" -e 'set output csv' -e 'pool -' >"$folder/$name.csv"
+    else
+        cat "$folder/$name.parts"/*.csv >"$folder/$name.csv"
+    fi
+done

@@ -1,14 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The sweep as a job array of Slurm: task I of N computes part I of N.
+# A scene as a job array of Slurm: task I of N computes part I of N.
 #
-#   sbatch slurm.sh                              20 parts, part-01.csv ... part-20.csv
-#   sbatch --array=1-50 slurm.sh placement.dom   50 parts of the study of placement
+#   sbatch slurm.sh                               20 parts of the sweep, part-01.csv ... part-20.csv
+#   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement, and so of errors.dom
+#   sbatch --array=1-100 slurm.sh map.dom         a map of a million points
 #
 # When all are done the whole is
 #
-#   cat part-*.csv > sweep.csv
-#   cat part-*.csv | domino -e 'pool -'          of the study
+#   cat part-*.csv > sweep.csv                    of a sweep, such as sweep.dom and map.dom
+#   cat part-*.csv | domino -e 'pool -'           of a study
+#
+# After tasks were lost, the same command computes only the parts that are missing, and '--array=7,31' only these two:
+# then say how many parts there are with '--export=ALL,PARTS=50'.
 #
 #SBATCH --job-name=domino
 #SBATCH --array=1-20
@@ -18,11 +22,9 @@
 set -eu
 scene=${1:-sweep.dom}
 part=$SLURM_ARRAY_TASK_ID
-parts=$SLURM_ARRAY_TASK_COUNT
-domino=${DOMINO:-domino}
+parts=${PARTS:-$SLURM_ARRAY_TASK_COUNT}
+# Slurm runs a copy of this script, in the folder from which it was submitted.
+here=$(cd "$(dirname "$scene")" && pwd)
 
-# Names whose order is that of the parts, however many there are.  A part that is not whole has another name:
-# the last step is to call it what it is.
-name=part-$(printf "%0${#parts}d" "$part").csv
-"$domino" --shard "$part/$parts" -e "set threads ${SLURM_CPUS_PER_TASK:-1}" -f "$scene" >"$name.new"
-mv "$name.new" "$name"
+# Names whose order is that of the parts, however many there are.
+THREADS=${SLURM_CPUS_PER_TASK:-1} "$here/part.sh" "$scene" "$part" "$parts" "part-$(printf "%0${#parts}d" "$part").csv"

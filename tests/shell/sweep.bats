@@ -239,11 +239,44 @@ END
     run -2 --separate-stderr "$DOMINO" -e rmax --shard
 }
 
-@test "examples/cluster: GNU parallel gives the whole sweep and the whole study" {
-    "$root/examples/cluster/parallel.sh" 5 "$PWD"
+# The program, where it computes a part: writes which, and the first time, in the middle of the second part, kills the
+# worker and itself.
+mortal() {
+    cat >mortal <<END
+#!/bin/bash
+if [ "\$1" = --shard ]; then
+    echo "\$2" >>"$PWD/computed"
+    if [[ \$2 = *2/5 ]] && mkdir "$PWD/killed" 2>/dev/null; then
+        "$DOMINO" "\$@" | head -c 100
+        kill -9 "\$PPID" "\$\$"
+    fi
+fi
+exec "$DOMINO" "\$@"
+END
+    chmod +x mortal
+}
+
+@test "examples/cluster: two workers of GNU parallel, one of which is killed, give the whole sweep and the whole studies" {
+    mortal
+    DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD"
+    same 'killed in one part' '1/5 2/5 2/5 3/5 4/5 5/5' "$(head -n 6 computed | sort | paste -sd ' ')"
+    [ -d killed ]
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
-    "$DOMINO" -f "$root/examples/cluster/placement.dom" | cmp - placement.csv
-    for file in sweep placement; do [ "$(wc -l <"$file.csv")" -gt 1 ]; done
+    for study in placement errors; do "$DOMINO" -f "$root/examples/cluster/$study.dom" | cmp - "$study.csv"; done
+    for file in sweep placement errors; do [ "$(wc -l <"$file.csv")" -gt 1 ]; done
+    # Only what was lost is computed when the script is run again.
+    rm computed sweep.csv sweep.parts/4.csv
+    DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD" "$root/examples/cluster/sweep.dom"
+    same 'computed again' 4/5 "$(cat computed)"
+    "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
+}
+
+@test "examples/cluster: a part of the map of a million points is that of the whole map" {
+    map=$root/examples/cluster/map.dom
+    [ "$(($(sed -En 's/^sweep s [0-9.]+ 1 ([0-9]+) d [0-9.]+ 1 ([0-9]+) .*/\1*\2/p' "$map")))" -eq 1000000 ]
+    "$DOMINO" --shard 25001/50000 -f "$map" >part
+    same points 20 "$(wc -l <part)"
+    [[ $(head -n 1 part) = 0.501,0.001,* ]]
 }
 
 @test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {
