@@ -15,9 +15,9 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-    /* Whole numbers are common, and printf is much slower with "%g" than with "%ld". */
-    if (near >= 1 && near < 1e15 && (domq_real)(long)near == value &&
-        snprintf(text, WIDE_TEXT, "%ld", (long)near) <= digits)
+    /* Whole numbers are common, and printf is much slower with "%g" than with "%lld". */
+    if (near >= 1 && near < 1e15 && (domq_real)(long long)near == value &&
+        snprintf(text, WIDE_TEXT, "%lld", (long long)near) <= digits)
         return text;
 #if defined DOMQ_REAL_FLOAT128
     const char format[] = {'%', '.', (char)('0' + digits / 10), (char)('0' + digits % 10), 'g', '\0'};
@@ -41,7 +41,7 @@ struct quad_shown quad_shown(domq_real value)
 domq_real quad_read(const char *text, char **end)
 {
     char *stop;
-    long whole = isdigit((unsigned char)*text) ? strtol(text, &stop, 10) : -1;
+    long long whole = isdigit((unsigned char)*text) ? strtoll(text, &stop, 10) : -1;
     if (whole >= 0 && stop - text < 16 && (*stop == '\0' || !strchr(".eEpPxX", *stop))) {
         if (end)
             *end = stop;
