@@ -465,17 +465,19 @@ uninstall:
 deb: $(B)/shared/domino
 	+@MAKE='$(MAKE)' .packaging/deb $(VERSION) $(SONAME) '$(abspath $(B))'
 
-# The tracked files; in a tree that came from such an archive, all files.  Equal files make equal
-# bytes: the archive of an unpacked archive is that archive.
+# The tracked files; in a tree that came from such an archive, all files. The text of the licence is the system's, as the
+# file COPYING. Equal files make equal bytes: the archive of an unpacked archive is that archive.
+LICENCE = $(firstword $(wildcard COPYING /usr/share/common-licenses/GPL-3))
 DIST = domino-$(VERSION)
 BY_GIT = [ -e .git ] && git rev-parse HEAD >/dev/null 2>&1
 dist:
 	@mkdir -p $(B)
 	@if $(BY_GIT); then git ls-files; else find * .[!.]* \
-	  -path .git -prune -o -path .build -prune -o -path '$(B)' -prune -o -type f -print; fi > $(B)/dist.files
+	  -path .git -prune -o -path .build -prune -o -path '$(B)' -prune -o -type f -print; fi | grep -vx COPYING > $(B)/dist.files
+	@$(if $(LICENCE),cp $(LICENCE) $(B)/COPYING,echo 'make dist: the archive has no COPYING, since this system has no text of the GPL' >&2)
 	@date=$${SOURCE_DATE_EPOCH:-$$(if $(BY_GIT); then git log -1 --format=%ct; else stat -c %Y Makefile; fi)} && \
 	LC_ALL=C sort $(B)/dist.files | tar -cf $(B)/$(DIST).tar --no-recursion --format=ustar --mtime="@$$date" \
-	  --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --transform='s|^|$(DIST)/|' -T - && \
+	  --owner=0 --group=0 --numeric-owner --mode=u=rwX,go=rX --transform='s|^|$(DIST)/|' -T - $(if $(LICENCE),-C $(B) COPYING) && \
 	gzip -9 -n -f $(B)/$(DIST).tar && rm $(B)/dist.files && echo '  DIST  $(B)/$(DIST).tar.gz'
 
 clean:

@@ -264,9 +264,10 @@ END
     archive=$(echo "$dist"/domino-*.tar.gz)
     name=$(basename "$archive" .tar.gz)
     if [ -e "$root/.git" ] && git -C "$root" rev-parse HEAD >/dev/null 2>&1; then
-        tar -tzf "$archive" | sed "s|^$name/||" | sort | diff -u <(git -C "$root" ls-files | sort) -
+        tar -tzf "$archive" | sed "s|^$name/||" | sort | diff -u <({ git -C "$root" ls-files && echo COPYING; } | sort) -
     fi
-    tar -xzf "$archive" 
+    tar -xzf "$archive"
+    [ ! -e /usr/share/common-licenses/GPL-3 ] || cmp /usr/share/common-licenses/GPL-3 "$name/COPYING"
     tree=$PWD/$name
     [ ! -e "$tree/.git" ]
     plain_make -C "$tree" -j2 CFLAGS='-O0 -flto=auto' all dist
