@@ -64,7 +64,7 @@ all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 # ---- Dependencies: only what the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
-DEPS_test     := libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
+DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
 DEPS_quick    := $(DEPS_test)
 DEPS_unit     := $(DEPS_test)
 DEPS_hard     := $(DEPS_test)
@@ -104,7 +104,7 @@ $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=
 
 # The functions of this system that are not in POSIX. 'make PORTABLE=1' uses none of them, but on Linux funopen of libbsd.
 FEATURES := src/shell/io/features
-$(B)/system_features.h: $(FEATURES)
+$(B)/system_features.h: $(FEATURES) | $(FIRST)
 	@mkdir -p $(@D)
 	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
@@ -169,7 +169,7 @@ $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
 # The program with POSIX alone, for 'make portable'. All that differs is in one file.
-$(B)/portable/system_features.h: $(FEATURES)
+$(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
 	@mkdir -p $(@D)
 	@PORTABLE=1 $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 $(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
