@@ -44,11 +44,14 @@ PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslc
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
 # The other files of src/model are the source of the kernels, which precision/*.c include.
-# Proofs are in double alone.
+# Proofs are in double alone. TYPED is compiled twice: with answers in double, and in the widest type. WIDE, all kernels
+# but the one in double, is compiled only for the widest type; by NARROW these kernels answer in double too.
 COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
-TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c \
-           $(wildcard $(patsubst %,src/model/%/*.c,effects precision compare dispatch planning))
-MODEL   := $(COMMON) $(TYPED)
+WIDE    := $(addprefix src/model/,precision/float.c precision/quad.c dispatch/wide.c) $(wildcard src/model/compare/*.c)
+NARROW  := $(wildcard src/model/dispatch/narrow*.c)
+TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/precision/double.c \
+           src/model/dispatch/dispatch.c $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
+MODEL   := $(COMMON) $(TYPED) $(WIDE) $(NARROW)
 ENGINE_C := $(wildcard src/engine/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
@@ -93,14 +96,14 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/kernel_names.h $(B)/tutorial.h \
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h \
            $(B)/system_features.h # made of other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
-$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(TYPED:%.c=$(B)/objq/%.o): | $(HEADERS)
+$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE)): | $(HEADERS)
 
 # The functions of this system that are not in POSIX. 'make PORTABLE=1' uses none of them, but on Linux funopen of libbsd.
 FEATURES := src/shell/io/features
@@ -138,9 +141,12 @@ $(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
 	@awk -v names=1 -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
 
-# The sources of the library are compiled twice: with answers in double, and with answers in the widest type.
-MODEL_OBJ  := $(call OBJ,$(TYPED))
-MODEL_OBJQ := $(TYPED:%.c=$(B)/objq/%.o)
+$(B)/members.h: $(QUAD_OF) src/model/dispatch/members.awk
+	@mkdir -p $(@D)
+	@awk -f src/model/dispatch/members.awk $(QUAD_OF) > $@
+
+MODEL_OBJ  := $(call OBJ,$(TYPED) $(NARROW))
+MODEL_OBJQ := $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE))
 COMMON_OBJ := $(call OBJ,$(COMMON))
 # With -flto the archive has machine code as well, for programs that are linked without it.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)

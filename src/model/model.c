@@ -154,6 +154,7 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
+#ifdef DOMQ
 /* Returns r_max in double precision, near which the quad kernel finds the remaining digits. Returns 0 for the
  * other kernels, with effects, and if r_max is not limited by the barrier. */
 static dom_real limit_near(const struct question *q)
@@ -170,12 +171,15 @@ static dom_real limit_near(const struct question *q)
                  limit.r_max > 1;
     return found ? limit.r_max : 0;
 }
+#endif
 
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
+#ifdef DOMQ
     q.request.near = limit_near(&q);
+#endif
     return FIND(q, limit_rmax, limit->error, limit);
 }
 
@@ -216,7 +220,8 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
     enum dom_status status = precision_check(compute.precision);
     if (status != DOM_OK)
         return status;
-    status = kernels[compute.precision]->count_find(first, height, r, compute.errors, count);
+    const struct request request = {.precision = compute.precision, .errors = compute.errors};
+    status = kernels[compute.precision]->count_find(&request, first, height, r, count);
     if (status != DOM_OK || !compute.errors)
         no_bounds(&count->error, sizeof count->error);
     return status;

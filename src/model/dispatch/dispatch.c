@@ -2,6 +2,13 @@
 #include "dispatch/dispatch.h"
 #include "effects/effects.h"
 
+#ifndef DOMQ
+#define kernel_float kernel_narrow
+#define kernel_quad  kernel_narrow
+#define kernel_gsl   kernel_narrow
+#define kernel_paper kernel_narrow
+#endif
+
 const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
 

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #define REAL_FLOAT
 #define KERNEL_NAME(name) name##_float
-#ifndef DOMQ /* results and error bounds leave this kernel as doubles */
-#pragma GCC diagnostic ignored "-Wdouble-promotion"
-#endif
 #include "precision/kernel.inc"
 
 const struct kernel kernel_float = KERNEL_TABLE;

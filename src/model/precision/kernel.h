@@ -40,7 +40,7 @@
     X(row_sample, const struct row_request *, struct random_row **)                                          \
     X(row_sampled, struct random_row *, const struct dom_row *, bool, struct dom_verdict *)                  \
     X(row_sample_end, struct random_row *)                                                                   \
-    X(count_find, dom_real, dom_real, dom_real, bool, struct dom_count *)
+    X(count_find, const struct request *, dom_real, dom_real, dom_real, struct dom_count *)
 
 struct course;     /* row/course.c */
 struct random_row; /* row/sample.c */
@@ -51,6 +51,12 @@ struct kernel {
 #undef KERNEL_MEMBER
 };
 
-extern const struct kernel kernel_float, kernel_double, kernel_quad, kernel_gsl, kernel_paper;
+/* kernel_narrow is dispatch/narrow.c, in which <domino.h> has all kernels but the one in double. */
+extern const struct kernel kernel_double;
+#ifdef DOMQ
+extern const struct kernel kernel_float, kernel_quad, kernel_gsl, kernel_paper;
+#else
+extern const struct kernel kernel_narrow;
+#endif
 
 #endif

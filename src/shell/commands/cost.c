@@ -226,9 +226,8 @@ static double cost_proved(const struct query *query, struct answer *a, const str
 {
     static const double proved[] = {1e-3, 1e-6, 1e-9, 1e-12, 1e-14};
     struct dom_train train = proof_train(&query->scene->train);
-    struct dom_compute compute = dom_compute_default();
+    struct dom_compute compute = {.interrupt = query->scene->compute.interrupt};
     double twelve = (double)NAN;
-    compute.interrupt = query->scene->compute.interrupt;
     for (size_t k = 0; which >= COST_RMAX && k < sizeof proved / sizeof *proved; k++) {
         struct dom_proof proof = {.low = DOM_NAN};
         compute.tol = proved[k];

@@ -29,23 +29,21 @@ static const struct column prove_columns[] = {
 
 struct dom_train proof_train(const struct domq_train *train)
 {
-    struct dom_train t = dom_train_default();
+    struct dom_train t = {.fuel = train->fuel};
 #define COPY(name, default_, lowest, highest, unit, meaning) t.name = (double)train->name;
     DOM_TRAIN_PARAMETERS(COPY)
 #undef COPY
 #define COPY(effect, member, status) t.member = (double)train->member;
     DOM_DYNAMICS(COPY)
 #undef COPY
-    t.fuel = train->fuel;
     return t;
 }
 
 static struct dom_compute proof_compute(const struct query *query)
 {
-    struct dom_compute compute = dom_compute_default();
-    compute.tol = (double)query->scene->compute.tol;
-    compute.interrupt = query->scene->compute.interrupt;
-    return compute;
+    const struct domq_compute *compute = &query->scene->compute;
+    return (struct dom_compute){
+        .tol = (double)compute->tol, .precision = DOM_DOUBLE, .interrupt = compute->interrupt};
 }
 
 /* Enough digits for an exact round trip. A proved bound must not be rounded, since the rounded bound might be
