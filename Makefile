@@ -403,11 +403,11 @@ CLANG_READ := clang -fsyntax-only -std=c17 $(WARN) -Werror -Wno-double-promotion
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
-	printf '%s\n' $(MODEL) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
-	printf '%s\n' $(TYPED) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
+	printf '%s\n' $(filter-out $(WIDE),$(MODEL)) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
+	printf '%s\n' $(TYPED) $(WIDE) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
-	printf '%s\n' $(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
+	printf '%s\n' $(filter-out $(NARROW),$(MODEL)) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
 	  'clang-tidy --quiet "$$@" -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet -j $$(nproc) --std=c11 -D_GNU_SOURCE --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
