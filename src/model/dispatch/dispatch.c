@@ -2,15 +2,17 @@
 #include "dispatch/dispatch.h"
 #include "effects/effects.h"
 
-#ifndef DOMQ
-#define kernel_float kernel_narrow
-#define kernel_quad  kernel_narrow
-#define kernel_gsl   kernel_narrow
-#define kernel_paper kernel_narrow
-#endif
-
+#ifdef DOMQ
 const struct kernel *const kernels[] = {
     [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
+#define KERNEL_GSL   &kernel_gsl
+#define KERNEL_PAPER &kernel_paper
+#else
+const struct kernel *const kernels[] = {
+    [DOM_FLOAT] = &kernel_narrow, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_narrow};
+#define KERNEL_GSL   &kernel_narrow
+#define KERNEL_PAPER &kernel_narrow
+#endif
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */
 #define BAD_s   DOM_BAD_S
@@ -72,8 +74,8 @@ struct question question_make(const struct dom_train *train, const struct dom_co
 #undef COPY_COMPUTE
     q.status = request_check(&q.request);
     if (q.status == DOM_OK)
-        q.kernel = compute.method == DOM_METHOD_GSL     ? &kernel_gsl
-                   : compute.method == DOM_METHOD_PAPER ? &kernel_paper
+        q.kernel = compute.method == DOM_METHOD_GSL     ? KERNEL_GSL
+                   : compute.method == DOM_METHOD_PAPER ? KERNEL_PAPER
                                                         : kernels[compute.precision];
     return q;
 }

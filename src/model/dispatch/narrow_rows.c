@@ -167,7 +167,7 @@ enum dom_status narrow_row_course(const struct row_request *q, struct course **c
     const struct domq_row row = wide_row(q, runs->domino);
     const struct domq_compute compute = wide_row_compute(q);
     struct domq_verdict wide = {.domino = 0};
-    enum dom_status status = domq_course(&row, &compute, &runs->course, &wide);
+    enum dom_status status = domq__course(&row, &compute, &runs->course, &wide);
     return verdict_written(status, &wide, verdict);
 }
 
@@ -182,7 +182,7 @@ enum dom_status narrow_row_again(struct course *course, const struct dom_domino 
         widen_domino(&runs->domino[k], &domino[k]);
     runs->first = first;
     runs->last = last;
-    enum dom_status status = domq_again(runs->precision, runs->course, runs->domino, first, last, &wide);
+    enum dom_status status = domq__again(runs->precision, runs->course, runs->domino, first, last, &wide);
     narrow_verdict(verdict, &wide);
     return status;
 }
@@ -190,7 +190,7 @@ enum dom_status narrow_row_again(struct course *course, const struct dom_domino 
 enum dom_status narrow_row_course_end(struct course *course)
 {
     struct narrow_runs *runs = (void *)course;
-    domq_course_end(runs->precision, runs->course);
+    domq__course_end(runs->precision, runs->course);
     runs_end(runs);
     return DOM_OK;
 }
@@ -203,7 +203,7 @@ enum dom_status narrow_row_sample(const struct row_request *q, struct random_row
         return DOM_NO_MEMORY;
     const struct domq_row row = wide_row(q, runs->domino);
     const struct domq_compute compute = wide_row_compute(q);
-    return domq_sample(&row, &compute, &runs->sample);
+    return domq__sample(&row, &compute, &runs->sample);
 }
 
 enum dom_status narrow_row_sampled(struct random_row *sample, const struct dom_row *row, bool gaps,
@@ -217,7 +217,7 @@ enum dom_status narrow_row_sampled(struct random_row *sample, const struct dom_r
     const struct domq_row wide_row = {
         .domino = runs->domino, .count = runs->count, .push = row->push, DOM_DYNAMICS(SAME)};
 #undef SAME
-    enum dom_status status = domq_sampled(runs->precision, runs->sample, &wide_row, gaps, &wide);
+    enum dom_status status = domq__sampled(runs->precision, runs->sample, &wide_row, gaps, &wide);
     narrow_verdict(verdict, &wide);
     return status;
 }
@@ -225,7 +225,7 @@ enum dom_status narrow_row_sampled(struct random_row *sample, const struct dom_r
 enum dom_status narrow_row_sample_end(struct random_row *sample)
 {
     struct narrow_runs *runs = (void *)sample;
-    domq_sample_end(runs->precision, runs->sample);
+    domq__sample_end(runs->precision, runs->sample);
     runs_end(runs);
     return DOM_OK;
 }

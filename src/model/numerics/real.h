@@ -14,8 +14,13 @@
 
 /* Marks functions of the kernels. Each precision has a separate copy with internal linkage. */
 #define KERNEL static __attribute__((unused))
-/* Marks functions in the loops along a train, where a call would cost as much as the arithmetic. */
+/* Marks functions in the loops along a train, where a call would cost as much as the arithmetic. In quad
+ * every operation is a call already, and one more for a function costs nothing that can be measured. */
+#ifdef REAL_QUAD
+#define KERNEL_LOOP KERNEL
+#else
 #define KERNEL_LOOP static inline __attribute__((always_inline, unused))
+#endif
 
 /* The functions of <math.h> that exist in every precision: X(name) for those with one argument, Y(name) for
  * those with two. */
