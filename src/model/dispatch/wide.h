@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Rows that are run again and again by a kernel of <domino_quad.h>, for the functions of <domino.h>. Each
- * function calls a function of struct kernel: domq__again calls row_again, for instance. The names are written
- * with their prefix, since they must be the same in both parts of the library.
+ * function calls a function of struct kernel: domq__again calls row_again, for instance. The names are
+ * written with their prefix, since they must be the same in both parts of the library.
  */
 #ifndef DOM_WIDE_H
 #define DOM_WIDE_H
