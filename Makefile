@@ -368,8 +368,9 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 
 # Measures ratios of times in one run. SciPy takes part if it is installed.
 BENCH := bench compare curve floor front growth lengths lines measure record rows start
-bench: all $(B)/bench $(B)/answers
+bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
+	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
 $(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
 $(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(B)/libdomino.a

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import math
 from typing import Any, NamedTuple, Union
 
@@ -179,20 +180,18 @@ def _ask_many(question: int, kind: type, fuel: int, values: dict[str, Any], comp
               accepted: tuple[str, ...]) -> Any:  # fmt: skip
     import numpy as np
 
-    names = list(values)
-    arrays = np.broadcast_arrays(*[np.asarray(values[name], float) for name in names])
-    shape, count = arrays[0].shape, arrays[0].size
-    trains = np.zeros(count, np.dtype(api.dom_train))
+    arrays = {name: np.asarray(value, float) for name, value in values.items()}
+    shape = np.broadcast_shapes(*[array.shape for array in arrays.values()])
+    trains = np.zeros(shape, _dtype(api.dom_train))
     trains["fuel"] = fuel
-    tilts = np.zeros(count)
-    for name, array in zip(names, arrays):
-        if name == "tilt":
-            tilts[:] = array.ravel()
-        else:
-            trains[name] = array.ravel()
-    answers = np.zeros(count, np.dtype(kind))
+    tilts = np.zeros(shape)
+    for name, array in arrays.items():
+        (tilts if name == "tilt" else trains[name])[...] = array
+    count = trains.size
+    answers = np.zeros(count, _dtype(kind))
     statuses = np.zeros(count, np.intc)
-    ends = np.linspace(0, count, min(8 * CORES, max(count // 4, 1)) + 1).astype(int)
+    # More parts than cores, since some take longer than others.
+    ends = np.linspace(0, count, (min(8 * CORES, max(count // 4, 1)) if CORES > 1 else 1) + 1).astype(int)
 
     def part(low: int, high: int) -> Any:
         def at(array: Any, type: type) -> Any:
@@ -206,15 +205,24 @@ def _ask_many(question: int, kind: type, fuel: int, values: dict[str, Any], comp
     with interruptible(compute):
         run_all([part(low, high) for low, high in zip(ends, ends[1:])])
     without = np.zeros(count, bool)
-    for status in np.unique(statuses):
+    for status in np.unique(statuses) if statuses.any() else ():
         name = api.dom_status(int(status)).name.removeprefix("DOM_")
         if name.startswith("BAD_") or name in ("INTERRUPTED", "NO_MEMORY", "NO_METHOD", "NO_PRECISION"):
             first = int(np.flatnonzero(statuses == status)[0])
             raise_status(int(status), f", at the index {tuple(map(int, np.unravel_index(first, shape)))}")
         if name != "OK" and name not in accepted:
             without |= statuses == status
-    _set_nan(answers, without)
+    if without.any():
+        _set_nan(answers, without)
     return answers.reshape(shape)
+
+
+@functools.cache
+def _dtype(structure: type) -> Any:
+    """Returns NumPy's description of a structure, which takes as long to make as a hundred answers."""
+    import numpy as np
+
+    return np.dtype(structure)
 
 
 def _set_nan(answers: Any, where: Any) -> None:
