@@ -78,12 +78,15 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
+    const struct tilt lies = {1, 0, 1};
     struct contact contact;
     struct tilt tilt;
+    if ((real)row->domino[k + 1].gap > (real)row->domino[k].height * (1 + REACH_ROUNDED))
+        return lies;
     bool touches = lean_touch(row, k, &contact, &tilt);
     if (touches)
         return tilt;
-    return contact.arm > 0 ? geometry_rest(&self) : (struct tilt){1, 0, 1};
+    return contact.arm > 0 ? geometry_rest(&self) : lies;
 }
 
 /* Returns the last tilt of domino k as a head. At this tilt the domino hits the next one, or lies on the

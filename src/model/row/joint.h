@@ -5,6 +5,11 @@
 
 #include "dynamics/choose.h"
 
+/* Relative tolerance for a gap as wide as the head is tall, which counts as reached. In a row of a train with
+ * r = 1/s, the rounding errors of r, of two powers, of four products, and of both sizes when they are rounded
+ * to the precision, are half a unit or one unit in the last place each. */
+#define REACH_ROUNDED (4 * REAL_EPSILON)
+
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */

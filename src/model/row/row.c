@@ -189,11 +189,6 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Relative tolerance for a gap as wide as the head is tall, which counts as reached. In a row of a train with
- * r = 1/s, the rounding errors of r, of two powers, of four products, and of both sizes when they are rounded
- * to the precision, are half a unit or one unit in the last place each. */
-#define REACH_ROUNDED (4 * REAL_EPSILON)
-
 /* Returns how the row ends if head k touches the next domino and one of the two leans. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
