@@ -8,6 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+int style_tol_digits(const struct answer_style *style)
+{
+    return (int)fmax(floor(-log10(style->tol) + 1e-6), 1);
+}
+
 domq_real style_angle(const struct answer_style *style, domq_real radians)
 {
     return style->angle == ANGLE_DEG ? radians * (180 / QUAD_PI) : radians;
@@ -19,11 +24,6 @@ const char *style_angle_unit(const struct answer_style *style)
 }
 
 /* ---- Columns ---- */
-
-bool column_is_angle(const struct column *c)
-{
-    return strncmp(c->unit, "rad", 3) == 0;
-}
 
 void column_fit(struct column *c, const char *word)
 {
@@ -84,9 +84,11 @@ bool answer_bounded(const struct answer *a, int i)
 static void terminal_look(struct answer *a)
 {
     a->layout.on_terminal = terminal_shows(a->out);
-    a->layout.width = terminal_width(a->out);
-    a->layout.letters = a->layout.width && terminal_utf8();
-    a->layout.bold = terminal_colour(a->out);
+    if (a->layout.on_terminal) {
+        a->layout.width = terminal_width(a->out);
+        a->layout.letters = a->layout.width && terminal_utf8();
+        a->layout.bold = terminal_colour(a->out);
+    }
     errno = 0; /* if there is no terminal, isatty and ioctl set errno */
 }
 
@@ -234,11 +236,6 @@ bool answer_lost(const struct answer *a)
 
 /* ---- Sentences, and the end ---- */
 
-bool answer_for_people(const struct answer *a)
-{
-    return a->out && a->style.format->for_people && !a->sink;
-}
-
 void answer_say(struct answer *a, const char *format, ...)
 {
     if (!answer_for_people(a))
@@ -253,9 +250,4 @@ void answer_say(struct answer *a, const char *format, ...)
 void answer_holds(struct answer *a, bool yes)
 {
     a->holds = yes ? ANSWER_YES : ANSWER_NO;
-}
-
-const char *answer_end(struct answer *a)
-{
-    return a->style.format->end ? a->style.format->end(a) : NULL;
 }

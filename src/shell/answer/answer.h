@@ -10,6 +10,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
 
@@ -97,14 +98,18 @@ struct format {
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_head)(const char *line);
-    /* Ends the answer.  The result is returned by answer_end. */
+    /* Ends the answer.  Returns a reason that could not be written with its row, for the caller to report, or
+     * NULL. */
     const char *(*end)(struct answer *answer);
 };
 
 /* ---- Columns, before the first row ---- */
 
 /* Returns true for a column of angles, which are shown in the unit of the style. */
-bool column_is_angle(const struct column *column);
+static inline bool column_is_angle(const struct column *column)
+{
+    return strncmp(column->unit, "rad", 3) == 0;
+}
 
 /* Makes a column of words at least as wide as a word. */
 void column_fit(struct column *column, const char *word);
@@ -158,7 +163,10 @@ bool answer_bounded(const struct answer *answer, int i);
 /* ---- Sentences, and the end ---- */
 
 /* Returns true if the answer is a table for people. */
-bool answer_for_people(const struct answer *answer);
+static inline bool answer_for_people(const struct answer *answer)
+{
+    return answer->out && answer->style.format->for_people && !answer->sink;
+}
 
 /* Writes a sentence, which only people see. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -166,9 +174,8 @@ void answer_say(struct answer *answer, const char *format, ...) __attribute__((f
 /* Sets the answer to a yes-or-no question, such as whether a row falls.  'assert' and 'solve' use it. */
 void answer_holds(struct answer *answer, bool yes);
 
-/* Ends the answer.  Returns a reason that could not be written with its row, for the caller to report, or
- * NULL. */
-const char *answer_end(struct answer *answer);
+/* Returns the number of digits that the tolerance guarantees, at least 1. */
+int style_tol_digits(const struct answer_style *style);
 
 /* Return an angle in the unit of the style, and the name of that unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);

@@ -4,6 +4,7 @@
 #define SHELL_CELL_H
 
 #include "domino_quad.h"
+#include <math.h>
 #include <stdbool.h>
 
 enum angle { ANGLE_RAD, ANGLE_DEG };
@@ -18,7 +19,7 @@ struct answer_style {
     unsigned header;  /* a csv table begins with the column names */
     domq_real digits; /* the largest number of digits in a table */
     enum dom_precision precision;
-    int tol_digits;  /* the number of digits that the tolerance guarantees */
+    double tol;      /* the tolerance of computed numbers */
     int all_digits;  /* enough digits for an exact round trip at this precision */
     unsigned errors; /* show error bounds */
 };
@@ -34,14 +35,50 @@ struct cell {
     bool computed;
 };
 
-/* Return a cell.  NaN and infinity give an empty cell, which is null in json. */
-struct cell cell_real(domq_real value);
-struct cell cell_bound(domq_real value, domq_real error);
-struct cell cell_unbounded(domq_real value); /* a number without a known error bound */
-struct cell cell_brief(double value);        /* a number with only three known digits */
-struct cell cell_count(domq_real value);
-struct cell cell_flag(bool value);
-struct cell cell_word(const char *word);
+/* The functions below return a cell.  NaN and infinity give an empty cell, which is null in json. */
+static inline struct cell cell_real(domq_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
+}
+
+static inline struct cell cell_bound(domq_real value, domq_real error)
+{
+    struct cell cell = cell_real(value);
+    cell.error = cell.kind == CELL_REAL ? error : 0;
+    cell.computed = true;
+    return cell;
+}
+
+/* A number without a known error bound. */
+static inline struct cell cell_unbounded(domq_real value)
+{
+    struct cell cell = cell_real(value);
+    cell.error = DOMQ_NAN;
+    return cell;
+}
+
+/* A number with only three known digits. */
+static inline struct cell cell_brief(double value)
+{
+    struct cell cell = cell_real((domq_real)value);
+    cell.digits = 3;
+    return cell;
+}
+
+static inline struct cell cell_count(domq_real value)
+{
+    return (struct cell){.kind = isfinite(value) ? CELL_COUNT : CELL_NONE, .number = value};
+}
+
+static inline struct cell cell_flag(bool value)
+{
+    return (struct cell){.kind = CELL_FLAG, .number = value};
+}
+
+static inline struct cell cell_word(const char *word)
+{
+    return (struct cell){.kind = word ? CELL_WORD : CELL_NONE, .word = word};
+}
 
 /* Returns false if a number is not finite at the precision at which csv and json write it. */
 bool cell_finite(const struct answer_style *style, struct cell cell);

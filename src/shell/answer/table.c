@@ -53,8 +53,8 @@ static const char *table_text(const struct answer *a, struct measure measure, st
 {
     bool has_bound = a->style.errors && isfinite(cell.error);
     int most = (int)a->style.digits;
-    if (cell.computed && most > a->style.tol_digits)
-        most = a->style.tol_digits;
+    if (cell.computed && most > style_tol_digits(&a->style))
+        most = style_tol_digits(&a->style);
     if (cell.kind == CELL_REAL && measure.power != 0) {
         cell.number = measure_number(measure, cell.number);
         cell.error = isfinite(cell.error) ? measure_number(measure, cell.error) : cell.error;

@@ -70,8 +70,11 @@ void write_wrapped(FILE *out, const char *text, int left, int right)
         fprintf(out, "\n%*s", left, "");
     }
     while (*text) {
-        size_t n = right ? line_break(text, right - left) : strlen(text), piece = piece_length(text);
-        n = n > piece ? n : piece;
+        size_t n = strlen(text);
+        if (right) {
+            size_t piece = piece_length(text), fitting = line_break(text, right - left);
+            n = piece > fitting ? piece : fitting;
+        }
         const char *end = text + n + strspn(text + n, " ");
         while (n > 0 && text[n - 1] == ' ')
             n--;

@@ -147,7 +147,7 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
     struct domq_value stop;
     char text[WIDE_TEXT], place[64] = "";
     struct answer_style style = state_style(query->state);
-    int digits = (int)style.digits < style.tol_digits ? (int)style.digits : style.tol_digits;
+    int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
     if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
         isfinite(stop.value))
         snprintf(place, sizeof place, " at theta = %s %s,",

@@ -262,10 +262,9 @@ static bool run_help(struct session *session, const struct arguments *given, str
 
 /* ---- apropos and complete ---- */
 
-static bool run_apropos(struct session *session, const struct arguments *given, struct answer *a,
-                        struct problem *problem)
+static bool run_apropos(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const char *word = given->word[0];
+    const char *word = query->given->word[0];
     bool people = answer_for_people(a);
     char shown[NAMES_SHOWN];
     int found = 0;
@@ -290,7 +289,7 @@ static bool run_apropos(struct session *session, const struct arguments *given, 
                          : strlen(topic.parameter->name) > 12 ? ""
                                                               : "effect ",
                          topic.parameter->name);
-            topic_entry(session->output->out, "", topic.usage, topic.summary);
+            topic_entry(a->out, "", topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,
                                       "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
@@ -338,7 +337,7 @@ const struct command help_commands[] = {
      .example = "apropos barrier",
      .see = "help",
      .pages = true,
-     .act = run_apropos},
+     .run = run_apropos},
     {.name = "lesson",
      .synonyms = "tutorial tour learn course introduction begin start",
      .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",

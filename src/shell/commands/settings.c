@@ -10,8 +10,18 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Prints the value that an effect got from the word 'on', because the user did not type this value. If the
- * output is for programs, as with csv and json, prints a note to standard error instead. */
+/* Prints what a change means. If the output is for programs, as with csv and json, prints a note to standard
+ * error instead. */
+static void change_say(const struct query *query, struct answer *a, const char *text)
+{
+    a->told = answer_for_people(a);
+    if (a->told)
+        answer_say(a, "%s", text);
+    else
+        means_note(query->means, "%s", text);
+}
+
+/* Prints the value that an effect got from the word 'on', because the user did not type this value. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
     char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
@@ -21,11 +31,7 @@ static void effect_say(const struct query *query, struct answer *a, const struct
              effect_setting(query->scene, p->which, setting),
              listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
              effect_usage(p->which, usage));
-    a->told = answer_for_people(a);
-    if (a->told)
-        answer_say(a, "%s", text);
-    else
-        means_note(query->means, "%s", text);
+    change_say(query, a, text);
 }
 
 /* A height without a unit is probably a mistake if it differs from the session's height by more than this
@@ -48,19 +54,14 @@ static bool height_likely(const struct query *query, struct problem *problem)
                          measured(now, "m", 4).text, quad_shown(given->number[1]).text);
 }
 
-/* Prints that s and r do not change a row whose dominoes come from a file. If the output is for programs,
- * prints a note to standard error instead. */
+/* Prints that s and r do not change a row whose dominoes come from a file. */
 static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
     char text[EFFECT_SETTING + 160], setting[EFFECT_SETTING];
     snprintf(text, sizeof text,
              "%s does not change the row, whose dominoes are from %s; 'effect row N' makes a row of s and r.",
              p->name, effect_setting(query->scene, DOM_EFFECT_row, setting));
-    a->told = answer_for_people(a);
-    if (a->told)
-        answer_say(a, "%s", text);
-    else
-        means_note(query->means, "%s", text);
+    change_say(query, a, text);
 }
 
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)

@@ -172,7 +172,7 @@ enum move { MOVE_STEP, MOVE_BACK, MOVE_GOTO, MOVE_NOT };
 
 static bool walk_move(const struct query *query, struct answer *a, struct problem *problem, enum move move)
 {
-    struct walk walk = query->scene->walk;
+    struct walk walk = *query->walk;
     bool begun, done = walk_ready(query, a, problem, &walk, &begun);
     if (done && (move == MOVE_NOT || walk.verdict == DOM_NO_FUEL))
         done = walk_answer(query, a, problem, &walk);
@@ -180,7 +180,7 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
         done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
                                  : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
     if (query->next)
-        query->next->scene.walk = walk; /* saved even after a problem, such as the end of the walk */
+        *query->walk = walk; /* saved even after a problem, such as the end of the walk */
     return done;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/walk.h"
 #include "language/quad.h"
-#include "session/session.h"
 #include <string.h>
 
 struct walk_units walk_units(const struct query *query, int cycle)
@@ -41,7 +40,7 @@ static bool same_train(const struct walk *walk, const struct scene *scene)
 
 const struct walk *walk_now(const struct query *query)
 {
-    const struct walk *walk = &query->scene->walk;
+    const struct walk *walk = query->walk;
     return walk->count > 0 && same_train(walk, query->scene) ? walk : NULL;
 }
 

@@ -191,28 +191,36 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
-                    struct problem *problem)
+/* Checks the unit of a value that has one. */
+static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
+                       struct problem *problem)
 {
     char kind[64], wanted[64];
-    struct quantity unit = argument_unit(a);
+    const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
     /* s and d are fractions of the height. If they are entered as lengths, they are divided by the height of
      * the first domino. */
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
-    if (is_share && quantity_alike(q, (struct quantity){.length = 1}))
-        q = (struct quantity){.value = q.value / query->scene->scale.h};
+    if (is_share && quantity_alike(*q, length))
+        *q = (struct quantity){.value = q->value / query->scene->scale.h};
     /* An angular velocity may be entered without its radians, as in 8*sqrt(g/h). */
-    if (unit.angle == 1 && unit.time == -1 && quantity_alike(q, (struct quantity){.time = -1}))
-        q.angle = 1;
+    if (unit.angle == 1 && unit.time == -1 && quantity_alike(*q, per_time))
+        q->angle = 1;
+    if (quantity_bare(*q) || quantity_alike(*q, unit))
+        return true;
     const char *example = expression_example(unit);
-    if (!quantity_bare(q) && a->kind != ARGUMENT_ANY && !quantity_alike(q, unit))
-        return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,
-                             expression_kind(unit, wanted, sizeof wanted),
-                             expression_kind(q, kind, sizeof kind),
-                             example    ? "one such as '"
-                             : is_share ? "it without a unit, or as a length"
-                                        : "it without a unit",
-                             example ? example : "", example ? "'" : "");
+    return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,
+                         expression_kind(unit, wanted, sizeof wanted), expression_kind(*q, kind, sizeof kind),
+                         example    ? "one such as '"
+                         : is_share ? "it without a unit, or as a length"
+                                    : "it without a unit",
+                         example ? example : "", example ? "'" : "");
+}
+
+bool argument_check(const struct query *query, const struct argument *a, struct quantity q, domq_real *number,
+                    struct problem *problem)
+{
+    if (a->kind != ARGUMENT_ANY && !quantity_bare(q) && !unit_check(query, a, &q, problem))
+        return false;
     *number = q.value;
     switch (a->kind) {
     case ARGUMENT_TILT:
@@ -248,19 +256,11 @@ int command_values(const struct command *c, int *fewest)
     return c->columns && c->principal ? most : -1;
 }
 
-bool command_allowed(const struct means *means, const struct command *c, struct problem *problem)
+struct answer answer_kept(const struct query *query, const struct command *c, struct cell kept[ANSWER_CELLS])
 {
-    return !(c->files && means->safe) || problem_error(problem, "a safe session cannot read or write files");
-}
-
-bool command_keep(const struct query *query, const struct command *c, struct cell *kept,
-                  struct problem *problem)
-{
-    struct answer answer = {
+    memset(kept, 0, ANSWER_CELLS * sizeof *kept);
+    return (struct answer){
         .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
-    for (int i = 0; i < ANSWER_CELLS; i++)
-        kept[i] = (struct cell){.kind = CELL_NONE};
-    return c->run(query, &answer, problem);
 }
 
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau)

@@ -4,6 +4,7 @@
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
+#include "language/arena.h"
 #include "language/names.h"
 #include "session/parameters.h"
 #include "session/query.h"
@@ -72,8 +73,8 @@ struct arguments {
     const struct parameter *parameter;
     /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
     const struct variable *variable;
-    void *bound;  /* the result of argument.bind */
-    void *memory; /* all memory that arguments_take has allocated */
+    void *bound;         /* the result of argument.bind */
+    struct arena memory; /* for arguments_take */
 };
 
 /* A command. Strings and pointers that a command does not need are NULL. */
@@ -94,8 +95,9 @@ struct command {
     const char *echo;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* The answer is about the endless train. */
-    bool documents;      /* The answer can be written for a lesson, into a .md or .tex file. */
-    bool draws;          /* The answer is a picture; in formats for programs it is the data of the picture. */
+    /* The answer is a picture, of which formats for programs get the data, or a text that can also be written
+     * for a lesson, into a .md or .tex file. */
+    enum { WRITES_DATA, WRITES_PICTURES, WRITES_DOCUMENTS } writes;
     /* For a command that decides something: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;
@@ -162,12 +164,17 @@ const char *command_usage(const struct command *command, char usage[USAGE_SIZE])
 
 /* Checks that a safe session may run the command. Returns false with a problem if the session is safe and the
  * command reads or writes files. */
-bool command_allowed(const struct means *means, const struct command *command, struct problem *problem);
+static inline bool command_allowed(const struct means *means, const struct command *command,
+                                   struct problem *problem)
+{
+    return !(command->files && means->safe) ||
+           problem_error(problem, "a safe session cannot read or write files");
+}
 
-/* Runs a command whose arguments are bound. Stores the cells of its answer in `kept` instead of writing them.
- * Returns false with a problem. */
-bool command_keep(const struct query *query, const struct command *command, struct cell *kept,
-                  struct problem *problem);
+/* Returns an answer for a command to fill in. The cells of its last row are stored in `kept`, and nothing is
+ * written. */
+struct answer answer_kept(const struct query *query, const struct command *command,
+                          struct cell kept[ANSWER_CELLS]);
 
 /* Returns the unit of an argument as a quantity of value 1, which has no unit for a plain number. */
 struct quantity argument_unit(const struct argument *argument);

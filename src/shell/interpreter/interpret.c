@@ -28,8 +28,6 @@ static void run_command_at(struct session *session, struct reader *line)
     struct problem problem;
     struct question q;
     const struct query query = session_query(session);
-    /* Earlier answers must be visible while the next one is being computed. */
-    fflush(output_base(session->output)->out);
     problem_begin(&problem, NULL);
     r.query = &query;
     r.problem = &problem;
@@ -54,6 +52,8 @@ static void run_command_at(struct session *session, struct reader *line)
         session_problem(session, &problem);
     session->command = NULL;
     line->at = r.at;
+    /* The answer must be visible while the next one is being computed. */
+    fflush(output_base(session->output)->out);
 }
 
 /* ---- Lines ---- */

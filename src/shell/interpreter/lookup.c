@@ -43,7 +43,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
             return false;
     query.given = &given;
     query.next = NULL;
-    return command_keep(&query, c, cells, lookup->problem) && cell_quantity(e, t, cells, result);
+    struct answer answer = answer_kept(&query, c, cells);
+    return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
 /* Evaluates a function defined by 'let'. The body of the function sees its own arguments, but not those of a

@@ -7,6 +7,7 @@
 #define SHELL_QUESTION_H
 
 #include "interpreter/item.h"
+#include <string.h>
 
 struct question {
     const struct command *command;
@@ -22,6 +23,13 @@ struct question {
     const struct text *text;
     const char *name; /* the text of the question as typed, for messages */
 };
+
+/* Returns true if the question is an expression, that is, if its command is 'print'. Problems with an
+ * expression do not mention 'print', since it was usually not typed. */
+static inline bool question_is_expression(const struct question *question)
+{
+    return strcmp(question->command->name, "print") == 0;
+}
 
 /* Parses a command and its arguments at the reader. Returns false with a problem. */
 bool command_parse(struct reader *reader, struct question *question);
@@ -67,10 +75,6 @@ bool question_ask(const struct question *question, const struct query *query, st
  * of an expression. Returns false with a problem. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
-
-/* Returns true if the question is an expression, that is, if its command is 'print'. Problems with an
- * expression do not mention 'print', since it was usually not typed. */
-bool question_is_expression(const struct question *question);
 
 /* Returns true if the question asks for a single number. Otherwise returns false, with a problem that lists
  * the keys to choose from. */

@@ -1,14 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/question.h"
-#include <stdalign.h>
-#include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
-
-bool question_is_expression(const struct question *q)
-{
-    return strcmp(q->command->name, "print") == 0;
-}
 
 /* Copies the state of the query to call->state, and makes the assignments of 'with' there. */
 static bool with_bind(const struct question *q, const struct query *query, struct call *call,
@@ -47,30 +39,17 @@ bool question_bind(const struct question *q, const struct query *query, struct c
     return true;
 }
 
-/* Memory that arguments_take has allocated, as an element of a linked list. */
-struct taken {
-    struct taken *before;
-    alignas(max_align_t) unsigned char data[];
-};
-
 void call_free(struct call *call)
 {
-    for (struct taken *taken = call->given.memory, *before; taken; taken = before) {
-        before = taken->before;
-        free(taken);
-    }
+    arena_free(&call->given.memory);
 }
 
 void *arguments_take(struct arguments *given, size_t size, const struct query *query, struct problem *problem)
 {
-    struct taken *taken = calloc(1, sizeof *taken + size);
-    if (!taken) {
+    given->bound = arena_take(&given->memory, size);
+    if (!given->bound)
         problem_status(problem, query->scene, DOM_NO_MEMORY);
-        return given->bound = NULL;
-    }
-    taken->before = given->memory;
-    given->memory = taken;
-    return given->bound = taken->data;
+    return given->bound;
 }
 
 bool question_ask(const struct question *q, const struct query *query, struct answer *answer,
@@ -106,10 +85,9 @@ bool question_needs_number(const struct question *q, struct problem *problem)
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,
                     struct problem *problem)
 {
-    struct cell kept[ANSWER_CELLS] = {{.kind = CELL_NONE}};
+    struct cell kept[ANSWER_CELLS];
     const struct command *c = q->command;
-    struct answer answer = {
-        .style = state_style(query->state), .columns = c->columns, .rows = c->rows, .kept = kept};
+    struct answer answer = answer_kept(query, c, kept);
     if (!question_ask(q, query, &answer, problem))
         return false;
     *value = answer.value;

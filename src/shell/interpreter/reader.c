@@ -70,8 +70,8 @@ char *read_file(struct reader *r)
 
 bool word_is_next(const struct reader *r, const char *word)
 {
-    size_t n = strlen(word);
-    return strncmp(r->at, word, n) == 0 && !strchr("_.(", r->at[n] ? r->at[n] : ' ') &&
+    size_t n = *r->at == *word ? strlen(word) : 0;
+    return n > 0 && strncmp(r->at, word, n) == 0 && !strchr("_.(", r->at[n] ? r->at[n] : ' ') &&
            !isalnum((unsigned char)r->at[n]);
 }
 
@@ -92,11 +92,6 @@ bool reader_takes(struct reader *r, const char *word)
 
 /* ---- Ends ---- */
 
-bool command_ends(const char *c)
-{
-    return *c == '\0' || *c == ';' || *c == '#';
-}
-
 bool reader_ends(struct reader *r)
 {
     r->at = skip_blanks(r->at);
@@ -105,12 +100,6 @@ bool reader_ends(struct reader *r)
 }
 
 /* ---- The cursor of a line that is being typed ---- */
-
-struct offer *reader_offer(const struct reader *r)
-{
-    struct offer *o = r->offer;
-    return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
-}
 
 void offer_kind(const struct reader *r, enum offer_kind kind)
 {

@@ -50,13 +50,17 @@ struct reader {
     struct offer *offer; /* NULL unless the line is only previewed */
 };
 
+/* Returns reader->offer if the reader is at the cursor, else NULL. */
+static inline struct offer *reader_offer(const struct reader *r)
+{
+    struct offer *o = r->offer;
+    return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
+}
+
 /* If the reader is at the cursor, these functions record what may be typed there. */
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
-
-/* Returns reader->offer if the reader is at the cursor, else NULL. */
-struct offer *reader_offer(const struct reader *reader);
 
 /* Records that the text from `begin` to `end` is a command's name. */
 void reader_named(const struct reader *reader, const char *begin, const char *end);
@@ -66,7 +70,10 @@ void reader_place(const struct reader *reader, const char *at);
 
 /* Returns true if a command ends at c: at the end of the text, at a ';', or at a '#', which begins a comment
  * here. */
-bool command_ends(const char *c);
+static inline bool command_ends(const char *c)
+{
+    return *c == '\0' || *c == ';' || *c == '#';
+}
 
 /* Skips blanks. Returns true if no argument follows, because the command ends here, or because the next text
  * is '>', '|', 'with' or one of the reader's `stops`. */

@@ -29,7 +29,8 @@ static void train_note(const struct session *session, struct answer *answer)
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
-    bool is_on_screen = c->draws && !c->files && answer->style.format->for_people && !answer->path;
+    bool is_on_screen =
+        c->writes == WRITES_PICTURES && !c->files && answer->style.format->for_people && !answer->path;
     if (is_on_screen && !picture_fits(answer, c->name, problem))
         return false;
     if (c->act)
@@ -72,7 +73,8 @@ static bool run_command(struct session *session, const struct command *c, const 
     session->typed.is_last = session->typed.is_last && done && !c->columns;
     if (done && answer.note)
         train_note(session, &answer);
-    const char *unsaid = done ? answer_end(&answer) : NULL;
+    const struct format *format = answer.style.format;
+    const char *unsaid = done && format->end ? format->end(&answer) : NULL;
     if (unsaid)
         session_note(session, "%s", unsaid);
     session->wrote = answer.has_rows;
@@ -99,7 +101,8 @@ static bool run_command(struct session *session, const struct command *c, const 
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
-    if (!c->pages && !(session->source.prompt_width && c->columns && !c->draws && !c->runs))
+    if (!c->pages &&
+        !(session->source.prompt_width && c->columns && c->writes != WRITES_PICTURES && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;
@@ -123,12 +126,12 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     names_shown(path, shown);
     switch (ending_of(path)->kind) {
     case ENDING_PICTURE:
-        if (c->documents)
+        if (c->writes == WRITES_DOCUMENTS)
             return problem_error(
                 problem,
                 "'%s' would be a picture; '%s > FILE.tex' writes a text of which pdflatex makes a .pdf file",
                 shown, c->name);
-        return c->draws || c->picture ||
+        return c->writes == WRITES_PICTURES || c->picture ||
                problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do", shown,
                              c->name);
     case ENDING_DATA:
@@ -137,16 +140,17 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                              "'%s' is a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);
     case ENDING_DOCUMENT:
-        return c->documents ||
+        return c->writes == WRITES_DOCUMENTS ||
                problem_error(problem, "'%s' is a document, but '%s' has no text for one; 'explain' has",
                              shown, c->name);
     case ENDING_OTHER:
-        return problem_error(problem, "the ending of '%s' means no format; use %s", shown,
-                             c->documents ? ".md, .tex or .txt, or .csv or .json for its data"
-                             : c->draws   ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
-                             : c->picture ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf or .gp"
-                             : c->columns || c->runs ? ".csv, .json or .txt"
-                                                     : ".txt");
+        return problem_error(
+            problem, "the ending of '%s' means no format; use %s", shown,
+            c->writes == WRITES_DOCUMENTS  ? ".md, .tex or .txt, or .csv or .json for its data"
+            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+            : c->picture                   ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf or .gp"
+            : c->columns || c->runs        ? ".csv, .json or .txt"
+                                           : ".txt");
     case ENDING_NONE:
     case ENDING_TEXT:
         break;

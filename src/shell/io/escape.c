@@ -61,10 +61,14 @@ size_t escape_next(const char *text, char piece[ESCAPE_PIECE])
 bool escape_needed(const char *text)
 {
     uint32_t code;
-    for (size_t length; *text; text += length)
+    for (size_t length;; text += length) {
+        while (*text >= ' ' && *text <= '~') /* nearly all text is ASCII */
+            text++;
+        if (*text == '\0')
+            return false;
         if ((length = utf8_next(text, &code)) == 0 || is_hidden(code))
             return true;
-    return false;
+    }
 }
 
 const char *escape_text(const char *text, char *shown, size_t size)

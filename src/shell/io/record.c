@@ -108,7 +108,6 @@ const char *record_push(struct output **top, enum output_kind kind, const char *
 const char *records_flush(struct output **top)
 {
     const char *wrong = NULL;
-    fflush(output_base(*top)->out);
     for (struct output **at = top; *at;) {
         struct record *r = (struct record *)*at;
         bool is_record = (*at)->kind == OUTPUT_LOG || (*at)->kind == OUTPUT_TEE;

@@ -11,13 +11,26 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
+/* Writes a whole number that is not negative, and returns the number of its digits. */
+static int whole_text(long long number, char *text)
+{
+    char digits[WIDE_TEXT], *first = digits + sizeof digits - 1;
+    *first = '\0';
+    do
+        *--first = (char)('0' + number % 10);
+    while ((number /= 10) > 0);
+    int count = (int)(digits + sizeof digits - 1 - first);
+    memcpy(text, first, (size_t)count + 1);
+    return count;
+}
+
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-    /* Whole numbers are common, and printf is much slower with "%g" than with "%lld". */
+    /* Whole numbers are common, and printf takes much longer. */
     if (near >= 1 && near < 1e15 && (domq_real)(long long)near == value &&
-        snprintf(text, WIDE_TEXT, "%lld", (long long)near) <= digits)
+        whole_text((long long)near, text) <= digits)
         return text;
 #if defined DOMQ_REAL_FLOAT128
     const char format[] = {'%', '.', (char)('0' + digits / 10), (char)('0' + digits % 10), 'g', '\0'};
@@ -40,11 +53,13 @@ struct quad_shown quad_shown(domq_real value)
 
 domq_real quad_read(const char *text, char **end)
 {
-    char *stop;
-    long long whole = isdigit((unsigned char)*text) ? strtoll(text, &stop, 10) : -1;
-    if (whole >= 0 && stop - text < 16 && (*stop == '\0' || !strchr(".eEpPxX", *stop))) {
+    const char *stop = text;
+    long long whole = 0;
+    while (isdigit((unsigned char)*stop) && stop - text < 16)
+        whole = 10 * whole + (*stop++ - '0');
+    if (stop > text && stop - text < 16 && (*stop == '\0' || !strchr(".eEpPxX", *stop))) {
         if (end)
-            *end = stop;
+            *end = (char *)stop;
         return (domq_real)whole;
     }
 #if defined DOMQ_REAL_FLOAT128

@@ -110,8 +110,10 @@ const char *text_quote(const char *c)
 
 const char *text_end(const char *c, const char *ends)
 {
-    for (const char *begin = c; *c && !strchr(ends, *c);) {
-        if (*c == '#' && (c == begin || isspace((unsigned char)c[-1])))
+    char stops[8] = "#\"";
+    strncat(stops, ends, sizeof stops - sizeof "#\"");
+    for (const char *begin = c; *(c += strcspn(c, stops));) {
+        if (strchr(ends, *c) || (*c == '#' && (c == begin || isspace((unsigned char)c[-1]))))
             break;
         const char *next = *c == '"' ? text_quote(c) : c + 1;
         c = next ? next : c + strlen(c);
@@ -128,11 +130,6 @@ bool text_continues(char *line)
         return false;
     line[n - 1] = '\0';
     return true;
-}
-
-int text_column(const struct text *text, const char *place)
-{
-    return text->origin ? text->origin[place - text->line].column : (int)(place - text->line) + 1;
 }
 
 const char *text_typed(const struct text *text, const char *place)

@@ -56,7 +56,10 @@ const char *text_end(const char *c, const char *ends);
 bool text_continues(char *line);
 
 /* Converts a position in text->line to its column in the line as it was typed. Columns count from 1. */
-int text_column(const struct text *text, const char *place);
+static inline int text_column(const struct text *text, const char *place)
+{
+    return text->origin ? text->origin[place - text->line].column : (int)(place - text->line) + 1;
+}
 
 /* Converts a position in text->line to the corresponding position in the line as it was typed. */
 const char *text_typed(const struct text *text, const char *place);

@@ -55,21 +55,6 @@ const char *expression_units(const void *context, int k)
 
 /* ---- What a quantity is ---- */
 
-bool quantity_plain(struct quantity q)
-{
-    return q.length == 0 && q.time == 0 && q.mass == 0;
-}
-
-bool quantity_bare(struct quantity q)
-{
-    return quantity_plain(q) && q.angle == 0;
-}
-
-bool quantity_alike(struct quantity a, struct quantity b)
-{
-    return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
-}
-
 /* Writes the base units of a quantity with their exponents, separated by the text `between`. */
 static const char *unit_write(struct quantity q, const char *between, char *text, size_t size)
 {
@@ -136,11 +121,6 @@ const char *expression_example(struct quantity q)
 }
 
 /* ---- Scanning ---- */
-
-bool name_start(char c)
-{
-    return isalpha((unsigned char)c) || c == '_';
-}
 
 size_t name_length(const char *c)
 {

@@ -4,6 +4,7 @@
 #define SHELL_UNITS_H
 
 #include "domino_quad.h"
+#include <ctype.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -14,13 +15,22 @@ struct quantity {
 };
 
 /* Returns true if the unit has no length, time or mass. The unit may still be a power of an angle. */
-bool quantity_plain(struct quantity quantity);
+static inline bool quantity_plain(struct quantity q)
+{
+    return q.length == 0 && q.time == 0 && q.mass == 0;
+}
 
 /* Returns true for a number without any unit. */
-bool quantity_bare(struct quantity quantity);
+static inline bool quantity_bare(struct quantity q)
+{
+    return quantity_plain(q) && q.angle == 0;
+}
 
 /* Returns true if both quantities have the same unit. */
-bool quantity_alike(struct quantity a, struct quantity b);
+static inline bool quantity_alike(struct quantity a, struct quantity b)
+{
+    return a.length == b.length && a.time == b.time && a.angle == b.angle && a.mass == b.mass;
+}
 
 /* Multiplies *quantity by a power of `by`. */
 void quantity_multiply(struct quantity *quantity, struct quantity by, int power);
@@ -50,7 +60,10 @@ const char *expression_example(struct quantity quantity);
 const char *expression_units(const void *context, int k);
 
 /* Returns true if a name can begin with the character. A name has letters, digits and '_'. */
-bool name_start(char c);
+static inline bool name_start(char c)
+{
+    return isalpha((unsigned char)c) || c == '_';
+}
 
 /* Returns the length of the name at the beginning of a text, or 0 if there is no name. */
 size_t name_length(const char *text);

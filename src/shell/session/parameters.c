@@ -28,8 +28,10 @@ const char *parameter_offered(const void *parameter, int k)
 
 const struct parameter *parameter_find(const char *name)
 {
-    int k = names_exact(parameter_names, NULL, name);
-    return k < 0 ? NULL : &session_parameters[k];
+    const struct parameter *p = session_parameters;
+    while (p->name && (*p->name != *name || strcmp(p->name, name) != 0))
+        p++;
+    return p->name ? p : NULL;
 }
 
 /* Returns the index of a word in a list of words separated by blanks, or -1. */
@@ -289,7 +291,7 @@ struct answer_style state_style(const struct state *state)
     style.format = format_at(style.output);
     style.precision = state->scene.compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* this is ceil(1 + bits log10(2)) */
-    style.tol_digits = (int)fmax(floor(-log10((double)state->scene.compute.tol) + 1e-6), 1);
+    style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;
 }

@@ -26,10 +26,3 @@ struct range means_part(const struct means *means, size_t points)
     size_t first = whole * k + rest * k / s.parts, end = whole * (k + 1) + rest * (k + 1) / s.parts;
     return (struct range){first, end - first};
 }
-
-struct domq_compute query_compute(const struct query *query)
-{
-    struct domq_compute compute = query->scene->compute;
-    compute.errors = query->state->settings.style.errors;
-    return compute;
-}

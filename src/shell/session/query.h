@@ -46,16 +46,36 @@ struct ans {
     struct quantity value;
 };
 
+/* How far the commands that step through the train's motion have come: at an event, or between two events of
+ * a cycle. */
+struct walk {
+    struct domq_train train; /* the train of the walk; when the scene's train changes, a new walk begins */
+    struct domq_compute compute; /* the options of the walk, with a smaller tolerance than the session's */
+    domq_real tol;               /* the session's tolerance when the walk began */
+    struct domq_event events[DOM_EVENTS_MAX];
+    int count; /* the number of events; 0 if no walk has begun */
+    int event; /* the index of the last event that the walk has passed */
+    domq_real theta;
+    int cycle;               /* the number of the cycle, from 1 */
+    enum dom_status verdict; /* DOM_OK or DOM_STOPS */
+};
+
 struct query {
     const struct state *state;
     const struct scene *scene; /* the scene of that state */
     const struct arguments *given;
     const struct ans *ans;
     const struct means *means;
+    struct walk *walk;  /* the session's walk through the motion of the train */
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
 /* Returns the options for the library's computations. They request error bounds if the settings do. */
-struct domq_compute query_compute(const struct query *query);
+static inline struct domq_compute query_compute(const struct query *query)
+{
+    struct domq_compute compute = query->scene->compute;
+    compute.errors = query->state->settings.style.errors;
+    return compute;
+}
 
 #endif

@@ -47,20 +47,6 @@ struct listed_row {
     size_t *holders; /* the reference count of the memory that was read from the file; NULL without a file */
 };
 
-/* How far the commands that step through the train's motion have come: at an event, or between two events of
- * a cycle. */
-struct walk {
-    struct domq_train train; /* the train of the walk; when the scene's train changes, a new walk begins */
-    struct domq_compute compute; /* the options of the walk, with a smaller tolerance than the session's */
-    domq_real tol;               /* the session's tolerance when the walk began */
-    struct domq_event events[DOM_EVENTS_MAX];
-    int count; /* the number of events; 0 if no walk has begun */
-    int event; /* the index of the last event that the walk has passed */
-    domq_real theta;
-    int cycle;               /* the number of the cycle, from 1 */
-    enum dom_status verdict; /* DOM_OK or DOM_STOPS */
-};
-
 struct scene {
     struct domq_train train;
     struct domq_compute compute; /* options without error bounds; query_compute adds them */
@@ -71,7 +57,6 @@ struct scene {
     unsigned method;   /* METHOD_MODEL or METHOD_ENGINE, which decides what runs rows; see engine.h */
     struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed;
-    struct walk walk;
 };
 
 /* Parameters that affect the form of answers or the speed of computation, but not the numbers. */

@@ -45,6 +45,7 @@ struct query session_query(struct session *session)
     return (struct query){.state = &session->state,
                           .scene = &session->state.scene,
                           .ans = &session->ans,
+                          .walk = &session->walk,
                           .means = &session->means};
 }
 

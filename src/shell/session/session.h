@@ -12,6 +12,7 @@ enum { SOURCE_DEPTH = 16 };
 struct session {
     struct state state;
     struct ans ans;
+    struct walk walk;
     struct means means;
     struct undo *undo; /* NULL until something has changed */
 

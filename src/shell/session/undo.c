@@ -101,7 +101,6 @@ const char *undo_step(struct undo *undo, struct state *state, bool back)
     const struct state left = *state;
     *state = *step->state;
     *step->state = left;
-    state->scene.walk = left.scene.walk; /* a walk through the train is not undone */
     return step->text;
 }
 

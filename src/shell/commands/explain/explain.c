@@ -227,7 +227,7 @@ const struct command explain_commands[] = {
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",
      .rows = true,
-     .documents = true,
+     .writes = WRITES_DOCUMENTS,
      ANSWER(explain)},
     {.name = "recipe",
      .synonyms = "paper method algorithm steps compare",

@@ -258,7 +258,7 @@ const struct command plot_commands[] = {
      .example = "plot growth",
      .see = "fall mend placement sweep curve draw",
      .unswept = "it draws",
-     .draws = true,
+     .writes = WRITES_PICTURES,
      .rows = true,
      ANSWER(plot)},
     {.name = NULL},

@@ -171,15 +171,14 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Evaluates the question at point k, and writes the rows to `to`, unless `to` is NULL. Returns false with
+/* Evaluates the question at point k, and writes the rows to w->to, unless it is NULL. Returns false with
  * w->problem if the question has an error. */
-static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
+static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;
     struct query at;
     struct answer a = w->answer;
     point_values(w, k);
-    w->to = to;
     w->answered = false;
     w->reason[0] = '\0';
     problem_begin(&w->problem, w->command);
@@ -192,10 +191,11 @@ static bool point_answer(struct sweeper *w, size_t k, struct answer *to)
         style.format = a.style.format; /* a plot chooses the format itself */
         a.style = style;
     }
-    if (to)
-        to->style = a.style;
+    if (w->to)
+        w->to->style = a.style;
+    else
+        a.out = NULL;
     a.columns = answered_columns(w);
-    a.out = to ? to->out : NULL;
     a.sink = row_take;
     a.sink_context = w;
     bool done =
@@ -216,7 +216,7 @@ bool point_probe(struct sweeper *w)
     enum { TRIED = 256 };
     w->answered = false;
     for (size_t k = 0; k < w->grid->points && k < TRIED && !w->answered; k++)
-        if (!point_answer(w, k, NULL))
+        if (!point_answer(w, k))
             return false;
     return true;
 }
@@ -224,11 +224,12 @@ bool point_probe(struct sweeper *w)
 bool point_write(void *sweeper, size_t k, FILE *out)
 {
     struct sweeper *w = sweeper;
-    struct answer to = answer_part(&w->answer, out, k == 0);
-    to.columns = w->columns.column; /* the units may differ from those of other workers */
-    bool is_good = point_answer(w, k, &to);
-    w->to = NULL;
-    if (!is_good)
+    w->to = &w->answer;
+    w->to->out = out;
+    w->to->columns = w->columns.column; /* the units may differ from those of other workers */
+    if (k > 0)
+        w->to->has_rows = w->to->is_open = true;
+    if (!point_answer(w, k))
         return false;
     w->tally.without_answer += !w->answered;
     if (*w->reason && w->tally.with_reason++ == 0) {

@@ -39,14 +39,14 @@ struct sweeper {
     const char *command;       /* the name of the sweeping command, for messages */
     struct means means;   /* the means for computing one point, which do not include the shard of the sweep */
     bool styled;          /* the grid changes the number of digits */
-    struct answer answer; /* the answer of the sweep, from which its parts are made */
+    struct answer answer; /* the worker's part of the answer; also copied for the question at each point */
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a row of the sweep, set by point_probe */
     struct tally tally;
     /* The point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
-    struct answer *to;         /* receives the rows; NULL to discard them */
+    struct answer *to;         /* the member `answer`, which receives the rows; NULL to discard them */
     bool answered;             /* the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;

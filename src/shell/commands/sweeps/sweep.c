@@ -155,6 +155,7 @@ static bool rows_write(struct sweeper *w, struct answer *a, struct problem *prob
     values_announce(a, w->grid);
     answer_plan(a, w->sample);
     w->answer = *a;
+    w->answer.kept = NULL;
     const struct workers workers = {.points = w->grid->points,
                                     .point = point_write,
                                     .context = w,
