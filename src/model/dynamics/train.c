@@ -86,13 +86,19 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count)
 {
+    /* A power in quad precision costs as much as the run of a domino, so there each domino is made from the
+     * one before it. The errors of the products are far below the digits of a row. */
+    const bool by_products = sizeof(dom_real) > sizeof(double);
+    const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;
     for (size_t k = 0; k < count; k++) {
-        dom_real height = scale->h * pow(train->r, (dom_real)k);
+        const bool product = by_products && k > 0;
+        dom_real height = product ? train->r * domino[k - 1].height : scale->h * pow(train->r, (dom_real)k);
         domino[k] = (struct dom_domino){
             .height = height,
             .thickness = train->d * height,
             .gap = k == 0 ? 0 : train->s * height,
-            .mass = mass * pow(train->r, (train->q - 1) * (dom_real)k),
+            .mass =
+                product ? heavier * domino[k - 1].mass : mass * pow(train->r, (train->q - 1) * (dom_real)k),
         };
     }
 }

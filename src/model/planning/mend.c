@@ -90,7 +90,7 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
 
 /* ---- A push ---- */
 
-#define PUSH_TOL ((dom_real)1e-4)
+#define PUSH_TOL ((dom_real)1e-5)
 
 static bool falls_pushed(dom_real push, void *context)
 {

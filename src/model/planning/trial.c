@@ -10,16 +10,86 @@ struct trial trial_of(const struct dom_row *row, const struct dom_compute *compu
 
 static bool trial_judged(struct trial *t)
 {
+    const bool falls = t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
     if (t->verdict.end != DOM_ROW_FALLS)
         t->ends = t->verdict.end;
-    return t->status == DOM_OK && t->verdict.end == DOM_ROW_FALLS;
+    t->spare = falls || t->verdict.end == DOM_ROW_STOPS ? t->verdict.spare : DOM_NAN;
+    return falls;
+}
+
+/* What a trial remembers of the dominoes that it has run. */
+enum { RECENT = 4 };
+struct recent {
+    dom_real share[RECENT]; /* margin / kinetic of the last dominoes, the last one first */
+    dom_real spare;         /* margin / barrier of the last one */
+};
+
+static bool recent_add(const struct dom_fall *fall, void *context)
+{
+    struct recent *recent = context;
+    memmove(&recent->share[1], recent->share, (RECENT - 1) * sizeof *recent->share);
+    recent->share[0] = fall->margin / fall->kinetic;
+    recent->spare = fall->margin / fall->barrier;
+    return true;
+}
+
+/* Runs the first `count` dominoes of the row. */
+static void trial_run(struct trial *t, size_t count, struct recent *recent)
+{
+    struct dom_row row = t->row;
+    row.count = count;
+    t->status = row_verdict(&row, &t->compute, false, recent_add, recent, &t->verdict);
+    if (t->status == DOM_OK && t->verdict.end == DOM_ROW_STOPS)
+        t->verdict.spare = recent->spare;
+}
+
+/* Returns true if each domino is the one before it enlarged, always by the same factors, so that each cycle
+ * is like the one before it. Walls are as thick in all dominoes, so with walls it is not. */
+static bool is_train(const struct dom_row *row)
+{
+    const double same = 1e-12;
+    const struct dom_domino *d = row->domino;
+    if (row->engine || row->walls != 0 || row->count < 2)
+        return false;
+    const double r = (double)(d[1].height / d[0].height), heavier = (double)(d[1].mass / d[0].mass);
+    for (size_t k = 0; k < row->count; k++) {
+        const double next = k == 0 ? 0 : r * (double)d[k - 1].height, height = (double)d[k].height;
+        if ((k > 0 && !(fabs(height - next) <= same * next)) || d[k].lean != 0 || d[k].radius != 0 ||
+            !(fabs((double)d[k].thickness / height - (double)d[0].thickness / (double)d[0].height) <= same) ||
+            (k > 0 && !(fabs((double)d[k].gap / height - (double)d[1].gap / (double)d[1].height) <= same &&
+                        fabs((double)d[k].mass / (double)d[k - 1].mass / heavier - 1) <= same)))
+            return false;
+    }
+    return true;
+}
+
+/*
+ * Runs only the first dominoes of a train's row, and returns true if they decide whether all fall. Each cycle
+ * forgets the one before it, so the share of its energy that a domino has to spare approaches that of the
+ * endless train, and changes less and less from domino to domino. All fall if the first ones do, and if the
+ * last change, repeated for each of the other dominoes, would leave half of this share. The last domino of a
+ * row differs from all others, because it falls down to the floor, so it has to have enough as well.
+ */
+static bool start_decides(struct trial *t)
+{
+    enum { START = 7 };
+    struct recent recent = {.spare = DOM_NAN};
+    if (t->row.count <= START || !is_train(&t->row))
+        return false;
+    trial_run(t, START, &recent);
+    if (t->status != DOM_OK || t->verdict.end != DOM_ROW_FALLS)
+        return t->status != DOM_OK || t->verdict.domino < START;
+    const dom_real *share = recent.share, change = fabs(share[1] - share[2]);
+    return change <= fabs(share[2] - share[3]) &&
+           (dom_real)(t->row.count - START) * change < fmin(share[0], share[1]) / 2;
 }
 
 bool trial_falls(struct trial *t)
 {
+    struct recent recent = {.spare = DOM_NAN};
     t->verdict.end = DOM_ROW_STOPS;
-    if (t->status == DOM_OK)
-        t->status = row_verdict(&t->row, &t->compute, false, NULL, NULL, &t->verdict);
+    if (t->status == DOM_OK && !start_decides(t))
+        trial_run(t, t->row.count, &recent);
     return trial_judged(t);
 }
 
@@ -56,16 +126,31 @@ void trial_end(struct trial *t)
     free(t->domino);
 }
 
-/* Plain bisection is used, neither num_root nor a solver of GSL: a test returns no numbers to interpolate,
- * the result must be a point that was tested, and GSL computes only in double. */
+/*
+ * Neither num_root nor a solver of GSL is used: not every test returns a number to interpolate, the result
+ * must be a point that was tested, and GSL computes only in double. Where the row stops on the far side of
+ * the edge, the spare energy of a trial changes its sign at the edge. Every other trial is therefore placed
+ * where the straight line through the spare energies at both ends is zero. The point is then moved by half of
+ * the distance at which the search ends towards the end that is farther away, so that this end comes close to
+ * the edge as well.
+ */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
 {
-    while (fabs(good - bad) > absolute + relative * good) {
-        dom_real middle = (good + bad) / 2;
+    dom_real of_good = DOM_NAN, of_bad = DOM_NAN, near;
+    for (bool halve = true; fabs(good - bad) > (near = absolute + relative * good); halve = !halve) {
+        dom_real middle = (good + bad) / 2, x = middle;
         if (middle == good || middle == bad)
             break;
-        *(test(middle, t) ? &good : &bad) = middle;
+        if (!halve && of_good > 0 && of_bad < 0) {
+            x = good + (bad - good) * (of_good / (of_good - of_bad));
+            x += (fabs(x - good) < fabs(bad - x)) == (bad > good) ? near / 2 : -near / 2;
+        }
+        if (!(x > fmin(good, bad) && x < fmax(good, bad)))
+            x = middle;
+        bool falls = test(x, t);
+        *(falls ? &good : &bad) = x;
+        *(falls ? &of_good : &of_bad) = t->spare;
     }
     return good;
 }
@@ -168,38 +253,11 @@ bool falls_with(dom_real value, void *context)
     return falls;
 }
 
-/*
- * Does the same as edge_find with the test falls_with, in fewer trials. Where the row stops on the far side
- * of the edge, the spare energy of a trial (verdict.spare) changes its sign at the edge. Every other trial is
- * therefore placed where the straight line through the spare energies at both ends is zero. The point is then
- * moved by half of `absolute` towards the end that is farther away, so that this end comes close to the edge
- * as well.
- */
-static dom_real value_find(struct trial *t, dom_real good, dom_real bad, dom_real absolute)
-{
-    dom_real of_good = DOM_NAN, of_bad = DOM_NAN;
-    for (bool halve = true; fabs(good - bad) > absolute; halve = !halve) {
-        dom_real middle = (good + bad) / 2, x = middle;
-        if (middle == good || middle == bad)
-            break;
-        if (!halve && of_good > 0 && of_bad < 0) {
-            x = good + (bad - good) * (of_good / (of_good - of_bad));
-            x += (fabs(x - good) < fabs(bad - x)) == (bad > good) ? absolute / 2 : -absolute / 2;
-        }
-        if (!(x > fmin(good, bad) && x < fmax(good, bad)))
-            x = middle;
-        bool falls = falls_with(x, t);
-        *(falls ? &good : &bad) = x;
-        *(falls ? &of_good : &of_bad) = falls || t->ends == DOM_ROW_STOPS ? t->verdict.spare : DOM_NAN;
-    }
-    return good;
-}
-
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
     dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
     dom_real digit = digit_of(fmax(fabs(good), fabs(bad)), 0) * digits;
-    good = value_find(t, good, bad, digit / (t->row.engine ? 2 : 8));
+    good = edge_find(falls_with, t, good, bad, digit / (t->row.engine ? 2 : 8), 0);
     dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;
 }

@@ -29,11 +29,14 @@ struct trial {
     enum dom_status status;
     struct dom_verdict verdict; /* verdict on the row that was run last */
     enum dom_row_end ends;      /* how the last row that did not fall ended */
+    /* margin / barrier of the weakest domino of the row that was run last or, if the row stopped, of the
+     * domino at which it stopped; NaN if it ended otherwise */
+    dom_real spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its present dominoes. Returns true if all dominoes fall. */
+/* Runs the row with its present dominoes, or as many of them as decide. Returns true if all dominoes fall. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
