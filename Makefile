@@ -86,7 +86,7 @@ DEPS_verify   := libchipmunk-dev
 DEPS_atlas    := python3
 DEPS_deb      := dpkg-dev binutils
 DEPS_abi      := python3
-DEPS_lint     := python3 clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
+DEPS_lint     := python3 musl-tools clang clang-format clang-tidy cppcheck mandoc shellcheck hunspell hunspell-en-gb libcmocka-dev libmpfr-dev $(DEPS_verify)
 NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal))))
 
 deps:
@@ -404,11 +404,14 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 # the widest type, by which answers leave a kernel, as a promotion; gcc checks promotions from float to double.
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
 CLANG_READ := clang -fsyntax-only -std=c17 $(WARN) -Werror -Wno-double-promotion -D_GNU_SOURCE $(INCLUDES)
+MUSL_READ  := musl-gcc -fsyntax-only -std=c17 $(WARN) -Wno-conversion -Werror -D_GNU_SOURCE $(INCLUDES) -idirafter /usr/include -DDOMQ
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
 	printf '%s\n' $(filter-out $(WIDE),$(MODEL)) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
 	printf '%s\n' $(TYPED) $(WIDE) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
+	@# The library with the C library musl.
+	printf '%s\n' $(MODEL) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
 	printf '%s\n' $(filter-out $(NARROW),$(MODEL)) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
