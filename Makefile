@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 #   make deps run     install what is missing, build, open the calculator
-#   make deps test    also run the tests; with -j2 suites run in parallel; make quick: a selection
+#   make deps test    also run the tests, on all processors; make quick: a selection
 #   make              .build/domino, .build/libdomino.a and .build/libdomino.so
 #   make install      program, library, Python module, man pages, examples; PREFIX, LIBDIR, DESTDIR ... as usual; make uninstall
 #   make deb          Debian packages in .build/deb
@@ -91,6 +91,13 @@ NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal
 
 deps:
 	@.packaging/deps $(NEEDED)
+
+# Tests use all processors, unless -j says how many.
+ifneq ($(filter test quick unit hard sessions,$(MAKECMDGOALS)),)
+ifeq ($(filter -j%,$(MAKEFLAGS)),)
+MAKEFLAGS := $(MAKEFLAGS) -j$(shell nproc)
+endif
+endif
 
 # In 'make deps test' nothing is compiled before the headers are installed.
 FIRST := $(filter deps,$(MAKECMDGOALS))
@@ -255,10 +262,10 @@ $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out 
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
 
-# Each suite is a target that always runs the suite and writes its counts: 'make -j2 test' runs suites in parallel, the
+# Each suite is a target that always runs the suite and writes its counts: suites run in parallel, the
 # longest first. A suite that fails stops no other; the counts are added up at the end.
 COUNTS_OF   = $(patsubst %,$(B)/tap/%.count,$(patsubst tests/%,%,$(patsubst $(B)/%,%,$(1))))
-BATS       := $(foreach name,terminal prompt,tests/shell/$(name).bats)
+BATS       := $(foreach name,package terminal prompt,tests/shell/$(name).bats)
 BATS       += $(filter-out $(BATS),$(wildcard tests/shell/*.bats))
 UNIT_RUN    = $(call COUNTS_OF,$(UNIT_BIN))
 HARD_RUN    = $(call COUNTS_OF,$(HARD_BIN))
