@@ -220,8 +220,7 @@ enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, cons
     enum dom_status status = precision_check(compute.precision);
     if (status != DOM_OK)
         return status;
-    const struct request request = {.precision = compute.precision, .errors = compute.errors};
-    status = kernels[compute.precision]->count_find(&request, first, height, r, count);
+    status = kernels[compute.precision]->count_find(first, height, r, &compute, count);
     if (status != DOM_OK || !compute.errors)
         no_bounds(&count->error, sizeof count->error);
     return status;

@@ -180,12 +180,12 @@ static enum dom_status narrow_cycle_forces(const struct request *q, dom_real the
                              &(struct visitor){.force = visit, .context = context});
 }
 
-static enum dom_status narrow_count_find(const struct request *q, dom_real first, dom_real height, dom_real r,
-                                         struct dom_count *count)
+static enum dom_status narrow_count_find(dom_real first, dom_real height, dom_real r,
+                                         const struct dom_compute *compute, struct dom_count *count)
 {
-    struct domq_compute compute = {.precision = q->precision, .errors = q->errors};
+    const struct domq_compute asked = {.precision = compute->precision, .errors = compute->errors};
     struct domq_count wide;
-    enum dom_status status = domq_count_find(first, height, r, &compute, &wide);
+    enum dom_status status = domq_count_find(first, height, r, &asked, &wide);
     if (status == DOM_OK)
         narrow_count(count, &wide);
     return status;

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "geometry/request.h"
 #include "numerics/real.h"
 
 /* Returns r^n for an integer n >= 0, in the arithmetic of dom_real, with about n rounding errors. */
@@ -23,8 +22,8 @@ static bool count_reaches(real first, real height, real r, real ln_r, real n)
     return (dom_real)first * power_of((dom_real)r, (dom_real)n) >= (dom_real)height * (1 - (dom_real)slack);
 }
 
-KERNEL enum dom_status count_find(const struct request *request, dom_real first_, dom_real height_,
-                                  dom_real r_, struct dom_count *count)
+KERNEL enum dom_status count_find(dom_real first_, dom_real height_, dom_real r_,
+                                  const struct dom_compute *compute, struct dom_count *count)
 {
     real first = (real)first_, height = (real)height_, r = (real)r_;
     if (!(first > 0 && height > 0 && isfinite(first) && isfinite(height)))
@@ -47,7 +46,7 @@ KERNEL enum dom_status count_find(const struct request *request, dom_real first_
         n = count_reaches(first, height, r, ln_r, nearest) ? nearest : nearest + 1;
     real last = first * pow(r, n);
     *count = (struct dom_count){.dominoes = n, .exact = exact, .last = last};
-    if (request->errors)
+    if (compute->errors)
         count->error = (struct dom_count_error){.exact = error_of_exact, .last = 4 * UNIT * last};
     return DOM_OK;
 }

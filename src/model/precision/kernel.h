@@ -40,7 +40,7 @@
     X(row_sample, const struct row_request *, struct random_row **)                                          \
     X(row_sampled, struct random_row *, const struct dom_row *, bool, struct dom_verdict *)                  \
     X(row_sample_end, struct random_row *)                                                                   \
-    X(count_find, const struct request *, dom_real, dom_real, dom_real, struct dom_count *)
+    X(count_find, dom_real, dom_real, dom_real, const struct dom_compute *, struct dom_count *)
 
 struct course;     /* row/course.c */
 struct random_row; /* row/sample.c */
