@@ -14,9 +14,10 @@ static const struct csv_column columns[] = {
     {"count", NULL, CSV_EMPTY | CSV_WHOLE, "", "none", "", "write a number", 1, 9, "1 .. 9"},
     {"word", NULL, 0, NULL, NULL, NULL, NULL, 0, 0, NULL},
 };
-static const struct csv_kind kind = {columns, 4,        false,       3,
-                                     "thing", "things", "size, gap", "size (mm), gap (mm)"};
-static const struct csv_kind headless = {columns, 4, true, 3, "thing", "things", "size, gap", "size, gap"};
+static const struct csv_kind kind = {
+    columns, 4, false, 3, "thing", "things", "size, gap", "size (mm), gap (mm)", NULL};
+static const struct csv_kind headless = {columns,  4,           true,        3,   "thing",
+                                         "things", "size, gap", "size, gap", NULL};
 
 /* Writes the names of other columns above units, all rows as "size gap count word others; ...", then what is
  * wrong, as "line:column: ...". */
