@@ -48,8 +48,9 @@ struct engine_grain {
     /* Steps per unit of time, where the unit is sqrt(height / g) of the foremost moving box. A box also takes
      * at least this many steps to turn by one radian. */
     double steps;
-    /* Iterations of the engine's solver in a step; in a collision there are fifty times as many. */
-    int iterations;
+    /* The impulses of contacts and hinges are found by iteration. Their error may change a velocity by this
+     * fraction of its change in the step. */
+    double tolerance;
 };
 
 /* The record of a box that was hit. */
@@ -79,6 +80,9 @@ struct engine_fall {
     /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the
      * latter. */
     double gain;
+    /* How much the foremost boxes slowed down: the smallest ratio of an angular velocity to the largest one
+     * since the box was hit. A row that almost stops has a small ratio. */
+    double slowest;
     /* Boxes have touched in some way other than with the tip of one on the back face of the next. */
     bool caught;
 };
@@ -113,7 +117,8 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` is an array of row->count elements, or NULL. `visit`, which may be NULL, is called
- * after each step and returns false to end the run.
+ * after each step and returns false to end the run. If both are NULL, only the verdict is wanted, and the run
+ * ends as soon as it is certain; fall->seconds is then the time of that moment.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
@@ -122,7 +127,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
 /* The result of runs with ever shorter steps. */
 struct engine_settled {
     struct engine_fall fall;
-    double steps; /* steps of the last run, as in struct engine_grain */
+    struct engine_grain grain; /* the resolution of the last run */
     /* The largest change of a time when the length of the steps was last halved, relative to the duration;
      * NaN if the verdict changed or times were not requested. */
     double change;
@@ -137,9 +142,10 @@ struct engine_settled {
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row repeatedly, and halves the length of the steps until the verdict no longer changes. If `times`
- * is true, continues until the times of all hits change by less than ENGINE_AGREES. Ends in any case when the
- * resolution is ENGINE_FINEST. `hit` is the same as for engine_run, but must not be NULL if `times` is true.
+ * Runs a row repeatedly, and halves the length of the steps until the verdict no longer changes. A coarse run
+ * in which all boxes certainly fall is not repeated if `times` is false. If `times` is true, continues until
+ * the times of all hits change by less than ENGINE_AGREES. Ends in any case when the resolution is
+ * ENGINE_FINEST. `hit` is the same as for engine_run, but must not be NULL if `times` is true.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -25,8 +25,7 @@ static const double hinged_rest = 0.1,
 /* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
  * rows need a twentieth of this. */
 static const double most_work = 30;
-/* Number of short steps after a hit, and the factor for the number of iterations in them. */
-enum { CALM = 2, HARDER = 50 };
+enum { CALM = 2 };     /* number of short steps after a hit */
 enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose drift is recorded */
 
 struct run {
@@ -35,8 +34,9 @@ struct run {
     double unit;         /* sqrt(height / g) of the head */
     double dt, whole;    /* the length of the present step, and of the longest step */
     int calm;            /* number of short steps still to make after a hit */
-    double work;         /* number of steps so far, each weighted by its iterations */
+    double work;         /* number of steps so far */
     double rest, most;   /* how long the head has rested, and its largest tilt */
+    double fastest;      /* the largest angular velocity of the head since it was hit */
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
@@ -111,22 +111,29 @@ static void step(struct run *r)
     look_at_hinges(w, r->unit);
     if (r->calm == 0)
         r->dt = fmax(fmin(fmin(r->whole, 2 * r->dt), brakes * time_to_hit(w)), shortest * r->whole);
-    bool hard = r->calm > 0 || r->dt < 2 * shortest * r->whole;
-    const int harder = hard ? HARDER : 1;
-    w->cp->cpSpaceSetIterations(w->space, r->grain->iterations * harder);
-    r->work += harder;
+    converge_step(w);
+    r->work++;
     w->now += r->dt;
     w->cp->cpSpaceStep(w->space, r->dt);
     if (w->head > head) {
         r->calm = CALM;
-        r->rest = r->most = 0;
+        r->rest = r->most = r->fastest = 0;
         note_state(r);
     } else if (r->calm > 0)
         r->calm--;
 }
 
-/* Returns true once the head lies, or has rested for so long that it has stopped for good. */
-static bool ends(struct run *r)
+/* Returns true if box k is beyond its balance on the lower front corner, so that gravity pulls it down. */
+static bool is_tipped(const struct world *w, size_t k)
+{
+    const cpVect arm = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), world_foot(w, k));
+    return cpvcross(arm, world_gravity(w->row)) < 0;
+}
+
+/* Returns true once the head lies, or has rested for so long that it has stopped for good. If only the
+ * verdict is wanted, returns true as soon as it is certain: when the last box is tipped and turns ever
+ * faster. */
+static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;
     const size_t head = w->head;
@@ -138,6 +145,14 @@ static bool ends(struct run *r)
         w->fall->seconds = w->now + (speed > 0 && tip.y > 0 ? tip.y / speed : 0);
         w->fall->lies = true;
         w->fall->all = head + 1 == w->row->count;
+        return true;
+    }
+    const bool faster = spin > r->fastest;
+    r->fastest = fmax(r->fastest, spin);
+    if (r->fastest > 0)
+        w->fall->slowest = fmin(w->fall->slowest, spin / r->fastest);
+    if (verdict_only && faster && head + 1 == w->row->count && r->calm == 0 && is_tipped(w, head)) {
+        w->fall->lies = w->fall->all = true;
         return true;
     }
     bool moves = hinged ? spin * r->unit >= rests : tilt > r->most && spin * r->unit >= rests;
@@ -184,8 +199,10 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
                               engine_visit *visit, void *context, struct engine_fall *fall)
 {
-    struct run r = {.world = {.row = row, .fall = fall, .hit = hit}, .grain = grain, .dt = (double)INFINITY};
-    *fall = (struct engine_fall){.hits = 1};
+    struct run r = {.world = {.row = row, .fall = fall, .hit = hit, .tolerance = grain->tolerance},
+                    .grain = grain,
+                    .dt = (double)INFINITY};
+    *fall = (struct engine_fall){.hits = 1, .slowest = 1};
     if (hit)
         hit[0] = (struct engine_hit){.time = 0};
     enum engine_status status = world_make(&r.world);
@@ -202,7 +219,7 @@ enum engine_status engine_run(const struct engine_row *row, const struct engine_
         if (r.world.count < row->count && r.world.count < r.world.head + 2)
             world_stand(&r.world);
         step(&r);
-        done = ends(&r) || (visit && !visited(&r, visit, context));
+        done = ends(&r, !hit && !visit) || (visit && !visited(&r, visit, context));
         if (interrupt && *interrupt)
             status = ENGINE_INTERRUPTED;
         else if (r.work >= most)

@@ -6,7 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct engine_grain engine_coarsest = {.steps = 100, .iterations = 20};
+/* If only the verdict is wanted, the first run takes this many steps, and its verdict is certain if all boxes
+ * fall and none has ever turned at less than SURE of the angular velocity that it had before. The error of
+ * the steps does not change a verdict then: among 1,200 random rows the verdicts with fine steps are the same
+ * where the ratio is above 0.26. Boxes that touch in an unusual way are not certain at all. */
+static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3};
+#define SURE 0.5
+
+const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
 enum engine_status engine_load(void)
 {
@@ -35,19 +42,22 @@ enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
                                  struct engine_settled *settled)
 {
-    struct engine_grain grain = engine_coarsest;
+    struct engine_grain grain = times ? engine_coarsest : verdict_first;
     struct engine_hit *before = times ? malloc(row->count * sizeof *before) : NULL;
     if (times && !before)
         return ENGINE_NO_MEMORY;
     enum engine_status status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
-    bool done = false;
+    bool done = !times && settled->fall.all && settled->fall.slowest > SURE && !settled->fall.caught;
+    settled->grain = grain;
+    settled->same = done;
     while (status == ENGINE_OK && !done) {
         const struct engine_fall last = settled->fall;
         if (times)
             memcpy(before, hit, row->count * sizeof *before);
         grain.steps *= 2;
+        grain.tolerance /= 2;
         status = engine_run(row, &grain, interrupt, hit, NULL, NULL, &settled->fall);
-        settled->steps = grain.steps;
+        settled->grain = grain;
         settled->same = settled->fall.all == last.all && settled->fall.hits == last.hits;
         settled->change =
             !settled->same || !times ? (double)NAN : change_of(before, hit, &last, &settled->fall);

@@ -24,6 +24,13 @@ double world_spin(const struct world *w, size_t k)
     return -w->cp->cpBodyGetAngularVelocity(w->body[k].body);
 }
 
+struct motion world_motion(const struct world *w, size_t k)
+{
+    cpBody *body = w->body[k].body;
+    return (struct motion){w->cp->cpBodyGetVelocity(body),
+                           w->cp->cpBodyGetAngularVelocity(body) * w->row->box[k].height / 2};
+}
+
 cpVect world_tip(const struct world *w, size_t k)
 {
     const struct engine_box *box = &w->row->box[k];
@@ -62,7 +69,7 @@ double world_kinetic(const struct world *w)
     return sum;
 }
 
-static cpVect gravity(const struct engine_row *row)
+cpVect world_gravity(const struct engine_row *row)
 {
     return cpv(row->g * sin(row->slope), -row->g * cos(row->slope));
 }
@@ -74,7 +81,7 @@ double world_energy(const struct world *w)
         const struct engine_box *box = &w->row->box[k];
         cpVect stood = cpvadd(w->body[k].corner, cpv(-box->thickness / 2, box->height / 2));
         cpVect moved = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), stood);
-        sum -= box->mass * cpvdot(gravity(w->row), moved);
+        sum -= box->mass * cpvdot(world_gravity(w->row), moved);
     }
     return sum;
 }
@@ -229,12 +236,13 @@ enum engine_status world_make(struct world *w)
     cpCollisionHandler *handler = w->cp->cpSpaceAddDefaultCollisionHandler(w->space);
     handler->preSolveFunc = touch;
     handler->userData = w;
-    w->cp->cpSpaceSetGravity(w->space, gravity(w->row));
+    w->cp->cpSpaceSetGravity(w->space, world_gravity(w->row));
     w->cp->cpSpaceSetCollisionSlop(w->space, 0);
     w->cp->cpSpaceSetCollisionBias(w->space, 1);
     if (isfinite(w->row->feet) || w->row->radius > 0)
         pave(w);
     world_stand(w);
+    converge_begin(w);
     start(w);
     return ENGINE_OK;
 }
@@ -256,6 +264,7 @@ static void free_body(struct world *w, struct body *b)
 
 void world_free(struct world *w)
 {
+    converge_end(w);
     for (size_t k = 0; k < w->count; k++)
         free_body(w, &w->body[k]);
     if (w->floor) {

@@ -5,6 +5,13 @@
 
 #include "chipmunk.h"
 #include "engine.h"
+#include <chipmunk/chipmunk_structs.h>
+
+/* The velocity of the centre of a box, and that of its upper and lower end relative to the centre. */
+struct motion {
+    cpVect v;
+    double turns;
+};
 
 /* A box in the space. */
 struct body {
@@ -13,6 +20,7 @@ struct body {
     cpConstraint *hinge, *limit; /* NULL if the box stands on a floor */
     cpVect corner;               /* position of the lower front corner at the start */
     double moment;
+    struct motion begin, now; /* before the iterations of a step, and after the last one so far */
 };
 
 struct world {
@@ -26,7 +34,10 @@ struct world {
     struct body *body;
     size_t count, head; /* number of boxes in the space, and index of the foremost box that was hit */
     double now;
-    double energy; /* energy of the boxes in the space when the head was hit */
+    double energy;             /* energy of the boxes in the space when the head was hit */
+    struct cpConstraint watch; /* ends the iterations of a step (converge.c) */
+    double tolerance;          /* of the impulses, as in struct engine_grain */
+    double change;             /* the largest change of a velocity in the last iteration */
 };
 
 /* Creates a world with the first box, which is pushed or tips over. world_free frees the world and must be
@@ -36,6 +47,18 @@ void world_free(struct world *world);
 
 /* Adds the next box in its upright position. */
 void world_stand(struct world *world);
+
+/* Makes the solver iterate in each step until its impulses have converged. converge_begin is called once
+ * there is a box, converge_step before each step, and converge_end before the boxes are freed. */
+void converge_begin(struct world *world);
+void converge_step(struct world *world);
+void converge_end(struct world *world);
+
+/* Returns the acceleration by gravity in the directions along and perpendicular to the floor. */
+cpVect world_gravity(const struct engine_row *row);
+
+/* Returns the velocities of box k. */
+struct motion world_motion(const struct world *world, size_t k);
 
 /* Return the tilt of box k, its angular velocity, and the positions of its upper and its lower front
  * corner. */

@@ -27,7 +27,7 @@ static void boxes_make(struct boxes *b, double s, double r, size_t count, double
     }
 }
 
-static const struct engine_grain grain = {200, 20};
+static const struct engine_grain grain = {200, 1e-3};
 
 static bool boxes_fall(struct boxes *b)
 {
@@ -176,10 +176,36 @@ TEST(settled_steps_no_longer_matter)
     b.row.feet = 0.5;
     assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), ENGINE_OK);
     assert_true(settled.same && settled.fall.all && settled.change < ENGINE_AGREES);
-    assert_true(settled.steps >= 2 * engine_coarsest.steps);
+    assert_true(settled.grain.steps >= 2 * engine_coarsest.steps);
     /* The clock of a box that tips over its edge starts with the first hit. */
     assert_true(isnan(b.hit[0].time));
     assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
+}
+
+/* Checks that a verdict of coarse runs, which end as soon as it is certain, is that of a fine run to the end.
+ */
+TEST(verdicts_of_coarse_steps)
+{
+    static const struct engine_grain fine = {800, 1e-4};
+    uint64_t seed = 5;
+    int fall = 0, coarse = 0;
+    for (int i = 0; i < 24; i++) {
+        struct boxes b;
+        struct engine_settled settled;
+        boxes_make(&b, 0.1 + 0.5 * random_unit(&seed), 1 + 1.2 * random_unit(&seed), 5,
+                   4 * random_unit(&seed));
+        b.row.feet = i % 4 == 0 ? (double)INFINITY : 0.2 + 0.6 * random_unit(&seed);
+        b.row.mu = i % 3 == 0 ? 0 : 0.3 * random_unit(&seed);
+        b.row.radius = i % 5 == 0 ? 0.02 : 0;
+        b.row.slope = i % 7 == 0 ? 0.02 : 0;
+        assert_int_equal(engine_settle(&b.row, false, NULL, NULL, &settled), ENGINE_OK);
+        assert_int_equal(engine_run(&b.row, &fine, NULL, b.hit, NULL, NULL, &b.fall), ENGINE_OK);
+        assert_int_equal(settled.fall.all, b.fall.all);
+        fall += b.fall.all;
+        coarse += settled.grain.steps < engine_coarsest.steps;
+    }
+    print_message("# %d of 24 rows fall, %d of them certainly with coarse steps\n", fall, coarse);
+    assert_true(fall > 6 && fall < 18 && coarse > 4);
 }
 
 TEST(rows_end)

@@ -7,9 +7,9 @@
 
 const double scene_still = 1e-4, scene_finest = 3200, scene_allowed = 3, scene_bracket = 4e-5;
 
-static const double coarsest = 100; /* steps */
-static const double march = 0.05;   /* r is raised by this step until a row stops */
-static const int iterations = 20;
+static const double coarsest = 100;     /* steps */
+static const double march = 0.05;       /* r is raised by this step until a row stops */
+static const double tolerance = 1e-7;   /* of the impulses in a step */
 static const double stature = 7.0 / 48; /* thickness over height */
 
 /* ---- The engine ---- */
@@ -37,11 +37,11 @@ struct engine_row scene_boxes(const struct scene *scene)
 
 static struct engine_hit hits[SCENE_MOST]; /* of the last run */
 
-/* Runs the boxes with found->steps. */
+/* Runs the boxes with found->steps, and with impulses that are `times` as exact. */
 static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
     struct engine_row row = scene_boxes(scene);
-    struct engine_grain grain = {found->steps, times * iterations};
+    struct engine_grain grain = {found->steps, tolerance / times};
     struct engine_fall fall;
 
     if (engine_run(&row, &grain, NULL, hits, NULL, NULL, &fall) != ENGINE_OK) {
@@ -231,7 +231,7 @@ static void refine(const struct scene *scene, answer *ask, bool extrapolate, str
     } while (!(found->change <= scene_still * found->value) && found->steps < scene_finest);
 }
 
-/* Returns the scene with twice the iterations and two more dominoes. */
+/* Returns the scene with two more dominoes. */
 static struct scene more_of(const struct scene *scene)
 {
     struct scene more = *scene;
@@ -253,7 +253,7 @@ void scene_growth(const struct scene *scene, struct found *found)
     found->same = true;
     for (int side = -1; side <= 1; side += 2) {
         more.r = found->value * (1 + side * scene_uncertain(found));
-        found->same &= run(&more, 2, found).all == (side < 0);
+        found->same &= run(&more, 100, found).all == (side < 0);
     }
 }
 
@@ -262,7 +262,7 @@ void scene_duration(const struct scene *scene, struct found *found)
     struct scene more = more_of(scene);
 
     refine(scene, duration, true, found);
-    found->same = fabs(duration_of(&more, 2, found) / duration(scene, found) - 1) <= scene_uncertain(found);
+    found->same = fabs(duration_of(&more, 100, found) / duration(scene, found) - 1) <= scene_uncertain(found);
 }
 
 double scene_duration_of_row(const struct scene *scene)

@@ -26,7 +26,7 @@ struct found {
     /* change of the value when steps were last halved, or half of the change before if that is more */
     double change;
     double steps; /* in sqrt(height / g), the last time */
-    bool same;    /* true: two more dominoes, and twice the iterations, change nothing */
+    bool same;    /* true: two more dominoes, and more exact impulses, change nothing */
     bool caught;  /* as in engine_fall, with the last steps */
     double depth, drift;
 };

@@ -215,7 +215,7 @@ static void judge(struct tally *tally, const struct answer *a)
     tally->wrong++;
     printf("wrong: s %g, %s, mu %g: %s\n", a->scene.s, blocks(&a->scene), a->scene.mu,
            !settled(found) ? "the length of steps still matters"
-           : !found->same  ? "two more dominoes, or iterations, change it"
+           : !found->same  ? "two more dominoes, or more exact impulses, change it"
                            : "off by more than is allowed");
 }
 
@@ -230,7 +230,7 @@ static void print_tally(const struct tally *tally)
     printf("Steps per sqrt(h / g) are doubled until that changes less than %g %% (last %%), up to %g;\n"
            "%g times that is allowed. Growths are bisected to %g; durations are extrapolated to steps\n"
            "of 0. The foremost dominoes penetrate each other by up to %.0e of the height, and stray up to\n"
-           "%.0e from their hinges. Two more dominoes, with twice the iterations, change no more.\n",
+           "%.0e from their hinges. Two more dominoes, with more exact impulses, change no more.\n",
            100 * scene_still, scene_finest, scene_allowed, scene_bracket, tally->depth, tally->drift);
     printf("In %d scenes the two fuels differ by more than that: %d support the paper's.\n\n", tally->differ,
            tally->paper);

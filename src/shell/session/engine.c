@@ -158,7 +158,7 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
 {
     const struct scene_engine *own = row->engine->own;
     const struct unit unit = unit_of(row);
-    struct engine_settled settled = {.steps = 0};
+    struct engine_settled settled = {.same = false};
     struct engine_box *box = malloc(row->count * sizeof *box);
     struct engine_hit *hit = malloc(row->count * sizeof *hit);
     enum dom_status status = box && hit ? DOM_OK : DOM_NO_MEMORY;
@@ -260,7 +260,6 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
 {
     const struct scene_engine *own = row->engine->own;
     const struct engine_settled *settled = &own->report->settled;
-    const struct engine_grain grain = {settled->steps, engine_coarsest.iterations};
     struct watch w = {.unit = unit_of(row),
                       .zero = settled->fall.zero,
                       .times = times,
@@ -275,7 +274,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
         return DOM_NO_MEMORY;
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
-    enum dom_status status = run_once(row, compute, &grain, watch_step, &w);
+    enum dom_status status = run_once(row, compute, &settled->grain, watch_step, &w);
     /* When the motion has ended, the last state is also that of all later times. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);

@@ -120,7 +120,7 @@ static void engine_say(struct answer *a, const struct row_run *run)
         answer_say(a,
                    "Chipmunk %s, a rigid-body engine, ran it with %g steps in sqrt(h/g): with half as many "
                    "the verdict is the same, and times agree to %.2g %%.",
-                   engine_version(), s->steps, 100 * s->change);
+                   engine_version(), s->grain.steps, 100 * s->change);
 }
 
 /* ---- The run ---- */

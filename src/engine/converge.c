@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Ends the iterations of the engine's solver once they have converged. Chipmunk makes a fixed number of
+ * iterations in each step. In each of them it asks every constraint to apply its impulse, and it reads the
+ * number of iterations anew. A constraint that applies no impulse can therefore see how much the velocities
+ * of the boxes still change, and end the loop.
+ */
+#include "world.h"
+#include <math.h>
+
+/* The largest number of iterations in a step. */
+enum { MOST = 1000 };
+
+/* Before the first iteration: the velocities are those at the beginning of the step, with gravity and with
+ * the impulses of the step before. */
+static void before_first(cpConstraint *watch, double factor)
+{
+    struct world *w = watch->userData;
+    (void)factor;
+    for (size_t k = 0; k < w->count; k++)
+        w->body[k].begin = w->body[k].now = world_motion(w, k);
+    w->change = (double)NAN;
+}
+
+static double motion_change(const struct motion *a, const struct motion *b)
+{
+    return fmax(fmax(fabs(a->v.x - b->v.x), fabs(a->v.y - b->v.y)), fabs(a->turns - b->turns));
+}
+
+/* In each iteration: ends the loop if the changes of all further iterations, which are taken to form a
+ * geometric series, are small compared with the change of the velocities in this step. */
+static void each(cpConstraint *watch, double dt)
+{
+    struct world *w = watch->userData;
+    const double last = w->change;
+    double whole = w->row->g * dt;
+    w->change = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        struct body *b = &w->body[k];
+        const struct motion now = world_motion(w, k);
+        w->change = fmax(w->change, motion_change(&now, &b->now));
+        whole = fmax(whole, motion_change(&now, &b->begin));
+        b->now = now;
+    }
+    const double ratio = w->change / last;
+    if (w->change == 0 || w->change * ratio <= w->tolerance * (1 - ratio) * whole)
+        w->cp->cpSpaceSetIterations(w->space, 1);
+}
+
+static void prepare(cpConstraint *watch, double dt)
+{
+    (void)watch, (void)dt;
+}
+
+static double no_impulse(cpConstraint *watch)
+{
+    (void)watch;
+    return 0;
+}
+
+void converge_begin(struct world *w)
+{
+    static const struct cpConstraintClass class = {prepare, before_first, each, no_impulse};
+    w->watch = (struct cpConstraint){.klass = &class,
+                                     .a = w->cp->cpSpaceGetStaticBody(w->space),
+                                     .b = w->body[0].body,
+                                     .collideBodies = cpTrue,
+                                     .userData = w};
+    w->cp->cpSpaceAddConstraint(w->space, &w->watch);
+}
+
+void converge_step(struct world *w)
+{
+    w->cp->cpSpaceSetIterations(w->space, MOST);
+}
+
+void converge_end(struct world *w)
+{
+    if (w->watch.space)
+        w->cp->cpSpaceRemoveConstraint(w->space, &w->watch);
+}
