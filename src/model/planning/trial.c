@@ -253,12 +253,16 @@ bool falls_with(dom_real value, void *context)
     return falls;
 }
 
+dom_real value_digit(const struct trial *t, dom_real value)
+{
+    return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
+}
+
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
-    dom_real digits = t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS;
-    dom_real digit = digit_of(fmax(fabs(good), fabs(bad)), 0) * digits;
+    const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad)));
     good = edge_find(falls_with, t, good, bad, digit / (t->row.engine ? 2 : 8), 0);
-    dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
+    const dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;
 }
 

@@ -69,6 +69,9 @@ bool falls_with(dom_real value, void *context);
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
+/* Returns one unit of the last digit to which an edge is rounded that is as large as `value`. */
+dom_real value_digit(const struct trial *t, dom_real value);
+
 /* Returns the last value with which all dominoes fall, between a good value and a bad one. The result is
  * rounded to few digits, away from the bad value. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);

@@ -112,6 +112,60 @@ static void window_around(struct trial *t, struct dom_window *w)
     w->others = below || above;
 }
 
+/* ---- Equal dominoes ---- */
+
+/* Returns true if domino k, which is not the last, and its neighbours are equal to domino k - 1 and its
+ * neighbours. The windows of both dominoes then hardly differ. */
+static bool is_repeated(const struct dom_row *row, size_t k)
+{
+    bool equal = k > 2 && k + 1 < row->count;
+    for (size_t i = k - 1; equal && i <= k + 1; i++) {
+        const struct dom_domino *a = &row->domino[i - 1], *b = a + 1;
+        equal = a->height == b->height && a->thickness == b->thickness && a->gap == b->gap &&
+                a->mass == b->mass && a->radius == b->radius && a->lean == b->lean;
+    }
+    return equal;
+}
+
+/* Does the same as window_edge for an edge that is close to `guess`. The first two trials are one digit
+ * apart, and later ones farther and farther, until the edge is between two of them. */
+static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
+{
+    const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
+    const dom_real first = fmin(fmax(round(guess / digit) * digit, fmin(now, end)), fmax(now, end));
+    dom_real good = first, bad = first, step = end < now ? -digit : digit;
+    if (falls_with(first, t))
+        for (; good == bad && good != end; step *= 8) {
+            bad = fabs(end - good) < fabs(step) ? end : good + step;
+            good = falls_with(bad, t) ? bad : good;
+        }
+    else
+        for (; good == bad && good != now; step *= 8) {
+            good = fabs(good - now) < fabs(step) ? now : bad - step;
+            bad = falls_with(good, t) ? bad : good;
+        }
+    if (good == bad) /* all dominoes fall up to the end of the range */
+        return good;
+    *beyond = t->ends;
+    if (fabs(good - bad) > digit + digit / 2)
+        good = value_edge(t, good, bad);
+    return end < now ? fmin(good, now) : fmax(good, now);
+}
+
+/* Finds the window around the present value of a domino that is equal to the domino before it, whose window
+ * is `last`. */
+static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
+{
+    const struct range range = range_of(t);
+    const dom_real by = w->now - last->now;
+    w->above = range.above;
+    w->low = edge_near(t, last->low + by, range.lowest, &w->below);
+    w->high = edge_near(t, last->high + by, range.highest, &w->above);
+    w->others = last->others;
+}
+
+/* ---- Rows that do not fall ---- */
+
 /* Finds the window that ends at the highest value of the range, for a domino that is out of reach at
  * present. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
@@ -173,7 +227,9 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
                                .high = DOM_NAN,
                                .below = DOM_ROW_FALLS,
                                .above = DOM_ROW_FALLS};
-        if (falls)
+        if (falls && t.k > first && is_repeated(row, t.k))
+            window_repeat(&t, &windows[t.k - first - 1], &w);
+        else if (falls)
             window_around(&t, &w);
         else if (matters(of, t.k, ends))
             window_beside(&t, &w);
