@@ -159,6 +159,14 @@ static enum dom_status ask_study(const struct domq_train *train, const struct do
     return domq_placement_study(&row, &with, &placement, &study, NULL);
 }
 
+static enum dom_status ask_windows(const struct domq_train *train, const struct domq_compute *compute)
+{
+    struct domq_domino domino[ROW];
+    struct domq_window windows[ROW];
+    struct domq_row row = row_of(train, domino);
+    return domq_row_windows(&row, compute, DOM_WINDOW_GAP, NULL, NULL, windows);
+}
+
 static const struct counted table[] = {
     {.name = "rmax 0.05 hollow", .ask = ask_rmax, .s = 0.05, .q = 3},
     {.name = "rmax 0.2 hollow", .ask = ask_rmax, .s = 0.2, .q = 3},
@@ -188,6 +196,8 @@ static const struct counted table[] = {
     {.name = "placement", .ask = ask_study, .r = 1.1},
     {.name = "placement with edges", .ask = ask_study, .r = 1.1, .rho = 0.02},
     {.name = "placement with friction", .ask = ask_study, .r = 1.1, .mu = 0.2},
+    {.name = "placement with edges and friction", .ask = ask_study, .r = 1.1, .rho = 0.02, .mu = 0.2},
+    {.name = "windows of equal dominoes", .ask = ask_windows, .r = 1},
     {.name = "r_max, s = 0.4", .ask = ask_rmax, .s = 0.4, .apart = true},
     {.name = "barrier, s = 0.4", .ask = ask_barrier, .s = 0.4, .apart = true},
     {.name = "duration, s = 0.4", .ask = ask_duration, .s = 0.4, .apart = true},

@@ -92,6 +92,9 @@ struct contact_law {
     /* Finds the contact of a domino that has detached only because of rounding errors. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
+    /* Returns true if a sufficient condition shows that a contact stays closed while its leader moves from b
+     * to a. */
+    bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Fills `list` with the dominoes up to the end of the chain, but at most `room` of them, and returns
      * their number. */
     size_t (*list)(const struct geometry *geometry, struct tilt head, struct moving *list, size_t room);

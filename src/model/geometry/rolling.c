@@ -228,6 +228,11 @@ static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvi
     return rolling_pushes(&middle, b, halvings - 1) && rolling_pushes(a, &middle, halvings - 1);
 }
 
+KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
+{
+    return rolling_pushes(a, b, ROLLING_HALVINGS);
+}
+
 /* Finds the sums of a chain and its difference of H to another chain, whose heads are `by` apart, as
  * energy_change_between does for sharp edges. */
 static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
@@ -258,7 +263,7 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
             series_add(&state.dH, state.left);
             break;
         }
-        pushes = pushes && rolling_pushes(&a, &b, ROLLING_HALVINGS);
+        pushes = pushes && rounded_pushes(&a, &b);
         struct apart next = apart_next(&a, &b, apart);
         real shrinks = apart.by == 0 ? 1 : fabs(next.by / apart.by);
         const struct geometry *self = link->geometry;

@@ -397,6 +397,7 @@ static const struct contact_law rounded_edges = {
     .next = rounded_next,
     .touch = rounded_touch,
     .arms = rounded_arms,
+    .pushes = rounded_pushes,
     .list = rounded_list,
     .sign = rounded_sign,
     .sum = rounded_sum,

@@ -104,6 +104,11 @@ static struct arms sharp_arms(const struct link *link)
         .a = contact_arm_a(link), .b = contact_arm_b(link), .ratio = rubs ? torque_ratio(link) : link->step};
 }
 
+static bool sharp_pushes(const struct walk *a, const struct walk *b)
+{
+    return contact_pushes(&a->link, &b->link);
+}
+
 static size_t sharp_list(const struct geometry *geometry, struct tilt head, struct moving *k, size_t room)
 {
     size_t n = 1;
@@ -215,6 +220,7 @@ static const struct contact_law sharp_edges = {
     .next = sharp_next,
     .touch = sharp_touch,
     .arms = sharp_arms,
+    .pushes = sharp_pushes,
     .list = sharp_list,
     .sign = sharp_sign,
     .sum = sharp_sum,

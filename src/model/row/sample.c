@@ -14,6 +14,7 @@
 struct random_row {
     struct row_request request;
     bool plain; /* the edges are sharp and the dominoes are plumb */
+    bool rolls; /* the edges are rounded, and there is friction */
     /* there is friction: the row runs roughly at first, and precisely if the verdict is in doubt */
     bool rubs;
     bool rough, doubt;
@@ -148,6 +149,38 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
+/* Does the same as head_goes for a row with rounded edges and friction, except that no chain is stored. */
+static bool head_rolls(struct random_row *s, const struct run *run, size_t k, struct start *at)
+{
+    const struct geometry *head = &s->geometry[k];
+    const struct contact_law *law = head->law;
+    struct walk a = law->begin(head, head->c), b = law->begin(head, standing);
+    const bool last = k + 1 == s->request.count;
+    bool rises = false;
+    while (a.link.i + 1 < run->moving) {
+        const struct geometry *self = a.link.geometry;
+        if (!a.link.leads || !law->pushes(&a, &b))
+            return false;
+        if (a.link.weight * fabs(a.link.slope) * self->decay < head->tol * (1 - self->decay))
+            break;
+        law->next(&a);
+        law->next(&b);
+        rises = rises || geometry_lift(b.link.geometry, b.link.tilt) > 0;
+    }
+    *at = (struct start){.from = head->c};
+    if (last && !rises) /* beyond theta_u all dominoes go down */
+        return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
+                            run->omegasq);
+    return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
+}
+
+/* Returns true if head k certainly keeps falling, by one of the two functions above. */
+static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
+{
+    return run->omegasq > 0 &&
+           (s->plain ? head_goes(s, run, k, at) : s->rolls && s->rough && head_rolls(s, run, k, at));
+}
+
 /* Lets head k hit the next domino, which takes over the relative error of omegasq. */
 static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
                                   const struct geometry *hitting, const struct start *at)
@@ -196,7 +229,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
         if (dom_raised(s->request.interrupt))
             return DOM_INTERRUPTED;
         s->off_at_end = 0;
-        if (!(s->plain && run->omegasq > 0 && head_goes(s, run, k, &at)))
+        if (!head_certain(s, run, k, &at))
             status = head_run(s, run, k);
         else if (k + 1 < s->request.count)
             status = sample_hit(s, run, k, &s->geometry[k], &at);
@@ -227,6 +260,7 @@ static enum dom_status sample_make(struct random_row *s)
     for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
         s->plain = s->plain && s->geometry[k].law->closed_form && s->request.domino[k].lean == 0;
     s->rubs = status == DOM_OK && !s->geometry[0].dynamics->conservative;
+    s->rolls = s->rubs && !s->geometry[0].law->closed_form;
     return status;
 }
 
@@ -281,7 +315,7 @@ KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_row *r
     else
         row_gaps(&s->request, s->geometry);
     if (status == DOM_OK) {
-        sample_tol(s, s->rubs && s->plain);
+        sample_tol(s, s->rubs && (s->plain || s->rolls));
         status = sample_falls(s, &run);
     }
     if (status == DOM_OK && s->doubt) {

@@ -33,27 +33,43 @@ struct slide_context {
     const struct geometry *head;
 };
 
-/* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometry. */
-static bool slide_rate(real p, void *context, struct num_rate *rate)
+/* Finds the sums for a chain with sharp edges. */
+static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct slide_sums *sums)
 {
-    const struct slide_context *c = context;
-    const real turn = 2 / (1 + p * p); /* dtheta / dp */
     struct slide_sums s = {.S = 1};
-    struct link k = link_head(c->head, tilt_half(p));
+    struct link k = link_head(head, tilt);
     for (;;) {
         const real a = contact_arm_a(&k), b = contact_arm_b(&k), ratio = a / b;
-        const bool last = k.i + 1 == c->head->n;
+        const bool last = k.i + 1 == head->n;
         if (!last && !(a >= 0 && b > 0))
             return false;
-        if (!slide_add(&s, &k, last ? 0 : ratio, c->head->tol) || last)
+        if (!slide_add(&s, &k, last ? 0 : ratio, head->tol) || last)
             break;
         s.S *= ratio;
         s.curve = link_second_derivative(&k, s.curve);
         link_next(&k);
     }
+    *sums = s;
+    return true;
+}
+
+/* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometry. */
+static bool slide_rate(real p, void *context, struct num_rate *rate)
+{
+    const struct geometry *head = ((const struct slide_context *)context)->head;
+    const real turn = 2 / (1 + p * p); /* dtheta / dp */
+    struct slide_sums s = {.S = 1};
+    struct equation_of_motion e = {.A = 0};
+    bool found;
+    if (head->law->closed_form)
+        found = slide_sharp(head, tilt_half(p), &s);
+    else {
+        found = head->law->equation(head, tilt_half(p), &e) == DOM_OK && !e.locks;
+        s = (struct slide_sums){.A = e.A, .B = e.B, .C = e.C};
+    }
     rate->p = -2 * s.B / s.A * turn;
     rate->c = 2 * s.C / s.A * turn;
-    return true;
+    return found;
 }
 
 /* Returns the omegasq that the head needs to pass the hardest tilt: the maximum of -v, from samples and a

@@ -17,13 +17,12 @@ struct slide {
 /* Returns the relative error of omegasq that the tolerance of the sums causes. */
 KERNEL real slide_error(const struct geometry *head);
 
-/* Returns true if the head certainly reaches the tilt 2 atan hi. The head must be plain (plumb, with sharp
- * edges), and all its contacts must push. */
+/* Returns true if the head certainly reaches the tilt 2 atan hi. All dominoes must be plumb, and all contacts
+ * must push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq. The head must be
- * plain (plumb, with sharp edges), and all contacts must push. Returns false if the head may not reach its
- * end. */
+/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq, under the same
+ * conditions. Returns false if the head may not reach its end. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 
