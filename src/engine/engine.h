@@ -81,7 +81,8 @@ struct engine_fall {
      * latter. */
     double gain;
     /* How much the foremost boxes slowed down: the smallest ratio of an angular velocity to the largest one
-     * since the box was hit. A row that almost stops has a small ratio. */
+     * since the box was hit. A row that almost stops has a small ratio. The ratio is 0 if a box was touched
+     * in an unusual way, as in `caught`, while it was the foremost one. */
     double slowest;
     /* Boxes have touched in some way other than with the tip of one on the back face of the next. */
     bool caught;
