@@ -61,7 +61,27 @@ python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 
     same brackets "$(tr -cd '{' <a.tex | wc -c)" "$(tr -cd '}' <a.tex | wc -c)"
     same begins "$(grep -c '^\\begin' a.tex)" "$(grep -c '^\\end' a.tex)"
     same head quantity "$(head -n 1 a.csv | cut -d, -f1)"
-    if command -v pdflatex >/dev/null; then pdflatex -interaction=nonstopmode -halt-on-error a.tex >tex.log; fi
+    # The sentence about a row, and the note that another answer is about the train, stay outside the formulas.
+    "$DOMINO" -e 'effect row 5; explain verdict > v.tex; explain fuel > f.tex' 2>note
+    grep -q 'not the row' note
+    for text in v f; do same "$text" '\documentclass{article}' "$(head -n 1 $text.tex)"; done
+    sed -n '/section/,$p' v.tex | grep -q 'All 5 dominoes fall; k = 2 is the weakest.'
+    for text in a v f; do
+        if command -v pdflatex >/dev/null; then
+            pdflatex -interaction=nonstopmode -halt-on-error $text.tex >tex.log || same "$text" typeset "$(cat tex.log)"
+            "$DOMINO" -e 'explain launch deep > lesson.pdf'
+            same pdf '%PDF' "$(head -c 4 lesson.pdf)"
+        fi
+    done
+    run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e 'explain launch > none.pdf'
+    [[ $stderr == *"needs pdflatex, which is not installed: 'apt install texlive-latex-base'"* ]] && [ ! -e none.pdf ]
+    # A stand-in that fails: its message is shown, and nothing is left behind.
+    mkdir -p bin temporary
+    printf '#!/bin/sh\necho "! no such font" >&2\nexit 1\n' >bin/pdflatex
+    chmod +x bin/pdflatex
+    run -1 --separate-stderr env TMPDIR="$PWD/temporary" PATH="$PWD/bin:$PATH" "$DOMINO" -e 'explain launch > none.pdf'
+    [[ $stderr == *'pdflatex did not typeset it: ! no such font'* ]] && [ ! -e none.pdf ]
+    same 'temporary files' '(nothing)' "$(ls temporary)"
     while IFS='|' read -r command message; do
         run -1 "$DOMINO" -e "$command"
         grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
@@ -70,7 +90,7 @@ explain foo|unknown question 'foo'; use one of: thetac, theta1
 explain theta1|'explain theta1' needs a value, for example 'explain theta1 0.2'
 explain theta1 3|outside the cycle
 explain why depp|did you mean 'deep'
-explain why > a.pdf|'explain > FILE.tex' writes a text of which pdflatex makes a .pdf file
+explain why > a.png|the text of 'explain' goes into .pdf, .tex, .md or .txt
 rmax > a.md|'rmax' has no text for one
 set s 0.001; explain rmax|no growth is possible here
 set r 3; explain why|falls past the next domino

@@ -311,7 +311,10 @@ effect row 9|gaps|
 effect row 5|placement 40|
 reset|sweep|s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel
 reset|sweep|s 0.1 0.5 9 q 3, 4 : rmax
+reset|sweep legend off xrange 0.2 0.4|s 0.1 0.5 9 : duration.duration, thetac, fuel.fuel
 END
+    "$DOMINO" -e 'plot growth paper legend right width 12 cm > a.svg'
+    "$BATS_TEST_DIRNAME/labels" a.svg >texts || same 'legend right' 'texts apart' "$(cat texts)"
     "$DOMINO" -e 'plot growth title "My title" xlabel "the gap" ylabel "factor" height 7 cm width 12 cm font 9 > b.svg'
     "$BATS_TEST_DIRNAME/labels" b.svg >texts
     for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
@@ -332,4 +335,67 @@ plot growth title "x|never closed
 plot growth paper paper|one argument too many
 plot fall 3|takes nothing after it
 END
+}
+
+@test "plot: ranges, scales and the legend of a chart, in characters and in gnuplot's script" {
+    cd "$BATS_TEST_TMPDIR"
+    "$DOMINO" -e 'plot growth xrange 0.2 0.5 yrange 1 2 > a.gp; plot growth xscale log yscale log > b.gp; effect row 9
+        plot speed xscale log > c.gp; plot fall yscale linear > d.gp; plot growth legend off family "DejaVu Serif" > e.gp
+        plot growth legend right > f.gp; plot energy xrange 0.1 0.2 > g.gp; plot growth xrange 0.2 0.5 > h.txt'
+    grep -q '^set xrange \[0.2:0.5\]' a.gp && grep -q '^set yrange \[1:2\]' a.gp
+    same logarithms 'set logscale x set logscale y' "$(grep -h '^set logscale' b.gp | paste -sd ' ' -)"
+    grep -q '^set logscale x' c.gp && ! grep -q '^set xrange \[0:' c.gp && ! grep -q '^set logscale' d.gp
+    grep -q '^unset key' e.gp && grep -q "font 'DejaVu Serif," e.gp && grep -q '^set key outside right' f.gp
+    # What is beyond the axis is not shown, and does not stretch the other one.
+    ! grep -q '"launch"\|"hit"' g.gp
+    same 'the highest number' 0.05 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
+    tail -n 4 h.txt | grep -q '^ *0.2 .* 0.5$'
+    # After a number, 's' is a parameter, not seconds.
+    "$DOMINO" -e 'plot sweep font 9 yrange 1 2 s 0.1 0.5 9 : rmax' | grep -q 'rmax over s'
+    while IFS='|' read -r command message; do
+        run -1 "$DOMINO" -e "$command"
+        grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
+    done <<END
+plot growth xrange 0.6 0.2|xrange is 0.6 .. 0.2; its second number must be larger
+plot growth xrange 0.6|the value of 'xrange' is missing
+plot growth xscale log xrange 0 1|xrange has to begin above 0
+plot growth xrange 5 6|no point of the chart is within its axes
+plot growth yscale up|use one of: linear, log
+plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the cells of a map are spaced like its grid
+plot growth legend right width 8 cm > a.svg|has no room for a legend at the right
+plot growth family "a,b" > a.svg|a family has letters, digits
+END
+}
+
+@test "plot sweep: several answers are curves of one picture, with their units where they differ" {
+    picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
+    for words in 'rmax, pair, 1/s over s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
+        grep -q "$words" <<<"$picture" || same 'three curves' "$words" "$picture"
+    done
+    "$DOMINO" -e 'set angle deg; plot sweep s 0.3 0.5 9 : duration.duration, thetac' |
+        grep -q 'duration.duration in tau  *# thetac in deg'
+    "$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair > a.gp'
+    # The curves are the columns of the sweep.
+    csv 'sweep s 0.1 0.8 30 : rmax, pair' | sed 1d >sweep
+    for k in 0 1; do
+        sed -n "/^\$curve$k/,/^END/p" a.gp | sed '1d;$d' | awk '{ print $2 }' >curve
+        same "curve $k" 30 "$(wc -l <curve)"
+        paste -d, sweep curve | awk -F, -v k=$k '{ y = k ? $3 : $2; c = $NF }
+            y == "" ? c != "NaN" : (y - c > 1e-8 || c - y > 1e-8) { exit 1 }'
+    done
+    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers over one parameter, or one answer over two'
+}
+
+@test "plot > FILE.tex: a picture for TeX, in which no letter of a text is a command" {
+    cd "$BATS_TEST_TMPDIR"
+    "$DOMINO" -e 'plot energy title "50 % of $x_1^2$ & #{a} <b>" width 9 cm > a.tex; sweep s 0.1 0.3 5 : rmax > b.tex'
+    grep -q '^\\begin{tikzpicture}' a.tex && grep -q '^\\begin{tikzpicture}' b.tex
+    grep -qF '50 \% of \$x\_1\^{}2\$ \& \#\{a\} \textless{}b\textgreater{}' a.tex
+    grep -qF 'r\_max' b.tex
+    if command -v pdflatex >/dev/null && kpsewhich tikz.sty >/dev/null; then
+        printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
+        pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
+    fi
+    wrong 'draw > d.tex' "can hold a chart of 'plot', but no drawing"
+    wrong 'plot growth > d.md' "'d.md' is a document, but 'plot' draws a picture"
 }

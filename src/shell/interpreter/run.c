@@ -19,7 +19,7 @@ static void train_note(const struct session *session, struct answer *answer)
             : "(This is " TRAIN_NOTE ")";
     if (!answer_for_people(answer))
         return;
-    if (answer->path && ending_of(answer->path)->kind == ENDING_PICTURE)
+    if (answer->path && ending_of(answer->path)->kind == ENDING_SHEET)
         fprintf(stderr, "%s\n", note);
     else
         answer_say(answer, "%s", note);
@@ -35,7 +35,7 @@ static bool run_function(struct session *session, const struct command *c, const
         return false;
     if (c->act)
         return c->act(session, query->given, answer, problem);
-    if (answer->path && c->picture && ending_of(answer->path)->kind == ENDING_PICTURE)
+    if (answer->path && c->picture && ending_of(answer->path)->terminal)
         return c->picture(query, answer, problem);
     return c->run(query, answer, problem);
 }
@@ -119,36 +119,41 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
+#define PICTURE_ENDINGS ".svg, .png, .pdf, .tex or .gp"
+
 /* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     names_shown(path, shown);
-    switch (ending_of(path)->kind) {
-    case ENDING_PICTURE:
+    const struct ending *ending = ending_of(path);
+    switch (ending->kind) {
+    case ENDING_SHEET:
         if (c->writes == WRITES_DOCUMENTS)
-            return problem_error(
-                problem,
-                "'%s' would be a picture; '%s > FILE.tex' writes a text of which pdflatex makes a .pdf file",
-                shown, c->name);
-        return c->writes == WRITES_PICTURES || c->picture ||
-               problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do", shown,
-                             c->name);
+            return ending->is_document ||
+                   problem_error(
+                       problem, "'%s' would be a picture; the text of '%s' goes into .pdf, .tex, .md or .txt",
+                       shown, c->name);
+        if (c->writes == WRITES_PICTURES || c->picture)
+            return ending->terminal ||
+                   problem_error(problem, "'%s' is a document, but '%s' draws a picture; use %s", shown,
+                                 c->name, PICTURE_ENDINGS);
+        return ending->terminal
+                   ? problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do",
+                                   shown, c->name)
+                   : problem_error(problem, "'%s' is a document, but '%s' has no text for one; 'explain' has",
+                                   shown, c->name);
     case ENDING_DATA:
         return c->columns || c->runs || c->pages ||
                problem_error(problem,
                              "'%s' is a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);
-    case ENDING_DOCUMENT:
-        return c->writes == WRITES_DOCUMENTS ||
-               problem_error(problem, "'%s' is a document, but '%s' has no text for one; 'explain' has",
-                             shown, c->name);
     case ENDING_OTHER:
         return problem_error(
             problem, "the ending of '%s' means no format; use %s", shown,
-            c->writes == WRITES_DOCUMENTS  ? ".md, .tex or .txt, or .csv or .json for its data"
-            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
-            : c->picture                   ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf or .gp"
+            c->writes == WRITES_DOCUMENTS  ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
+            : c->writes == WRITES_PICTURES ? PICTURE_ENDINGS ", or .txt, or .csv or .json for its data"
+            : c->picture                   ? ".csv, .json or .txt, or for a picture " PICTURE_ENDINGS
             : c->columns || c->runs        ? ".csv, .json or .txt"
                                            : ".txt");
     case ENDING_NONE:
@@ -168,9 +173,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     bool done = !wrong;
     if (done) {
         /* A picture is drawn even after 'set output csv'. */
-        session->output->format = ending->kind == ENDING_PICTURE || ending->kind == ENDING_DOCUMENT
-                                      ? &format_table
-                                      : ending->format;
+        session->output->format = ending->kind == ENDING_SHEET ? &format_table : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);
         wrong = output_pop(&session->output, done);

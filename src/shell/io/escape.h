@@ -32,4 +32,7 @@ char *escape_copy(const char *text);
  * programs decode to the same character.  A byte that is not UTF-8 becomes U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
+/* Returns how a letter of a text is written for TeX, to which some letters are commands. */
+const char *escape_tex(char letter, char piece[ESCAPE_PIECE]);
+
 #endif

@@ -88,9 +88,33 @@ void chart_scale(struct chart *c, double x, double y)
 
 /* ---- What the user chooses ---- */
 
-void chart_dress(struct chart *c)
+/* Gives an axis the scale and the ends that the user has chosen. Returns NULL, or a message. */
+static const char *axis_dress(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
+    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
+    if (look->scale[k] != CHART_SCALE_USUAL && c->map.value &&
+        axis->logarithmic != (look->scale[k] == CHART_LOG))
+        return "the cells of a map are spaced like its grid: write 'log' after the points of the grid, as in "
+               "'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax', in the place of xscale or yscale";
+    if (look->scale[k] != CHART_SCALE_USUAL)
+        axis->logarithmic = look->scale[k] == CHART_LOG;
+    if (axis->logarithmic && axis->low <= 0)
+        axis->low = (double)NAN; /* the data decide where the axis begins */
+    if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
+        return k == 0 ? "xrange has to begin above 0, because the x axis is logarithmic; 'xscale linear' "
+                        "changes "
+                        "that"
+                      : "yrange has to begin above 0, because the y axis is logarithmic; 'yscale linear' "
+                        "changes "
+                        "that";
+    return NULL;
+}
+
+const char *chart_dress(struct chart *c)
+{
+    const struct chart_look *look = &c->look;
+    const char *wrong = axis_dress(c, 0);
     if (look->title) {
         snprintf(c->title, sizeof c->title, "%s", look->title);
         c->note[0] = '\0';
@@ -101,6 +125,7 @@ void chart_dress(struct chart *c)
         snprintf(c->map.label, sizeof c->map.label, "%s", look->y);
     else if (look->y)
         snprintf(c->y.label, sizeof c->y.label, "%s", look->y);
+    return wrong ? wrong : axis_dress(c, 1);
 }
 
 /* ---- Axes ---- */
@@ -167,13 +192,56 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-void chart_fit(struct chart *c)
+/* Moves the ends of an axis to those that the user has chosen. Returns false if the cells of a map, which
+ * reach from one end of the axis to the other, are all beyond these. */
+static bool range_choose(struct chart *c, int k)
+{
+    const struct chart_look *look = &c->look;
+    struct chart_axis *axis = k == 0 ? &c->x : &c->y;
+    bool overlaps = !(look->low[k] >= axis->high) && !(look->high[k] <= axis->low);
+    if (!look->has_range[k])
+        return true;
+    axis->low = look->low[k];
+    axis->high = look->high[k];
+    return overlaps || !c->map.value;
+}
+
+/* Returns true if a value is between the ends of an axis that the user has chosen, or if there are none. */
+static bool is_within(const struct chart *c, int k, double value)
+{
+    const struct chart_look *look = &c->look;
+    return !look->has_range[k] || isinf(value) || (value >= look->low[k] && value <= look->high[k]);
+}
+
+/* Removes the events beyond the ends of the x axis. */
+static void events_fit(struct chart *c)
+{
+    int kept = 0;
+    for (int k = 0; k < c->events; k++) {
+        double place = axis_place(&c->x, c->event[k].x);
+        if (place > -1e-9 && place < 1 + 1e-9)
+            c->event[kept++] = c->event[k];
+    }
+    c->events = kept;
+}
+
+bool chart_fit(struct chart *c)
 {
     double x0 = HUGE_VAL, x1 = -HUGE_VAL, y0 = HUGE_VAL, y1 = -HUGE_VAL, aside = 0;
     int kept = 0;
+    bool shown = c->map.value;
+    if (c->map.value) {
+        cells_fit(&c->x, c->map.across);
+        cells_fit(&c->y, c->map.down);
+    }
+    for (int k = 0; k < 2; k++)
+        shown = range_choose(c, k) && shown;
     for (int k = 0; k < c->curves; k++) {
         for (size_t i = 0; i < c->curve[k].count; i++) {
             const struct chart_point *p = &c->curve[k].point[i];
+            if (!is_within(c, 0, p->x))
+                continue;
+            shown = shown || (isfinite(p->y + p->x) && is_within(c, 1, p->y)) || isfinite(p->low + p->high);
             axis_include(&c->x, p->x, &x0, &x1);
             axis_include(&c->y, p->y, &y0, &y1);
             axis_include(&c->y, p->low, &y0, &y1);
@@ -184,14 +252,12 @@ void chart_fit(struct chart *c)
             c->curve[kept++] = c->curve[k];
     }
     c->curves = kept;
-    if (c->map.value) {
-        cells_fit(&c->x, c->map.across);
-        cells_fit(&c->y, c->map.down);
-    }
     axis_fit(&c->x, x0 - aside, x1 + aside, 0);
     axis_fit(&c->y, y0, y1, 0.06);
     for (int k = 0; k < c->curves; k++)
         curve_fit(c, &c->curve[k]);
+    events_fit(c);
+    return shown;
 }
 
 double axis_place(const struct chart_axis *a, double value)

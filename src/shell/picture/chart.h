@@ -52,11 +52,21 @@ struct chart_event {
     char name[32];
 };
 
-/* How a chart is drawn into a file. A text that the user has not chosen is NULL, and such a number is 0. */
+enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
+enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
+
+/* What the user chooses about a chart. A text that the user has not chosen is NULL, and such a number is 0.
+ * The arrays have the x axis first, and then the y axis. */
 struct chart_look {
     const char *title, *x, *y; /* texts that replace the title and the labels of the axes */
-    double width, height;      /* in cm */
-    double font;               /* in points */
+    enum chart_scale scale[2];
+    bool has_range[2];
+    double low[2], high[2]; /* ends of the axes, in the units that their labels name */
+    enum chart_legend legend;
+    /* Only for files: */
+    double width, height; /* in cm */
+    double font;          /* in points */
+    const char *family;   /* the name of a font */
 };
 
 /* The size of a picture in a file, unless the user has chosen another size. */
@@ -76,6 +86,7 @@ struct chart {
     int events;
     struct chart_map map;
     struct chart_look look;
+    bool tex;    /* the texts go through TeX, to which some letters are commands */
     bool failed; /* memory for the data ran out */
 };
 
@@ -103,14 +114,16 @@ void chart_scale(struct chart *chart, double x, double y);
 /*
  * Makes a chart ready to be drawn. Chooses the ends of axes that are NaN. Moves points at infinity, and
  * points at 0 on a logarithmic axis, to the end of the axis. Continues steps at the last y where y is NaN.
- * Removes curves without points.
+ * Removes curves without points, and events beyond the ends of the x axis. Returns false if nothing is left
+ * to show within the axes.
  */
-void chart_fit(struct chart *chart);
+bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Replaces texts of the chart by the texts that the user has chosen. */
-void chart_dress(struct chart *chart);
+/* Replaces what the user has chosen: texts, and the scales and ends of the axes. Returns NULL, or a message
+ * if the chart cannot be drawn so. */
+const char *chart_dress(struct chart *chart);
 
 /* Returns the size of the picture and of its letters: what the user has chosen, and defaults for the
  * remainder. */

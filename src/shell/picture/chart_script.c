@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes charts as gnuplot scripts. */
 #include "answer/wrap.h"
+#include "io/escape.h"
 #include "io/terminal.h"
 #include "picture/chart.h"
 #include <math.h>
@@ -28,6 +29,8 @@ static int legend_across(const struct chart *c, int columns, int *longest)
         int title = terminal_columns(c->curve[k].title);
         *longest = title > *longest ? title : *longest;
     }
+    if (c->look.legend != CHART_LEGEND_BELOW)
+        return 1;
     int across = (columns + 4) / (*longest + 9);
     return across > 0 ? across : 1;
 }
@@ -41,7 +44,9 @@ static int lines_around(const struct chart *c, int columns)
         lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
     /* Lines for each entry of the legend, which has two if a title is broken. */
     const int high = longest >= columns ? 2 : 1;
-    return lines + (c->map.value ? 0 : high * ((c->curves + across - 1) / across));
+    return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
+                        ? 0
+                        : high * ((c->curves + across - 1) / across));
 }
 
 struct chart_look chart_size(const struct chart *c)
@@ -76,6 +81,13 @@ static int ticks_up(const struct chart *c)
     return most < 2 ? 2 : most < 9 ? most : 9;
 }
 
+/* Returns how many letters of a title in the legend fit side by side. */
+static int legend_columns(const struct chart *c)
+{
+    const int columns = columns_of(c);
+    return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns;
+}
+
 /* Returns the width of a letter, as a fraction of the x axis. */
 static double letter_of(const struct chart *c)
 {
@@ -83,20 +95,23 @@ static double letter_of(const struct chart *c)
 }
 
 /*
- * Breaks a text into lines of about equal length that fit the picture, and writes them as the content of a
- * double-quoted gnuplot string. Returns the number of lines.
+ * Breaks a text into lines of about equal length of `most` letters or fewer, and writes them as the content
+ * of a double-quoted gnuplot string. Returns the number of lines.
  */
-static int lines_make(const struct chart *c, const char *text, char script[ROOM])
+static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
-    const int most = columns_of(c);
+    enum { LETTER = 20 /* the longest form of a letter */ };
     int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / most + 1) + 8;
+    char piece[ESCAPE_PIECE];
     script[0] = '\0';
-    while (*text && at + 4 < ROOM) {
+    while (*text && at + LETTER < ROOM) {
         size_t n = line_break(text, columns < most ? columns : most);
         at += snprintf(script + at, (size_t)(ROOM - at), "%s", lines++ ? "\\n" : "");
-        for (size_t i = 0; i < n && at + 4 < ROOM; i++)
-            at +=
-                snprintf(script + at, (size_t)(ROOM - at), strchr("\"\\", text[i]) ? "\\%c" : "%c", text[i]);
+        for (size_t i = 0; i < n && at + LETTER < ROOM; i++) {
+            const char plain[] = {text[i], '\0'};
+            for (const char *c = chart->tex ? escape_tex(text[i], piece) : plain; *c; c++)
+                at += snprintf(script + at, (size_t)(ROOM - at), strchr("\"\\", *c) ? "\\%c" : "%c", *c);
+        }
         text += n + (text[n] == ' ');
     }
     return lines;
@@ -117,13 +132,21 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
  * gnuplot, which assumes that letters are wider than they are. */
 static void legend_script(const struct chart *c, FILE *out)
 {
-    int longest, across = legend_across(c, columns_of(c), &longest), broken = 0;
+    int longest, across = legend_across(c, columns_of(c), &longest), most = 1;
     char title[ROOM];
-    for (int k = 0; k < c->curves; k++)
-        broken += lines_make(c, c->curve[k].title, title) > 1;
-    /* gnuplot leaves no room for a second line of a title. */
-    fprintf(out, "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
-            broken ? 1.4 : 0.6, broken ? 2.0 : 1.0, across, longest > 16 ? -longest / 4 : 0);
+    for (int k = 0; k < c->curves; k++) {
+        const int lines = lines_make(c, c->curve[k].title, legend_columns(c), title);
+        most = lines > most ? lines : most;
+    }
+    /* gnuplot leaves room for only one line of a title. */
+    if (c->look.legend == CHART_LEGEND_OFF)
+        fprintf(out, "unset key\n");
+    else if (c->look.legend == CHART_LEGEND_RIGHT)
+        fprintf(out, "set key outside right top Left reverse samplen 2 spacing %g noenhanced\n", 1.1 * most);
+    else
+        fprintf(out,
+                "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
+                most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 4 : 0);
 }
 
 /*
@@ -133,9 +156,11 @@ static void legend_script(const struct chart *c, FILE *out)
 static void texts_script(const struct chart *c, FILE *out)
 {
     char title[ROOM], note[ROOM], x[ROOM], y[ROOM], shades[ROOM];
-    int lines = lines_make(c, c->title, title) + lines_make(c, c->note, note),
+    const int most = columns_of(c);
+    int lines = lines_make(c, c->title, most, title) + lines_make(c, c->note, most, note),
         above = event_rows(c, letter_of(c));
-    int left = lines_make(c, c->y.label, y), right = c->map.value ? lines_make(c, c->map.label, shades) : 0;
+    int left = lines_make(c, c->y.label, most, y),
+        right = c->map.value ? lines_make(c, c->map.label, most, shades) : 0;
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + left + 0.1);
     if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > columns_of(c) - 4)
@@ -144,7 +169,7 @@ static void texts_script(const struct chart *c, FILE *out)
     if (right)
         fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", shades,
                 above + 0.1);
-    lines_make(c, c->x.label, x);
+    lines_make(c, c->x.label, most, x);
     fprintf(out,
             "set xlabel \"%s\" noenhanced\nset title \"%s%s%s\" noenhanced offset 0,%g\nset tmargin %g\n", x,
             title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
@@ -156,10 +181,12 @@ static void events_script(const struct chart *c, FILE *out)
     for (int k = 0; k < c->events; k++) {
         const struct event_spot spot = event_spot(c, k, letter_of(c));
         double x = c->event[k].x;
+        char name[ROOM];
+        lines_make(c, c->event[k].name, columns_of(c), name);
         fprintf(out,
                 "set arrow from %.10g, graph 0 to %.10g, graph 1 nohead lc rgb '#777777' lw 1 dt 3\n"
                 "set label \"%s\" noenhanced at graph %.6g, graph 1 left offset 0,%g\n",
-                x, x, c->event[k].name, spot.from, 0.6 + spot.row);
+                x, x, name, spot.from, 0.6 + spot.row);
     }
 }
 
@@ -236,14 +263,17 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     };
     const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
+    /* Points and lines of a small picture are smaller, so that they do not cover each other. */
+    const double point = c->tex ? 2 : 1, small = fmin(chart_size(c).width / (0.8 * CHART_WIDTH), 1),
+                 thin = fmax(small, 0.6);
     double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;
     fprintf(out, "%s$curve%d using %s lc rgb '#%06x' lw %g", k ? ", " : "plot ", k, styles[curve->kind].how,
-            (unsigned)ink_colour(curve->ink), width > 0 ? width : usual);
+            (unsigned)ink_colour(curve->ink), thin * (width > 0 ? width : usual));
     if (styles[curve->kind].dashed)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
-        fprintf(out, " pt %d ps %g", points[curve->ink], styles[curve->kind].size);
-    lines_make(c, curve->title, title);
+        fprintf(out, " pt %d ps %g", points[curve->ink], point * small * styles[curve->kind].size);
+    lines_make(c, curve->title, legend_columns(c), title);
     fprintf(out, " title \"%s\"", title);
 }
 
@@ -251,6 +281,8 @@ void chart_script(const struct chart *c, FILE *out)
 {
     fprintf(out, "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
                  "set grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
+    if (c->look.has_range[0] || c->look.has_range[1])
+        fprintf(out, "set clip two\n"); /* shows a line between two points that are both outside */
     legend_script(c, out);
     texts_script(c, out);
     const int across = 9 * columns_of(c) / 64;

@@ -10,25 +10,28 @@
 #include <strings.h>
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
+enum { TERMINAL_TEXT = 256 };
 enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* least and largest height of a sheet, in dots */
 
 /* ---- File extensions ---- */
 
 /* Even a minimal Debian system has a font 'sans'. The letters are large enough to be read on a telephone,
  * which shrinks the picture. */
-#define SVG "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
-#define PNG "pngcairo size 960,720 font 'sans,17'"
-#define PDF "pdfcairo size 16cm,12cm font 'sans,11'"
+#define SVG      "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
+#define PNG      "pngcairo size 960,720 font 'sans,17'"
+#define PDF      "pdfcairo size 16cm,12cm font 'sans,11'"
+#define TEX_FONT 10.0   /* points; the size of letters in a document, unless it chooses another */
+#define TEX      "tikz" /* chart_terminal adds the size, and the document has its own font */
 
-#define ENDING_OF_FORMAT(name) {"." #name, ENDING_DATA, &format_##name, false, NULL},
+#define ENDING_OF_FORMAT(name) {.text = "." #name, .kind = ENDING_DATA, .format = &format_##name},
 static const struct ending endings[] = {
-    FORMATS(ENDING_OF_FORMAT){".txt", ENDING_TEXT, NULL, false, NULL},
-    {".svg", ENDING_PICTURE, NULL, false, SVG},
-    {".png", ENDING_PICTURE, NULL, false, PNG},
-    {".pdf", ENDING_PICTURE, NULL, false, PDF},
-    {".gp", ENDING_PICTURE, NULL, true, PDF},
-    {".md", ENDING_DOCUMENT, NULL, false, NULL},
-    {".tex", ENDING_DOCUMENT, NULL, false, NULL},
+    FORMATS(ENDING_OF_FORMAT){.text = ".txt", .kind = ENDING_TEXT},
+    {.text = ".svg", .kind = ENDING_SHEET, .terminal = SVG},
+    {.text = ".png", .kind = ENDING_SHEET, .terminal = PNG},
+    {.text = ".pdf", .kind = ENDING_SHEET, .terminal = PDF, .is_document = true},
+    {.text = ".gp", .kind = ENDING_SHEET, .terminal = PDF, .is_script = true},
+    {.text = ".tex", .kind = ENDING_SHEET, .terminal = TEX, .is_document = true},
+    {.text = ".md", .kind = ENDING_SHEET, .is_document = true},
 };
 
 const struct ending *ending_of(const char *path)
@@ -48,7 +51,7 @@ const struct ending *ending_of(const char *path)
 /* Returns true if the answer goes into a file with the extension of a picture. */
 static bool is_filed(const struct answer *a)
 {
-    return a->path && ending_of(a->path)->kind == ENDING_PICTURE;
+    return a->path && ending_of(a->path)->terminal;
 }
 
 /* Returns true if gnuplot draws the picture, and false if it is drawn in characters. */
@@ -102,26 +105,29 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
 {
     const struct chart_look look = chart_size(chart);
     const char *usual = ending_of(path)->terminal, *ending = ending_of(path)->text;
+    const char *family = look.family ? look.family : "sans";
+    if (chart->tex)
+        snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", usual, look.width, look.height,
+                 look.font / TEX_FONT);
     /* The numbers of dots per cm and per point below are those of pictures of the usual size. */
-    if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0))
+    else if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0 || chart->look.family))
         snprintf(terminal, size, "%s enhanced", usual);
     else if (strcmp(ending, ".svg") == 0)
-        snprintf(terminal, size,
-                 "svg size %.0f,%.0f dynamic font 'sans,%.3g' background rgb 'white' enhanced",
-                 45 * look.width, 45 * look.height, look.font * 17 / CHART_FONT);
+        snprintf(terminal, size, "svg size %.0f,%.0f dynamic font '%s,%.3g' background rgb 'white' enhanced",
+                 45 * look.width, 45 * look.height, family, look.font * 17 / CHART_FONT);
     else if (strcmp(ending, ".png") == 0)
-        snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,%.3g' enhanced", 60 * look.width,
-                 60 * look.height, look.font * 17 / CHART_FONT);
+        snprintf(terminal, size, "pngcairo size %.0f,%.0f font '%s,%.3g' enhanced", 60 * look.width,
+                 60 * look.height, family, look.font * 17 / CHART_FONT);
     else
-        snprintf(terminal, size, "pdfcairo size %.6gcm,%.6gcm font 'sans,%.3g' enhanced", look.width,
-                 look.height, look.font);
+        snprintf(terminal, size, "pdfcairo size %.6gcm,%.6gcm font '%s,%.3g' enhanced", look.width,
+                 look.height, family, look.font);
 }
 
 /* Writes the script of a picture, with its data, instead of the picture. The script draws into a .pdf file
  * that is named after the script. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
-    char terminal[160] = "";
+    char terminal[TERMINAL_TEXT] = "";
     const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
     const int length = (int)(strrchr(name, '.') - name);
     const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
@@ -150,7 +156,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 {
     struct picture picture;
     struct sheet sheet;
-    char terminal[160] = "";
+    char terminal[TERMINAL_TEXT] = "";
     int width = SHEET_WIDTH, height = STAGE_MOST;
     FILE *drawing = a->path ? a->out : io_temporary(NULL);
     if (!drawing)
@@ -184,6 +190,10 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
+    if (is_filed(a) && stage && strcmp(ending_of(a->path)->text, ".tex") == 0)
+        return problem_error(problem,
+                             "a .tex file can hold a chart of 'plot', but no drawing; use .svg, .png, "
+                             ".pdf or .gp");
     if (is_filed(a) && ending_of(a->path)->is_script)
         return show_script(a, chart, stage);
     if (by_gnuplot(a))
@@ -194,10 +204,14 @@ static bool show(const struct answer *a, const struct chart *chart, const struct
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem)
 {
-    chart_dress(chart);
-    chart_fit(chart);
-    bool shown = chart->failed ? problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY))
-                               : show(a, chart, NULL, interrupt, problem);
+    chart->tex = is_filed(a) && strcmp(ending_of(a->path)->text, ".tex") == 0;
+    const char *wrong = chart->failed ? dom_status_text(DOM_NO_MEMORY) : chart_dress(chart);
+    const bool chosen = chart->look.has_range[0] || chart->look.has_range[1] ||
+                        chart->look.scale[0] != CHART_SCALE_USUAL ||
+                        chart->look.scale[1] != CHART_SCALE_USUAL;
+    if (!wrong && !chart_fit(chart) && chosen)
+        wrong = "no point of the chart is within its axes; change xrange, yrange, xscale or yscale";
+    bool shown = wrong ? problem_error(problem, "%s", wrong) : show(a, chart, NULL, interrupt, problem);
     chart_free(chart);
     return shown;
 }

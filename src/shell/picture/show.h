@@ -14,12 +14,11 @@
 #include <signal.h>
 
 enum ending_kind {
-    ENDING_NONE,     /* the name has no extension, so the session's settings decide */
-    ENDING_OTHER,    /* no format has this extension, which is an error */
-    ENDING_TEXT,     /* .txt, which is the same as no extension */
-    ENDING_DATA,     /* .csv, .json and every other format of answers */
-    ENDING_PICTURE,  /* .svg, .png, .pdf, or .gp for a gnuplot script */
-    ENDING_DOCUMENT, /* .md or .tex */
+    ENDING_NONE,  /* the name has no extension, so the session's settings decide */
+    ENDING_OTHER, /* no format has this extension, which is an error */
+    ENDING_TEXT,  /* .txt, which is the same as no extension */
+    ENDING_DATA,  /* .csv, .json and every other format of answers */
+    ENDING_SHEET, /* the ending of a picture, of a document, or of both, such as .pdf */
 };
 
 /* A file extension and what it decides. */
@@ -27,8 +26,10 @@ struct ending {
     const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
     enum ending_kind kind;
     const struct format *format; /* for ENDING_DATA: the format of answers */
+    bool is_document;            /* for ENDING_SHEET: the file can be a text with formulas */
     bool is_script;              /* the file gets the script of the picture, instead of the picture */
-    const char *terminal;        /* for ENDING_PICTURE: the gnuplot terminal, with its options */
+    /* for the ending of a picture: the gnuplot terminal, with its options; otherwise NULL */
+    const char *terminal;
 };
 const struct ending *ending_of(const char *path);
 

@@ -6,6 +6,8 @@
 #include "commands/tables.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
+#include "picture/show.h"
+#include "picture/typeset.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,12 +126,14 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
 
 /* ---- The command ---- */
 
+enum { VERDICT_TEXT = 160 };
+
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
 /* Runs the row, and finds the domino that decides its verdict: the one at which it stops, or the weakest.
- * Returns false with a problem if no energy decides. */
+ * Writes a sentence about it. Returns false with a problem if no energy decides. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
-                          struct problem *problem)
+                          char verdict[VERDICT_TEXT], struct problem *problem)
 {
     struct row_run run;
     if (scene_has_engine(query->scene))
@@ -152,22 +156,23 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
                                                           "%zu: %s",
                                  v.domino, dom_row_end_text(v.end));
     a->note = NULL; /* the note says that the answer is about the train, but this answer is about the row */
-    answer_say(a,
-               v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
-                                      : "Of %zu dominoes, k = %zu is the one at which the row stops.",
-               count, k);
+    snprintf(verdict, VERDICT_TEXT,
+             v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
+                                    : "Of %zu dominoes, k = %zu is the one at which the row stops.",
+             count, k);
     return true;
 }
 
 /* Writes the derivation in the form that the output needs. */
-static void explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
-                           const struct explain_bound *bound)
+static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
+                           const struct explain_bound *bound, const char *verdict, struct problem *problem)
 {
     if (answer_for_people(a))
-        explain_write(a, d, e, bound);
-    for (int k = 0; !answer_for_people(a) && k < d->count; k++)
+        return explain_write(a, d, e, bound, verdict, problem);
+    for (int k = 0; k < d->count; k++)
         if (d->step[k].depth <= (bound->deep ? STEPS_MOST : 1))
             step_row(a, d, &d->step[k]);
+    return true;
 }
 
 static bool run_explain(const struct query *query, struct answer *a, struct problem *problem)
@@ -176,10 +181,14 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     const struct explain_bound *bound = query->given->bound, none = {.value = DOMQ_NAN};
     const bool row = strcmp(e->name, of_row.name) == 0 && query->scene->effect[DOM_EFFECT_row].on;
     struct domq_fall fall;
+    char verdict[VERDICT_TEXT] = "";
+    const struct ending *ending = a->path ? ending_of(a->path) : NULL;
+    if (ending && ending->is_document && strcmp(ending->text, ".pdf") == 0 && !typeset_ready(problem))
+        return false;
     if (e->value && strcmp(e->value, "s") != 0 && (!bound || isnan(bound->value)))
         return problem_error(problem, "'explain %s' needs a value, for example 'explain %s %s'", e->name,
                              e->name, strcmp(e->value, "H") == 0 ? "112 m" : "0.2");
-    if (row && !deciding_find(query, a, &fall, problem))
+    if (row && !deciding_find(query, a, &fall, verdict, problem))
         return false;
     e = row ? &of_row : e;
     bound = bound ? bound : &none;
@@ -187,8 +196,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     struct state *state = malloc(sizeof *state);
     bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
                            : problem_status(problem, query->scene, DOM_NO_MEMORY);
-    if (done && d)
-        explain_answer(a, d, e, bound);
+    done = done && explain_answer(a, d, e, bound, verdict, problem);
     if (d)
         derivation_end(d);
     free(state);
@@ -220,7 +228,8 @@ const struct command explain_commands[] = {
              "that decides it. Where no equation in closed form exists, as "
              "with "
              "friction or rounded edges, or where a search finds a maximum, the derivation says so and ends. "
-             "'explain ... > lesson.md' and '> lesson.tex' write formulas for a lesson; json gives the tree: "
+             "'explain ... > lesson.pdf' writes it for a lesson, typeset by pdflatex; '> lesson.tex' and '> "
+             "lesson.md' write its formulas. json gives the tree: "
              "'needs' "
              "names the quantities below each one.",
      .example = "explain theta1 0.2; explain barrier deep",

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations for people, and for lessons. */
 #include "commands/explain/derivation.h"
+#include "io/escape.h"
+#include "io/io.h"
 #include "language/quad.h"
 #include "picture/show.h"
+#include "picture/typeset.h"
+#include <errno.h>
 #include <string.h>
-#include <strings.h>
 
 /* The struct that formula->context points to while a step is written. */
 struct writing {
@@ -93,11 +96,15 @@ struct writer {
     domq_real value; /* the value in the question, or NaN */
 };
 
-/* Writes the words of a quantity. For TeX, escapes '^' and '_', which have a special meaning there. */
+/* Writes the words of a quantity. */
 static void words_write(const struct writer *w, const struct step *s)
 {
+    char piece[ESCAPE_PIECE];
     for (const char *c = step_words(s); *c; c++)
-        fprintf(w->formula.out, w->tex && !w->markdown && (*c == '^' || *c == '_') ? "\\%c{}" : "%c", *c);
+        if (w->tex && !w->markdown)
+            fputs(escape_tex(*c, piece), w->formula.out);
+        else
+            putc(*c, w->formula.out);
 }
 
 /* Writes a value with its unit, which TeX sets in upright letters. */
@@ -202,38 +209,57 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
 }
 
 /* Writes a file for a lesson. */
-static void document_write(const struct writer *w, const struct explained *e, bool deep)
+static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
     FILE *out = w->formula.out;
     if (w->markdown)
         fprintf(out, "# Where %s comes from\n\n", e->name);
     else
         fprintf(out,
-                "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n\\section*{Where "
-                "%s comes from}\n\n",
+                "\\documentclass{article}\n\\usepackage{amsmath}\n\\setlength{\\parindent}{0pt}\n"
+                "\\begin{document}\n\\section*{Where %s comes from}\n\n",
                 e->name);
+    if (*verdict)
+        fprintf(out, "%s\n\n", verdict);
     derivation_write(w, e, deep);
     if (!w->markdown)
         fputs("\\end{document}\n", out);
 }
 
-void explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
-                   const struct explain_bound *bound)
+/* Typesets a lesson. */
+static bool typeset_write(struct writer *w, const struct explained *e, bool deep, const char *verdict,
+                          FILE *out, struct problem *problem)
+{
+    w->formula.out = io_temporary(NULL);
+    if (!w->formula.out)
+        return problem_error(problem, "cannot typeset: %s", strerror(errno));
+    document_write(w, e, deep, verdict);
+    const volatile sig_atomic_t *interrupt = w->derivation->query.scene->compute.interrupt;
+    bool done = typeset(w->formula.out, out, interrupt, problem);
+    fclose(w->formula.out);
+    return done;
+}
+
+bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
+                   const struct explain_bound *bound, const char *verdict, struct problem *problem)
 {
     const struct ending *ending = a->path ? ending_of(a->path) : NULL;
-    bool is_document = ending && ending->kind == ENDING_DOCUMENT;
-    answer_plan(a, NULL);
+    const bool is_document = ending && ending->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
     w.tex = is_document;
-    w.markdown = is_document && strcasecmp(ending->text, ".md") == 0;
+    w.markdown = is_document && strcmp(ending->text, ".md") == 0;
+    answer_plan(a, NULL);
     w.formula = (struct formula){.out = a->out,
                                  .style = w.tex               ? FORMULA_TEX
                                           : a->layout.letters ? FORMULA_LETTERS
                                                               : FORMULA_PLAIN};
-    if (is_document)
-        document_write(&w, e, bound->deep);
-    else {
-        answer_say(a, "%s", "");
+    if (is_document && strcmp(ending->text, ".pdf") == 0)
+        return typeset_write(&w, e, bound->deep, verdict, a->out, problem);
+    if (is_document) {
+        document_write(&w, e, bound->deep, verdict);
+    } else {
+        answer_say(a, *verdict ? "%s\n" : "%s", verdict);
         derivation_write(&w, e, bound->deep);
     }
+    return true;
 }

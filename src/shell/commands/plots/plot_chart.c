@@ -9,15 +9,20 @@
 
 /* ---- The rows as numbers ---- */
 
-/* The functions of a binary output format: first the keys of the columns, and then each row as a struct
- * plot_row. */
+/* The functions of a binary output format: first a struct plot_rows with the keys and units of the columns,
+ * and then each row as a struct plot_row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
-    char key[ANSWER_COLUMNS][sizeof((struct plot_rows *)0)->key[0]] = {{""}};
+    struct plot_rows rows = {.count = 0};
     (void)cells, (void)reason;
-    for (int i = 0; a->columns[i].key; i++)
-        snprintf(key[i], sizeof key[i], "%s", a->columns[i].key);
-    fwrite(key, sizeof key, 1, a->out);
+    for (int i = 0; a->columns[i].key; i++) {
+        const struct column *c = &a->columns[i];
+        const bool angle = column_is_angle(c);
+        snprintf(rows.key[i], sizeof rows.key[i], "%s", c->key);
+        snprintf(rows.unit[i], sizeof rows.unit[i], "%s%s", angle ? style_angle_unit(&a->style) : "",
+                 c->unit + (angle ? strlen("rad") : 0));
+    }
+    fwrite(&rows, sizeof rows, 1, a->out);
 }
 
 static void numbers_write(struct answer *a, const struct cell *cells, const char *reason)
@@ -59,9 +64,9 @@ static bool rows_read(const struct plot *plot, const struct query *query, const 
     if (done && !whole)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
     if (size > 0) {
-        memcpy(rows->key, *text, sizeof rows->key);
-        rows->row = (struct plot_row *)(*text + sizeof rows->key);
-        rows->count = (size - sizeof rows->key) / sizeof *rows->row;
+        memcpy(rows, *text, sizeof *rows);
+        rows->row = (struct plot_row *)(*text + sizeof *rows);
+        rows->count = (size - sizeof *rows) / sizeof *rows->row;
     }
     return done;
 }

@@ -6,18 +6,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FAMILY = 6 /* the largest number of curves */, AXES = 2 };
+/* The largest number of curves, the largest number of points that are marked on a curve, and the largest
+ * number of parameters. */
+enum { FAMILY = 6, MARKED = 24, AXES = 2 };
+
+static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
 
 struct points {
     const struct plot_rows *rows;
     struct sweep_shape shape;
-    int column;  /* index of the column that is plotted */
-    size_t none; /* the number of points without an answer */
+    int column;  /* index of the column that is plotted, or of the first one if there are several answers */
+    size_t none; /* the number of points where a value is missing */
 };
 
 static double value_at(const struct points *p, size_t k)
 {
     return p->rows->row[k].number[p->column];
+}
+
+/* Returns how many of the answers have no value at point k. */
+static size_t missing_at(const struct points *p, size_t k)
+{
+    size_t missing = 0;
+    for (size_t i = 0; i < p->shape.answers; i++)
+        missing += isnan(p->rows->row[k].number[p->column + (int)i]) != 0;
+    return missing;
 }
 
 /* Returns the index of the column to plot: the number that the command stands for in expressions or, if it
@@ -77,7 +90,6 @@ static bool is_even(const struct points *p, int axis)
  * values. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
-    static const enum ink inks[FAMILY] = {INK_BLUE, INK_RED, INK_GREEN, INK_PURPLE, INK_ORANGE, INK_SKY};
     const struct grid *grid = p->shape.grid;
     size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
     size_t family = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
@@ -90,10 +102,31 @@ static void curves_draw(struct chart *chart, const struct points *p, int over)
         else if (grid->axes > 1)
             snprintf(word, sizeof word, "%s = %.6g", grid->axis[1].parameter->name, row->number[1]);
         struct chart_curve *curve =
-            chart_curve(chart, along <= 24 ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
+            chart_curve(chart, along <= MARKED ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
         for (size_t i = 0; i < along; i++)
             chart_point(chart, curve, row[i * step].number[over], row[i * step].number[p->column]);
     }
+}
+
+/* Draws a curve for each answer of a list. If their units differ, the legend names them. */
+static void answers_draw(struct chart *chart, const struct points *p)
+{
+    const struct plot_rows *rows = p->rows;
+    const char *unit = rows->unit[p->column];
+    bool is_one = true;
+    axis_label(&p->shape.grid->axis[0], &chart->x);
+    for (size_t k = 1; k < p->shape.answers; k++)
+        is_one = is_one && strcmp(rows->unit[p->column + (int)k], unit) == 0;
+    for (size_t k = 0; k < p->shape.answers; k++) {
+        const int column = p->column + (int)k;
+        const char *name = rows->key[column], *own = is_one ? "" : rows->unit[column];
+        name += strncmp(name, "print ", 6) == 0 ? 6 : 0;
+        struct chart_curve *curve = chart_curve(chart, rows->count <= MARKED ? CHART_MARKED : CHART_LINE,
+                                                inks[k], (int)k, "%s%s%s", name, *own ? " in " : "", own);
+        for (size_t i = 0; i < rows->count; i++)
+            chart_point(chart, curve, rows->row[i].number[0], rows->row[i].number[column]);
+    }
+    snprintf(chart->y.label, sizeof chart->y.label, "%s%s", is_one && *unit ? "in " : "", is_one ? unit : "");
 }
 
 static void map_draw(struct chart *chart, const struct points *p)
@@ -127,9 +160,13 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
     const struct axis *axis = grid->axis;
     if (rows->count == 0)
         return problem_no_answer(problem, "the sweep has no points to draw");
-    p.column = column_find(&p);
-    for (size_t k = 0; k < rows->count; k++)
-        p.none += isnan(value_at(&p, k)) != 0;
+    const bool several = p.shape.answers > 1;
+    size_t missing = 0;
+    p.column = several ? grid->axes : column_find(&p);
+    for (size_t k = 0; k < rows->count; k++) {
+        missing += missing_at(&p, k);
+        p.none += missing_at(&p, k) > 0;
+    }
     bool two = grid->axes > 1, numbers = isfinite(rows->row[0].number[0]);
     int over = !two                                                          ? 0
                : isfinite(rows->row[0].number[1]) && axis[0].count <= FAMILY ? 1
@@ -143,13 +180,18 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                              "a map needs evenly spaced numbers on both axes; with at most %d values of one "
                              "of them there is a curve each",
                              FAMILY);
-    if (p.none == rows->count)
+    if (missing == rows->count * p.shape.answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
                                  rows->count);
     snprintf(chart->title, sizeof chart->title, "%.95s over %s%s%s", p.shape.typed, axis[0].parameter->name,
              two ? " and " : "", two ? axis[1].parameter->name : "");
     if (p.none > 0)
-        snprintf(chart->note, sizeof chart->note, "%zu of %zu points have no answer.", p.none, rows->count);
+        snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
+                 several ? "lack an answer" : "have no answer");
+    if (several) {
+        answers_draw(chart, &p);
+        return true;
+    }
     if (over >= 0)
         curves_draw(chart, &p, over);
     else
@@ -172,6 +214,9 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
     if (chart && shape.grid->axes > AXES)
         return problem_error(problem, "a picture has one or two parameters, and this grid has %d",
                              shape.grid->axes);
+    if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
+        return problem_error(
+            problem, "a picture has up to %d answers over one parameter, or one answer over two", FAMILY);
     if (chart && shape.command->rows)
         return problem_error(problem,
                              "'%s' answers in rows, and a picture needs one number a point, such as "

@@ -26,6 +26,7 @@ plot_run plot_sweep_rows;
 /* The rows of a plot as numbers. */
 struct plot_rows {
     char key[ANSWER_COLUMNS][64]; /* names of the columns; "" after the last one */
+    char unit[ANSWER_COLUMNS][24];
     struct plot_row {
         double number[ANSWER_COLUMNS]; /* NaN for a word or a missing number; angles in the session's unit */
         char word[32];                 /* the text of the first cell, as in csv */
@@ -77,7 +78,8 @@ bool plot_draw(const struct plot *plot, const struct chart_look *look, const str
 /* Parses all words about the look of a chart that come next, such as 'title "..." width 8 cm'. */
 struct look_parsed {
     struct chart_look look;
-    struct item size[3];
+    struct item size[3];     /* width, height, font */
+    struct item range[2][2]; /* the ends of the x axis and of the y axis */
 };
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/typeset.h"
+#include "io/io.h"
+#include "picture/picture.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PATH_TEXT = 256 };
+
+bool typeset_ready(struct problem *problem)
+{
+    return program_exists("pdflatex") ||
+           problem_error(problem,
+                         "a .pdf document needs pdflatex, which is not installed: 'apt install "
+                         "texlive-latex-base'; the same text goes into .txt, .md or .tex without it");
+}
+
+static void copy(FILE *from, FILE *to)
+{
+    char block[4096];
+    rewind(from);
+    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;)
+        fwrite(block, 1, n, to);
+}
+
+/* Returns the name of a file of the document, which is in `folder`. */
+static const char *file_of(const char *folder, const char *ending, char path[PATH_TEXT])
+{
+    snprintf(path, PATH_TEXT, "%s/document%s", folder, ending);
+    return path;
+}
+
+/* Runs pdflatex in the folder, and copies the document to `out`. */
+static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt,
+                struct problem *problem)
+{
+    char source[PATH_TEXT], made[PATH_TEXT], option[PATH_TEXT + 32];
+    snprintf(option, sizeof option, "-output-directory=%s", folder);
+    char *const argv[] = {"pdflatex",
+                          "-interaction=batchmode",
+                          "-halt-on-error",
+                          "-no-shell-escape",
+                          option,
+                          file_of(folder, ".tex", source) ? source : NULL,
+                          NULL};
+    FILE *written = fopen(source, "w"), *messages = io_temporary(NULL), *nothing = io_temporary(NULL),
+         *document = NULL;
+    bool done = written && messages && nothing;
+    if (written) {
+        copy(tex, written);
+        done = !ferror(written) && done;
+        done = fclose(written) == 0 && done;
+    }
+    if (!done)
+        problem_error(problem, "cannot typeset: %s", strerror(errno ? errno : ENOSPC));
+    done = done && program_run(argv, nothing, messages, "typeset it", interrupt, problem);
+    if (done && !(document = fopen(file_of(folder, ".pdf", made), "r")))
+        done = problem_error(problem, "pdflatex made no document: %s", strerror(errno));
+    if (document)
+        copy(document, out);
+    FILE *const opened[] = {messages, nothing, document};
+    for (size_t i = 0; i < sizeof opened / sizeof *opened; i++)
+        if (opened[i])
+            fclose(opened[i]);
+    return done;
+}
+
+bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem)
+{
+    static const char *const endings[] = {".tex", ".aux", ".log", ".pdf"};
+    const char *temporary = getenv("TMPDIR");
+    char folder[PATH_TEXT - 32], path[PATH_TEXT];
+    int length =
+        snprintf(folder, sizeof folder, "%s/domino-XXXXXX", temporary && *temporary ? temporary : "/tmp");
+    errno = ENAMETOOLONG;
+    if (length >= (int)sizeof folder || !mkdtemp(folder))
+        return problem_error(problem, "cannot make a temporary folder: %s", strerror(errno));
+    bool done = run(folder, tex, out, interrupt, problem);
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        unlink(file_of(folder, endings[i], path));
+    rmdir(folder);
+    return done;
+}
