@@ -82,19 +82,21 @@ draw train |forces
 animate a.gif |speed rate train
 animate a.gif speed 2 r|rate
 plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost
-plot fall |width height font title xlabel ylabel
-plot placement |width height font title xlabel ylabel
-plot growth |width height font title xlabel ylabel paper
-plot growth paper |width height font title xlabel ylabel
+plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend
+plot placement |width height font family title xlabel ylabel xrange yrange xscale yscale legend
+plot growth |width height font family title xlabel ylabel xrange yrange xscale yscale legend paper
+plot growth yscale |linear log
+plot growth legend |below right off
+plot growth paper |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot sweep fr|friction
 plot sweep s 0.1 0.3 3 : rm|rmax
-plot energy |width height font title xlabel ylabel
+plot energy |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot energy r|(nothing)
 plot co|cost
 plot co r|rmax
-plot cost rmax |width height font title xlabel ylabel
+plot cost rmax |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 cost |fuel launch barrier duration rmax pair
-plot cost |width height font title xlabel ylabel fuel launch barrier duration rmax pair
+plot cost |width height font family title xlabel ylabel xrange yrange xscale yscale legend fuel launch barrier duration rmax pair
 set precision |float double quad
 set s |(nothing)
 set s b|best

@@ -47,6 +47,12 @@ golden_screens() { # NAME
     done
 }
 
+@test "a derivation fits the terminal, broken at blanks" {
+    on_terminal 60 24 '' 'explain rmax deep' >"$BATS_TEST_TMPDIR/screen"
+    grep -q 'θ_i(0): tilt of domino i when the head is hit, at theta' "$BATS_TEST_TMPDIR/screen"
+    [ "$(wc -L <"$BATS_TEST_TMPDIR/screen")" -lt 60 ] || same width '59 columns' "$(cat "$BATS_TEST_TMPDIR/screen")"
+}
+
 @test "a terminal that is too small for a picture gets one line that says so, and a file has the picture" {
     for size in '20 6' '30 24' '80 12'; do
         read -r columns rows <<<"$size"

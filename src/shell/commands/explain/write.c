@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes derivations for people, and for lessons. */
+#include "answer/wrap.h"
 #include "commands/explain/derivation.h"
 #include "io/escape.h"
 #include "io/io.h"
@@ -7,6 +8,7 @@
 #include "picture/show.h"
 #include "picture/typeset.h"
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The struct that formula->context points to while a step is written. */
@@ -240,6 +242,35 @@ static bool typeset_write(struct writer *w, const struct explained *e, bool deep
     return done;
 }
 
+/* Writes lines of text so that they fit the terminal. Lines that go on keep the indentation. */
+static void lines_write(FILE *out, char *text, int width)
+{
+    for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {
+        const int indent = (int)strspn(line, " ");
+        *end = '\0';
+        fprintf(out, "%*s", indent, "");
+        write_wrapped(out, line + indent, indent, width);
+        putc('\n', out);
+    }
+}
+
+/* Writes a derivation on the terminal or as plain text. */
+static bool text_write(struct writer *w, const struct explained *e, bool deep, struct answer *a,
+                       struct problem *problem)
+{
+    char *text = NULL;
+    size_t size;
+    w->formula.out = open_memstream(&text, &size);
+    if (!w->formula.out)
+        return problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
+    derivation_write(w, e, deep);
+    const bool whole = fclose(w->formula.out) == 0;
+    if (whole)
+        lines_write(a->out, text, a->layout.width);
+    free(text);
+    return whole || problem_status(problem, w->derivation->query.scene, DOM_NO_MEMORY);
+}
+
 bool explain_write(struct answer *a, const struct derivation *d, const struct explained *e,
                    const struct explain_bound *bound, const char *verdict, struct problem *problem)
 {
@@ -257,9 +288,8 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
         return typeset_write(&w, e, bound->deep, verdict, a->out, problem);
     if (is_document) {
         document_write(&w, e, bound->deep, verdict);
-    } else {
-        answer_say(a, *verdict ? "%s\n" : "%s", verdict);
-        derivation_write(&w, e, bound->deep);
+        return true;
     }
-    return true;
+    answer_say(a, *verdict ? "%s\n" : "%s", verdict);
+    return text_write(&w, e, bound->deep, a, problem);
 }
