@@ -204,7 +204,7 @@ END
         wrong "rmax > $name" "the ending of '$name' means no format; use .csv, .json or .txt"
         wrong "draw > $name" "the ending of '$name' means no format; use .svg, .png, .pdf, .gp or .txt"
     done
-    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
     for what in 'set s 0.3' reset; do
         wrong "$what > a.csv" "'a.csv' is a data file, but '${what%% *}' has no data"
     done

@@ -396,6 +396,6 @@ END
         printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
         pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
     fi
-    wrong 'draw > d.tex' "can hold a chart of 'plot', but no drawing"
+    wrong 'draw > d.tex' "'d.tex' is a document, but 'draw' draws a picture; use .svg, .png, .pdf or .gp"
     wrong 'plot growth > d.md' "'d.md' is a document, but 'plot' draws a picture"
 }

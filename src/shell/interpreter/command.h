@@ -96,8 +96,8 @@ struct command {
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* The answer is about the endless train. */
     /* The answer is a picture, of which formats for programs get the data, or a text that can also be written
-     * for a lesson, into a .md or .tex file. */
-    enum { WRITES_DATA, WRITES_PICTURES, WRITES_DOCUMENTS } writes;
+     * for a lesson, into a .md or .tex file. A chart is a picture that can go into a .tex file, too. */
+    enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS } writes;
     /* For a command that decides something: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;

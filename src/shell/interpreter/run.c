@@ -119,14 +119,14 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-#define PICTURE_ENDINGS ".svg, .png, .pdf, .tex or .gp"
-
 /* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     names_shown(path, shown);
     const struct ending *ending = ending_of(path);
+    const bool draws = c->writes == WRITES_PICTURES, charts = c->writes == WRITES_CHARTS || c->picture;
+    const char *pictures = charts ? ".svg, .png, .pdf, .tex or .gp" : ".svg, .png, .pdf or .gp";
     switch (ending->kind) {
     case ENDING_SHEET:
         if (c->writes == WRITES_DOCUMENTS)
@@ -134,10 +134,10 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                    problem_error(
                        problem, "'%s' would be a picture; the text of '%s' goes into .pdf, .tex, .md or .txt",
                        shown, c->name);
-        if (c->writes == WRITES_PICTURES || c->picture)
-            return ending->terminal ||
+        if (draws || charts)
+            return (ending->terminal && (charts || strcmp(ending->text, ".tex") != 0)) ||
                    problem_error(problem, "'%s' is a document, but '%s' draws a picture; use %s", shown,
-                                 c->name, PICTURE_ENDINGS);
+                                 c->name, pictures);
         return ending->terminal
                    ? problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do",
                                    shown, c->name)
@@ -151,11 +151,13 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     case ENDING_OTHER:
         return problem_error(
             problem, "the ending of '%s' means no format; use %s", shown,
-            c->writes == WRITES_DOCUMENTS  ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
-            : c->writes == WRITES_PICTURES ? PICTURE_ENDINGS ", or .txt, or .csv or .json for its data"
-            : c->picture                   ? ".csv, .json or .txt, or for a picture " PICTURE_ENDINGS
-            : c->columns || c->runs        ? ".csv, .json or .txt"
-                                           : ".txt");
+            c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
+            : c->writes == WRITES_CHARTS
+                ? ".svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
+            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+            : c->picture            ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf, .tex or .gp"
+            : c->columns || c->runs ? ".csv, .json or .txt"
+                                    : ".txt");
     case ENDING_NONE:
     case ENDING_TEXT:
         break;

@@ -190,10 +190,6 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    if (is_filed(a) && stage && strcmp(ending_of(a->path)->text, ".tex") == 0)
-        return problem_error(problem,
-                             "a .tex file can hold a chart of 'plot', but no drawing; use .svg, .png, "
-                             ".pdf or .gp");
     if (is_filed(a) && ending_of(a->path)->is_script)
         return show_script(a, chart, stage);
     if (by_gnuplot(a))

@@ -264,7 +264,7 @@ const struct command plot_commands[] = {
      .example = "plot growth",
      .see = "fall mend placement sweep curve draw",
      .unswept = "it draws",
-     .writes = WRITES_PICTURES,
+     .writes = WRITES_CHARTS,
      .rows = true,
      ANSWER(plot)},
     {.name = NULL},
