@@ -25,12 +25,18 @@ static void train_note(const struct session *session, struct answer *answer)
         answer_say(answer, "%s", note);
 }
 
+/* Returns true if the answer of the command is a picture. */
+static bool is_picture(const struct command *c)
+{
+    return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
+}
+
 /* Runs the function of the command that suits the output: `act`, `picture` or `run`. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
     bool is_on_screen =
-        c->writes == WRITES_PICTURES && !c->files && answer->style.format->for_people && !answer->path;
+        is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
     if (is_on_screen && !picture_fits(answer, c->name, problem))
         return false;
     if (c->act)
@@ -102,7 +108,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
                       struct problem *problem)
 {
     if (!c->pages &&
-        !(session->source.prompt_width && c->columns && c->writes != WRITES_PICTURES && !c->runs))
+        !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;

@@ -123,18 +123,10 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
                  look.height, family, look.font);
 }
 
-/* Writes the script of a picture, with its data, instead of the picture. The script draws into a .pdf file
- * that is named after the script. */
-static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
+void script_head(const struct answer *a, const char *terminal)
 {
-    char terminal[TERMINAL_TEXT] = "";
     const char *slash = strrchr(a->path, '/'), *name = slash ? slash + 1 : a->path;
     const int length = (int)(strrchr(name, '.') - name);
-    const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
-    if (stage)
-        sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
-    else if (chart)
-        chart_terminal(chart, a->path, terminal, sizeof terminal);
     fprintf(a->out,
             "# A picture by domino, with its data: 'gnuplot %s' draws %.*s.pdf.\nset encoding utf8\nset "
             "terminal %s\n"
@@ -143,6 +135,18 @@ static bool show_script(const struct answer *a, const struct chart *chart, const
     for (int i = 0; i < length; i++) /* a ' inside a text between ' is written twice */
         fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
     fprintf(a->out, ".pdf'\n");
+}
+
+/* Writes the script of a picture, with its data, instead of the picture. */
+static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
+{
+    char terminal[160] = "";
+    const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
+    if (stage)
+        sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
+    else if (chart)
+        chart_terminal(chart, a->path, terminal, sizeof terminal);
+    script_head(a, terminal);
     if (stage)
         stage_script(stage, &sheet, a->out);
     else

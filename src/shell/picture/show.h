@@ -43,6 +43,10 @@ bool picture_ready(const struct answer *a, struct problem *problem);
 /* Returns how dominoes will be marked in a picture that goes where the answer goes. */
 struct marks picture_marks(const struct answer *a);
 
+/* Writes the first lines of the script of a picture. The script draws into a .pdf file that is named after
+ * the script. */
+void script_head(const struct answer *a, const char *terminal);
+
 /* Draws a chart where the answer goes, and frees the chart. */
 bool chart_show(struct chart *chart, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);

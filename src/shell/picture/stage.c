@@ -27,20 +27,29 @@ void drawn_stand(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
-/* The right half of a tower with two square storeys and a lantern, from the ground up. x is the distance from
- * the axis, as a fraction of the tower's width, and y is the height, as a fraction of the tower's height. */
-static const struct point silhouette[] = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
-                                          {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}};
-enum { SILHOUETTE = sizeof silhouette / sizeof *silhouette };
-_Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "an outline has room for a tower");
+/* The right half of a silhouette from the ground up. x is the distance from the axis, as a fraction of the
+ * width, and y is the height, as a fraction of the height. */
+enum { SILHOUETTE = 8 };
+typedef struct point silhouette[SILHOUETTE];
 
-static int tower_outline(const struct drawn *k, struct point outline[OUTLINE])
+/* Returns the silhouette of a tower with two square storeys and a lantern, or of a person. */
+static const struct point *silhouette_of(const struct drawn *k)
+{
+    static const silhouette tower = {{0.5, 0},     {0.5, 0.38},  {0.4, 0.39}, {0.4, 0.66},
+                                     {0.26, 0.68}, {0.26, 0.87}, {0.06, 0.9}, {0, 1}},
+                            person = {{0.3, 0},     {0.34, 0.45}, {0.5, 0.47},  {0.46, 0.8},
+                                      {0.14, 0.84}, {0.26, 0.88}, {0.24, 0.97}, {0, 1}};
+    return k->number == NUMBER_TOWER ? tower : k->number == NUMBER_PERSON ? person : NULL;
+}
+_Static_assert(2 * SILHOUETTE - 1 <= OUTLINE, "an outline has room for a silhouette");
+
+static int silhouette_outline(const struct drawn *k, const struct point *half, struct point outline[OUTLINE])
 {
     double middle = (k->corner[0].x + k->corner[3].x) / 2;
     int n = 0;
     for (int i = 0; i < SILHOUETTE; i++)
-        outline[n++] = (struct point){middle + silhouette[i].x * k->thickness,
-                                      k->corner[0].y + silhouette[i].y * k->height};
+        outline[n++] =
+            (struct point){middle + half[i].x * k->thickness, k->corner[0].y + half[i].y * k->height};
     for (int i = SILHOUETTE - 1; i-- > 0;)
         outline[n++] = (struct point){2 * middle - outline[i].x, outline[i].y};
     return n;
@@ -48,18 +57,21 @@ static int tower_outline(const struct drawn *k, struct point outline[OUTLINE])
 
 bool drawn_covers(const struct drawn *k, double up, double back)
 {
+    const struct point *half = silhouette_of(k);
     int i = 1;
-    while (i < SILHOUETTE - 1 && up > silhouette[i].y)
+    if (!half)
+        return true;
+    while (i < SILHOUETTE - 1 && up > half[i].y)
         i++;
-    double part = (up - silhouette[i - 1].y) / (silhouette[i].y - silhouette[i - 1].y);
-    double half = silhouette[i - 1].x + part * (silhouette[i].x - silhouette[i - 1].x);
-    return k->number != NUMBER_TOWER || fabs(back - 0.5) <= half;
+    double part = (up - half[i - 1].y) / (half[i].y - half[i - 1].y);
+    return fabs(back - 0.5) <= half[i - 1].x + part * (half[i].x - half[i - 1].x);
 }
 
 int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
 {
-    if (k->number == NUMBER_TOWER)
-        return tower_outline(k, outline);
+    const struct point *half = silhouette_of(k);
+    if (half)
+        return silhouette_outline(k, half, outline);
     struct point up = direction(k->theta);
     /* At each corner the outline turns from one of these directions to the next. */
     const struct point side[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
@@ -93,9 +105,10 @@ int drawn_name(const struct drawn *k, char name[DRAWN_NAME])
 {
     return k->number >= 0 ? snprintf(name, DRAWN_NAME, "%d", k->number)
                           : snprintf(name, DRAWN_NAME,
-                                     k->number == NUMBER_NEXT    ? "next"
-                                     : k->number == NUMBER_TOWER ? "tower"
-                                                                 : "");
+                                     k->number == NUMBER_NEXT     ? "next"
+                                     : k->number == NUMBER_TOWER  ? "tower"
+                                     : k->number == NUMBER_PERSON ? "person"
+                                                                  : "");
 }
 
 bool drawn_locked(const struct drawn *k)

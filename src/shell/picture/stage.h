@@ -27,8 +27,9 @@ enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
 /* The values of drawn.number for the dominoes in front of the head: the next one, and those beyond it, which
  * have no label. */
-/* NUMBER_TOWER makes a domino the silhouette of a tower, as tall as the domino. */
-enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3 };
+/* NUMBER_TOWER and NUMBER_PERSON make a domino the silhouette of a tower or of a person, as tall as the
+ * domino. */
+enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4 };
 
 /* A domino on a stage. */
 struct drawn {
@@ -78,8 +79,8 @@ void drawn_stand(struct drawn *domino);
 /* Writes the points of the outline of a domino. Returns the number of points. */
 int drawn_outline(const struct drawn *domino, struct point outline[OUTLINE]);
 
-/* Returns true if a tower covers a point: `up` is the height of the point as a fraction of the tower's
- * height, and `back` is its distance from the front as a fraction of the tower's width. Every other domino
+/* Returns true if a silhouette covers a point: `up` is the height of the point as a fraction of its
+ * height, and `back` is its distance from the front as a fraction of its width. Every other domino
  * covers all points of its rectangle. */
 bool drawn_covers(const struct drawn *domino, double up, double back);
 
@@ -135,6 +136,7 @@ enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
  * shows. */
 struct sheet {
     double width, height, below, above; /* below and above are margins outside the axes */
+    double head, indent;                /* space above the caption, and to its left */
     double left, right, low, high;      /* visible part of the stage; low < 0 leaves room for numbers */
     double dot;                         /* length of a dot, in the unit of the stage */
 };

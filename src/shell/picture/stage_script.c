@@ -43,7 +43,7 @@ static int caption_lines(const char *text)
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
     int lines = caption_lines(stage->caption) + (stage->row != NULL); /* one more line for labels_missing */
-    struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines};
+    struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines, .indent = 10};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);
     v.dot = by_width > by_height ? by_width : by_height;
@@ -118,7 +118,7 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
     fprintf(script, "set arrow from %.10g,0 to %.10g,0 nohead lc rgb '#404040' lw 1.5 back\n", v->left,
             v->right);
     fprintf(script, "set label '%s [%s]' at screen %.8g,%.8g center font ',%d'\n", stage->ruler, unit.name,
-            (MARGIN_LEFT + ACROSS / 2.0) / v->width, 9 / v->height, SMALL + 1);
+            (MARGIN_LEFT + ACROSS / 2.0) / v->width, (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
 /* Writes a text into the caption, starting at a line of the caption. */
@@ -129,8 +129,8 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
         fprintf(script, "set label \"");
         for (size_t i = 0; i < n; i++)
             fprintf(script, strchr("\"\\", text[i]) ? "\\%c" : "%c", text[i]);
-        fprintf(script, "\" at screen %.8g,%.8g left font ',%d' noenhanced front\n", 10 / v->width,
-                1 - (16.0 + LINE * line) / v->height, FONT);
+        fprintf(script, "\" at screen %.8g,%.8g left font ',%d' noenhanced front\n", v->indent / v->width,
+                1 - (v->head + 16.0 + LINE * line) / v->height, FONT);
     }
 }
 
@@ -182,6 +182,12 @@ static const char *colour_of(const struct drawn *d)
     return d->part == WEAKEST ? fill[WEAKEST] : "#000000";
 }
 
+/* Returns true if the sizes of a domino are known, and false for a silhouette. */
+static bool is_sized(const struct stage *stage, size_t k)
+{
+    return stage->row && stage->domino[k].number > 0;
+}
+
 static struct measured height_of(const struct stage *stage, size_t k)
 {
     return measured(stage->row[k].height, "m", 3);
@@ -194,7 +200,9 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     const struct drawn *d = &stage->domino[k];
     double half = 0.6 * SMALL * v->dot;
     double before = k > 0 ? d->thickness / 2 + (double)stage->row[k].gap : HUGE_VAL;
-    double after = k + 1 < stage->count ? d->thickness / 2 + (double)stage->row[k + 1].gap : HUGE_VAL;
+    double after = k + 1 < stage->count && is_sized(stage, k + 1)
+                       ? d->thickness / 2 + (double)stage->row[k + 1].gap
+                       : HUGE_VAL;
     snprintf(text, 64, "%.30s%s", height_of(stage, k).text,
              d->part == WEAKEST ? "  weakest"
              : d->part == ENDS  ? "  ends here"
@@ -220,7 +228,9 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     char text[64];
     bool number = drawn_name(d, text) && middle >= v->left && middle <= v->right &&
                   label_put(l, middle, -STRIP / 2.0, false, colour_of(d), text);
-    if (!stage->row || height_repeats(stage, k))
+    if (!is_sized(stage, k))
+        return number || stage->row;
+    if (height_repeats(stage, k))
         return number;
     bool height = height_text(stage, v, k, text) &&
                   label_put(l, middle, d->height / v->dot + 5, true, colour_of(d), text);
@@ -278,7 +288,7 @@ static void labels_script(const struct stage *stage, const struct sheet *v, FILE
         for (size_t i = 0; i < stage->count; i++) {
             const struct drawn *d = stage_front(stage, i);
             size_t k = (size_t)(d - stage->domino);
-            if (pass == 2 && stage->row)
+            if (pass == 2 && is_sized(stage, k))
                 gap_put(stage, k, &l);
             else if (drawn_marked(d) == (pass == 0) && !names_put(stage, k, &l) && is_missing)
                 is_missing[k] = true;
@@ -293,8 +303,8 @@ struct sheet sheet_of(const struct stage *stage, double least, double most)
     struct sheet v = sheet_with(stage, least, most, 0);
     double room = CLEAR;
     char text[64];
-    for (size_t k = 0; k < stage->count && stage->row; k++)
-        if (height_text(stage, &v, k, text) && !height_repeats(stage, k))
+    for (size_t k = 0; k < stage->count; k++)
+        if (is_sized(stage, k) && height_text(stage, &v, k, text) && !height_repeats(stage, k))
             room = fmax(room, (stage->domino[k].height - stage->top) / v.dot + CLEAR +
                                   (double)strlen(text) * LETTER);
     return stage->row ? sheet_with(stage, least, most, room) : v;

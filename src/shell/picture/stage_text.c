@@ -72,10 +72,10 @@ static void domino_outline(struct grid *g, const struct drawn *k)
            y[OUTLINE] = {0};
     struct point outline[OUTLINE];
     /* The rounding of edges is too small to be seen. */
-    bool is_tower = k->number == NUMBER_TOWER;
-    int phase = 0, count = is_tower ? drawn_outline(k, outline) : CORNERS;
+    bool is_silhouette = k->number == NUMBER_TOWER || k->number == NUMBER_PERSON;
+    int phase = 0, count = is_silhouette ? drawn_outline(k, outline) : CORNERS;
     for (int i = 0; i < count; i++) {
-        const struct point *p = is_tower ? &outline[i] : &k->corner[i];
+        const struct point *p = is_silhouette ? &outline[i] : &k->corner[i];
         x[i] = round((p->x - g->left) / dot);
         y[i] = bottom - round(p->y / dot);
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The table of the commands design, solve, watch, sensitivity, fit and assert. */
+#include "commands/drawing/plan.h"
 #include "commands/fit/fit.h"
 #include "commands/planning/planning.h"
 #include "commands/tables.h"
@@ -29,6 +30,25 @@ const struct command design_commands[] = {
      .holds = "a row fits the wishes",
      .changes = true,
      ANSWER(design)},
+    {.name = "plan",
+     .synonyms = "guide print sheet cut list boards tape workshop hall build",
+     .argument = {{.name = "TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
+     .summary = "a guide for building the row: sizes, boards, places",
+     .help =
+         "For the hall, the places of the dominoes on a tape; for the workshop, their sizes and the boards "
+         "to "
+         "cut; each with the values between which all fall, as 'tolerance' finds them. If errors are on, "
+         "such "
+         "as 'effect placement 2 mm', the guide says how likely the row falls. 'plan title \"The hall\" > "
+         "hall.pdf' draws it on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg "
+         "and "
+         ".png are one long page. csv and json have the numbers, in m.",
+     .example = "effect row 5; plan",
+     .see = "row tolerance placement draw",
+     .unswept = "it is a text",
+     .draws = true,
+     .rows = true,
+     ANSWER(plan)},
     {.name = "solve",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},

@@ -50,6 +50,11 @@ struct study {
     size_t count, *stops;
 };
 
+/* Sets up the row many times with the errors of the scene, and writes these errors to `error`. Without
+ * errors study->rows is 0. Returns false with a problem. */
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
+               struct domq_error error[DOM_ERROR_COUNT]);
+
 /* Runs a study. If the rows have several kinds of errors, also finds what each kind costs. The caller frees
  * study->stops, even after a failure. */
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,

@@ -5,6 +5,7 @@
 #include "language/quad.h"
 #include "parallel/workers.h"
 #include <stdlib.h>
+#include <string.h>
 
 /* A row that is set up many times with random errors. Do not copy this struct: it contains a pointer to the
  * pool inside it. */
@@ -33,6 +34,21 @@ static bool trials_make(const struct query *query, struct problem *problem, domq
     };
     t->has_errors = scene_errors(query->scene, t->placement.error);
     return true;
+}
+
+bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
+               struct domq_error error[DOM_ERROR_COUNT])
+{
+    struct trials t;
+    enum dom_status status = DOM_OK;
+    *study = (struct domq_study){.rows = 0};
+    if (!trials_make(query, problem, (domq_real)rows, true, &t))
+        return false;
+    if (t.has_errors)
+        status = domq_placement_study(&t.scene.row, &t.scene.compute, &t.placement, study, NULL);
+    memcpy(error, t.placement.error, sizeof t.placement.error);
+    free(t.scene.domino);
+    return status == DOM_OK || row_status(query, problem, status);
 }
 
 /* ---- placement ---- */

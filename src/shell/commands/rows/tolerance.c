@@ -2,6 +2,7 @@
 /* The command tolerance, which finds how far each domino of a row may differ from its place, its height and
  * plumb while all dominoes still fall. */
 #include "commands/rows/rows.h"
+#include "commands/rows/windows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
@@ -31,17 +32,7 @@ const struct column tolerance_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-enum { KINDS = DOM_WINDOW_THICKNESS + 1 };
-
-struct windows {
-    const struct scene_row *scene;
-    size_t count; /* the number of dominoes */
-    /* For each kind of window, in the order of enum dom_window_of, the windows of all dominoes. There is only
-     * one window of friction, which is the first element. */
-    struct domq_window *kind[KINDS];
-    size_t first[KINDS]; /* for each kind, the number of the domino that first_find found, or 0 */
-    bool falls;
-};
+enum { KINDS = WINDOW_KINDS };
 
 static void search_progress(size_t done, size_t of, void *context)
 {
@@ -84,8 +75,7 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
     lean->high = height * quad(sin)(lean->high);
 }
 
-/* Finds all windows of the row. The caller frees w->kind[0], which holds all of them. */
-static enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
+enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
     const struct domq_row *row = &scene->row;
     const bool leans = !row->engine && row->rho == 0; /* otherwise the library cannot compute leans */

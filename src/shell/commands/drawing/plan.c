@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command plan, which writes a guide for building the row: sizes and boards for the workshop, and places
+ * for the hall. */
+#include "commands/drawing/plan.h"
+#include "commands/drawing/plan_tables.h"
+#include "language/quad.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct column plan_columns[] = {
+    {"domino", "", "its number, from 1", 6},
+    {"back", "m", "its back edge on the tape, which begins at the back of domino 1", 0},
+    {"front", "m", "its front edge on the tape", 0},
+    {"back_low", "m", "the smallest place of the back edge with which all fall, if it alone moves", 0},
+    {"back_high", "m", "the largest such place", 0},
+    {"gap", "m", "free distance to the domino before it", 0},
+    {"height", "m", "its height", 0},
+    {"height_low", "m", "the smallest height with which all fall", 0},
+    {"height_high", "m", "the largest such height", 0},
+    {"thickness", "m", "its thickness", 0},
+    {"thickness_low", "m", "the smallest thickness with which all fall", 0},
+    {"thickness_high", "m", "the largest such thickness", 0},
+    {"width", "m", "its width: half its height, unless the file of the row has widths", 0},
+    {"mass", "kg", "its mass, if masses are known", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+bool plan_parse(struct reader *r, struct question *q)
+{
+    const char **title = q->parsed = arena_take(r->arena, sizeof *title);
+    if (!title)
+        return problem_error(r->problem, "out of memory");
+    if (!reader_takes(r, "title"))
+        return reader_ends(r) ||
+               problem_error(r->problem, "a title is written as in 'plan title \"The hall\"'");
+    reader_place(r, r->at);
+    if (reader_ends(r))
+        return problem_error(r->problem, "the title is missing, as in 'plan title \"The hall\"'");
+    *title = read_text(r);
+    return *title || problem_error(r->problem, "%s", unclosed);
+}
+
+/* ---- The numbers ---- */
+
+/* The number of random rows; with the engine, each takes as long as hundreds of the model. */
+enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
+
+static void plan_free(struct plan *p)
+{
+    for (int i = 0; i < p->guide.tables; i++)
+        free(p->guide.table[i].line);
+    free(p->windows.kind[0]);
+    free(p->back);
+    falling_row_free(&p->row);
+}
+
+/* Computes what a builder must know. Returns false with a problem; nothing needs to be freed then. */
+static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
+                      struct plan *p)
+{
+    const struct scene *of = query->scene;
+    *p = (struct plan){.width = of->listed.width,
+                       .is_thin = !of->listed.domino && of->train.q < 4 && of->train.walls == 0};
+    if (!falling_row_make(query, problem, picture_marks(a), &p->row))
+        return false;
+    struct scene_row *scene = &p->row.run.scene;
+    const struct domq_verdict *v = &p->row.run.verdict;
+    const size_t count = scene->row.count;
+    if (v->end != DOM_ROW_FALLS) {
+        problem_no_answer(problem,
+                          "this row ends at domino %zu, so there is nothing to build yet; 'mend' finds a "
+                          "change that saves it",
+                          v->domino);
+        falling_row_free(&p->row);
+        return false;
+    }
+    scene->row.floor = false;
+    p->back = malloc(count * sizeof *p->back);
+    enum dom_status status = p->back ? windows_find(scene, &p->windows) : DOM_NO_MEMORY;
+    for (size_t k = 0; k < count && p->back; k++)
+        p->back[k] =
+            k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
+    const size_t rows = scene->row.engine ? STUDY_ROWS_OF_ENGINE : STUDY_ROWS;
+    bool good = status == DOM_OK ? study_run(query, problem, rows, &p->study, p->error)
+                                 : row_status(query, problem, status);
+    if (!good)
+        plan_free(p);
+    return good;
+}
+
+/* ---- The caption ---- */
+
+#define PERSON 1.75 /* m */
+
+/* Adds a person to the stage, beyond the last domino. Returns false if there is no memory. */
+static bool person_add(struct stage *stage)
+{
+    struct drawn *more = realloc(stage->domino, (stage->count + 1) * sizeof *more);
+    if (!more)
+        return false;
+    stage->domino = more;
+    struct drawn *person = &more[stage->count++];
+    *person =
+        (struct drawn){.number = NUMBER_PERSON, .part = STANDS, .height = PERSON, .thickness = 0.3 * PERSON};
+    person->foot = stage->right + 0.4 * PERSON + person->thickness;
+    drawn_stand(person);
+    stage->top = fmax(stage->top, PERSON);
+    stage->right = person->foot;
+    return true;
+}
+
+/* Adds the start of the row: the push as a speed, which people can judge. */
+static void push_words(const struct scene_row *scene, char *text, size_t size)
+{
+    const struct domq_row *row = &scene->row;
+    if (isnan(row->push))
+        snprintf(text, size, "Tip domino 1 until it falls by itself.");
+    else
+        snprintf(text, size, "Push domino 1 so that its top moves at %s.",
+                 measured(row->push * row->domino[0].height, "m/s", 3).text);
+}
+
+/* Writes the errors of the scene with three digits, such as "gap 5 mm, thickness 1 %". */
+static void errors_words(const struct domq_error *error, char *text, size_t size)
+{
+    int at = 0;
+    text[0] = '\0';
+    for (int k = 0; k < DOM_ERROR_COUNT && at < (int)size; k++) {
+        const bool is_added = k == DOM_ERROR_friction || k == DOM_ERROR_floor;
+        const char *unit = *error_unit(k) || is_added ? error_unit(k) : "share";
+        if (error[k].size > 0)
+            at += snprintf(text + at, size - (size_t)at, "%s%s %s%s", at ? ", " : "", error_names(NULL, k),
+                           measured(error[k].size, unit, 3).text, error[k].uniform ? " at most" : "");
+    }
+}
+
+static void caption_write(struct plan *p)
+{
+    char errors[SENTENCE], summary[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], start[SENTENCE];
+    struct stage *stage = &p->row.stage;
+    const struct domq_study *s = &p->study;
+    const size_t *first = p->windows.first;
+    falling_row_summary(&p->row, summary);
+    falling_row_verdict(&p->row, verdict);
+    falling_row_weakest(&p->row, weakest);
+    errors_words(p->error, errors, sizeof errors);
+    push_words(&p->row.run.scene, start, sizeof start);
+    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; a person of 1.75 m. %s %s%s%s", summary,
+                      measured((domq_real)stage->right, "m", 3).text, start, verdict, *weakest ? " " : "",
+                      weakest);
+    char *text = stage->caption + at;
+    const size_t room = CAPTION - (size_t)at;
+    if (s->rows > 0)
+        at = snprintf(text, room, " With errors (%s) %zu of %zu rows fall: a probability of %.1f to %.1f %%.",
+                      errors, s->fall, s->rows, floor(1000 * s->low) / 10, ceil(1000 * s->high) / 10);
+    else
+        at = snprintf(text, room, " How likely it falls is not known: 'effect placement 2 mm' gives errors.");
+    if (p->windows.count > 1 && at < (int)room)
+        snprintf(text + at, room - (size_t)at,
+                 " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "
+                 "domino "
+                 "%zu.",
+                 first[DOM_WINDOW_PLACE], first[DOM_WINDOW_HEIGHT], first[DOM_WINDOW_THICKNESS]);
+}
+
+/* ---- The answer ---- */
+
+static void plan_rows(const struct plan *p, struct answer *a)
+{
+    const struct scene_row *scene = &p->row.run.scene;
+    for (size_t k = 0; k < scene->row.count && !answer_lost(a); k++) {
+        const struct domq_domino *d = &scene->domino[k];
+        const struct domq_window *place = plan_window(p, DOM_WINDOW_PLACE, k),
+                                 *height = plan_window(p, DOM_WINDOW_HEIGHT, k),
+                                 *thickness = plan_window(p, DOM_WINDOW_THICKNESS, k);
+        const domq_real back = (domq_real)p->back[k];
+        answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
+                     cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
+                     cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
+                     cell_real(thickness->low), cell_real(thickness->high), cell_real(plan_width(p, k)),
+                     cell_real(d->mass));
+    }
+}
+
+enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 30 }; /* the size of the drawing in characters */
+
+bool run_plan(const struct query *query, struct answer *a, struct problem *problem)
+{
+    struct plan p;
+    const char *const *title = query->given->bound;
+    const bool has_masses = scene_has_masses(query->scene), people = answer_for_people(a),
+               is_drawn = a->path && ending_of(a->path)->kind == ENDING_PICTURE;
+    if (is_drawn && !picture_ready(a, problem))
+        return false;
+    if (!plan_make(query, a, problem, &p))
+        return false;
+    if (!has_masses)
+        answer_leave_out(a, "mass");
+    p.guide.title = title ? *title : NULL;
+    p.guide.stage = &p.row.stage;
+    caption_write(&p);
+    bool good = true;
+    if (!people && !is_drawn)
+        plan_rows(&p, a);
+    else if (!plan_tape_table(&p) || !plan_size_table(&p, has_masses) || !plan_board_table(&p) ||
+             !person_add(&p.row.stage))
+        good = problem_status(problem, query->scene, DOM_NO_MEMORY);
+    else if (is_drawn)
+        good = guide_show(&p.guide, a, query->scene->compute.interrupt, problem);
+    else {
+        if (p.guide.title)
+            answer_say(a, "%s", p.guide.title);
+        good = stage_text(&p.row.stage, look_of(a->out), TEXT_WIDTH, TEXT_HEIGHT, a->out) ||
+               problem_status(problem, query->scene, DOM_NO_MEMORY);
+        for (int i = 0; i < p.guide.tables; i++)
+            guide_text(&p.guide.table[i], a->out);
+        answer_say(a, "\n!: what matters most. 'plan > hall.pdf' draws this guide for printing.");
+    }
+    plan_free(&p);
+    return good;
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The tables of the command plan: places, sizes, and boards to cut. */
+#ifndef SHELL_PLAN_TABLES_H
+#define SHELL_PLAN_TABLES_H
+
+#include "commands/drawing/falling_row.h"
+#include "commands/rows/windows.h"
+#include "picture/guide.h"
+
+/* A row that falls, and what a builder must know of it. */
+struct plan {
+    struct falling_row row;
+    struct windows windows;
+    double *back;           /* the back edges of the dominoes on the tape, in m */
+    bool is_thin;           /* the dominoes are hollow, with walls of no known thickness */
+    const domq_real *width; /* the widths in m, or NULL if they are half the heights */
+    struct domq_study study;
+    struct domq_error error[DOM_ERROR_COUNT];
+    struct guide guide;
+};
+
+/* Returns the width of domino k, from 0, and its window of some kind. */
+domq_real plan_width(const struct plan *plan, size_t k);
+const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
+
+/* Add a table to the guide of a plan. Return false if there is no memory. */
+bool plan_tape_table(struct plan *plan);
+bool plan_size_table(struct plan *plan, bool has_masses);
+bool plan_board_table(struct plan *plan);
+
+#endif

@@ -1,0 +1,206 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture/guide.h"
+#include "picture/picture.h"
+#include <math.h>
+#include <string.h>
+
+static int columns_of(const struct guide_table *table)
+{
+    int count = 0;
+    while (count < GUIDE_COLUMNS && table->head[count])
+        count++;
+    return count;
+}
+
+/* Returns the number of letters that a column needs. */
+static size_t column_width(const struct guide_table *table, int column)
+{
+    size_t width = strlen(table->head[column]);
+    for (size_t i = 0; i < table->count; i++) {
+        size_t length = strlen(table->line[i].cell[column]);
+        width = length > width ? length : width;
+    }
+    return width;
+}
+
+void guide_text(const struct guide_table *table, FILE *out)
+{
+    const int columns = columns_of(table);
+    fprintf(out, "\n%s\n%s\n", table->title, table->note);
+    for (size_t i = 0; i <= table->count; i++) {
+        const struct guide_line *line = i > 0 ? &table->line[i - 1] : NULL;
+        for (int k = 0; k < columns; k++) {
+            const bool is_bold = line && line->bold[k];
+            fprintf(out, "%*s%s", (int)column_width(table, k) + (k > 0),
+                    line ? line->cell[k] : table->head[k], is_bold ? "!" : " ");
+        }
+        putc('\n', out);
+    }
+}
+
+/* ---- By gnuplot ---- */
+
+/* Lengths in dots, of which a page is SHEET_WIDTH wide. */
+enum {
+    PAGE = 905, /* the height of a page of A4 */
+    SIDE = 30,  /* margin that a printer needs */
+    TITLE = 30, /* height of the title above the caption */
+    LINE = 15,  /* height of a line of a table */
+    SPACE = 12, /* above a table */
+    SIZE = 11,  /* font size of a table */
+    DRAWING_LEAST = 190,
+    DRAWING_MOST = 400,
+    LEAST_LINES = 5 /* the fewest lines of a table at the end of a page */
+};
+
+struct page {
+    FILE *script;
+    const struct guide *guide;
+    struct sheet sheet;
+    double y;    /* the distance of the next line from the top */
+    int number;  /* from 1 */
+    bool is_cut; /* the guide continues on another page where this one ends */
+};
+
+static void text_put(const struct page *p, double x, const char *align, int size, bool bold, const char *text)
+{
+    fprintf(p->script, "set label \"");
+    for (const char *c = text; *c; c++)
+        fprintf(p->script, strchr("\"\\", *c) ? "\\%c" : "%c", *c);
+    fprintf(p->script, "\" at screen %.6g,%.6g %s font 'sans%s,%d' noenhanced front\n", x / SHEET_WIDTH,
+            1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
+}
+
+/* Draws the page, and begins a new one. On the first page there is a stage. */
+static void page_end(struct page *p)
+{
+    if (p->number == 1)
+        stage_script(p->guide->stage, &p->sheet, p->script);
+    else
+        fprintf(p->script, "plot NaN\n");
+    fprintf(p->script, "reset\nset encoding utf8\nunset border\nunset tics\nunset key\nset xrange [0:1]\nset "
+                       "yrange [0:1]\n");
+    p->number++;
+    p->y = SIDE;
+}
+
+static void page_begin(struct page *p)
+{
+    char head[160];
+    page_end(p);
+    snprintf(head, sizeof head, "%.120s%spage %d", p->guide->title ? p->guide->title : "",
+             p->guide->title ? ", " : "", p->number);
+    text_put(p, SIDE, "left", SIZE, false, head);
+    p->y += LINE + SPACE;
+}
+
+/* Returns true if the page has no room for some more lines. */
+static bool page_is_full(const struct page *p, size_t lines)
+{
+    return p->is_cut && p->y + LINE * (double)lines > PAGE - SIDE;
+}
+
+static void head_put(struct page *p, const struct guide_table *table, const double *right)
+{
+    for (int k = 0; k < columns_of(table); k++)
+        text_put(p, right[k], "right", SIZE, true, table->head[k]);
+    p->y += LINE;
+}
+
+static void table_put(struct page *p, const struct guide_table *table)
+{
+    const int columns = columns_of(table);
+    const double wide = SHEET_WIDTH - 2 * SIDE, letter = 0.58 * SIZE;
+    double right[GUIDE_COLUMNS], letters = 0;
+    for (int k = 0; k < columns; k++)
+        letters += (double)column_width(table, k) + 2;
+    const double each = fmin(1.5 * letter, wide / letters);
+    for (int k = 0; k < columns; k++)
+        right[k] = (k > 0 ? right[k - 1] : SIDE) + each * ((double)column_width(table, k) + (k > 0 ? 2 : 0));
+    if (page_is_full(p, LEAST_LINES + 3))
+        page_begin(p);
+    p->y += SPACE;
+    text_put(p, SIDE, "left", SIZE + 2, true, table->title);
+    p->y += LINE + 2;
+    text_put(p, SIDE, "left", SIZE - 1, false, table->note);
+    p->y += LINE + 2;
+    head_put(p, table, right);
+    for (size_t i = 0; i < table->count; i++) {
+        if (page_is_full(p, 1)) {
+            page_begin(p);
+            head_put(p, table, right);
+        }
+        for (int k = 0; k < columns; k++)
+            if (*table->line[i].cell[k])
+                text_put(p, right[k], "right", SIZE, table->line[i].bold[k], table->line[i].cell[k]);
+        p->y += LINE;
+    }
+    p->y += SPACE;
+}
+
+/* Makes the first page, with the drawing at its top and no other text than the title. */
+static struct page page_first(const struct guide *guide, bool is_cut)
+{
+    struct page p = {.guide = guide, .number = 1, .is_cut = is_cut};
+    struct sheet *v = &p.sheet;
+    *v = sheet_of(guide->stage, DRAWING_LEAST, DRAWING_MOST);
+    const double drawing = v->height - v->above - v->below;
+    double lines = 0;
+    for (int i = 0; i < guide->tables; i++)
+        lines += LINE * ((double)guide->table[i].count + 3) + 2 * SPACE + 4;
+    v->indent = SIDE;
+    v->head = SIDE / 2.0 + (guide->title ? TITLE : 0);
+    v->above += v->head;
+    p.y = v->above + drawing + v->below;
+    v->height = is_cut ? PAGE : ceil(p.y + lines + SIDE);
+    v->below = v->height - v->above - drawing;
+    return p;
+}
+
+static void guide_script(const struct guide *guide, struct page *p, FILE *script)
+{
+    const double below = p->y;
+    p->script = script;
+    p->y = SIDE;
+    if (guide->title)
+        text_put(p, SIDE, "left", 18, true, guide->title);
+    p->y = below;
+    for (int i = 0; i < guide->tables; i++)
+        table_put(p, &guide->table[i]);
+    page_end(p);
+}
+
+/* Writes the gnuplot terminal. The letters are smaller than those of 'draw', because a guide has margins. */
+static void guide_terminal(const struct sheet *v, const char *ending, char *terminal, size_t size)
+{
+    if (strcmp(ending, ".pdf") == 0)
+        snprintf(terminal, size, "pdfcairo size 21cm,29.7cm font 'sans,14' fontscale 0.75 enhanced");
+    else if (strcmp(ending, ".png") == 0)
+        snprintf(terminal, size, "pngcairo size %.0f,%.0f font 'sans,14' fontscale 1.25 linewidth 2 enhanced",
+                 2 * v->width, 2 * v->height);
+    else
+        snprintf(
+            terminal, size,
+            "svg size %.0f,%.0f dynamic font 'sans-serif,14' fontscale 0.86 background rgb 'white' enhanced",
+            v->width, v->height);
+}
+
+bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
+                struct problem *problem)
+{
+    const struct ending *ending = ending_of(a->path);
+    const bool is_pdf = ending->is_script || strcmp(ending->text, ".pdf") == 0;
+    struct page p = page_first(guide, is_pdf);
+    struct picture picture;
+    char terminal[160];
+    guide_terminal(&p.sheet, ending->is_script ? ".pdf" : ending->text, terminal, sizeof terminal);
+    if (ending->is_script) {
+        script_head(a, terminal);
+        guide_script(guide, &p, a->out);
+        return true;
+    }
+    if (!picture_begin(&picture, a->out, terminal, interrupt, problem))
+        return false;
+    guide_script(guide, &p, picture.script);
+    return picture_end(&picture, true, problem);
+}

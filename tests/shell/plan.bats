@@ -1,0 +1,59 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Plan: the guide for building a row, in text, on paper and as data.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3; place 8 75 cm > /dev/null; effect placement 5 mm"
+
+@test "plan: its numbers are those of row, tolerance and placement" {
+    "$DOMINO" -e "$scene; plan > plan.csv; row > row.csv; tolerance > windows.csv; placement 2000 > study.csv; plan > text.txt"
+    python3 - <<'END'
+import csv
+plan, windows, study = (list(csv.DictReader(open(f"{name}.csv"))) for name in ("plan", "windows", "study"))
+row = list(csv.reader(open("row.csv")))
+text = " ".join(open("text.txt").read().split())
+assert len(plan) == len(windows) == len(row) - 1 == 10
+back = 0
+for p, w, r in zip(plan, windows, row[1:]):
+    height, thickness, gap, mass = (float(x) for x in r[1:5])
+    back += gap
+    assert abs(float(p["back"]) - back) < 1e-12 and abs(float(p["front"]) - back - thickness) < 1e-12
+    assert (float(p["height"]), float(p["thickness"]), float(p["gap"]), float(p["mass"])) == (height, thickness, gap, mass)
+    assert float(p["width"]) == height / 2
+    for ours, theirs in (("back_low", "from"), ("back_high", "to"), ("height_low",) * 2, ("height_high",) * 2,
+                         ("thickness_low",) * 2, ("thickness_high",) * 2):
+        assert p[ours] == w[theirs], (p, w)
+    back += thickness
+assert f"{study[0]['fall']} of {study[0]['rows']} rows fall" in text
+assert "With errors (gap 5 mm)" in text and "its top moves at 0.72 m/s" in text
+END
+    # Least is rounded up and most down; the three measures with the least room are marked.
+    grep -qF '     2   165.0!  147.2!  207.8!  215.0   130.0' text.txt
+    grep -qF '     8  2900.0! 1873.6!  2991.3!     420.0! 105.1!  427.4! 1450.0   440' text.txt
+    [ "$(grep -c '!' text.txt)" -eq 3 ]
+}
+
+@test "plan: boards of solid blocks, of boxes, and of walls that nobody knows" {
+    board() { "$DOMINO" -e "$1; effect row 3; plan" | sed -n '/^board/,/^$/p' | sed -n 2,4p | tr -s ' ' | paste -sd ';' -; }
+    same solid ' 7.0 1 1 48.0 24.0; 10.5 2 1 72.0 36.0; 15.8 3 1 108.0 54.0' "$(board 'set r 1.5' | sed 's/ ;/;/g; s/ $//')"
+    same box ' 1.0 1 2 48.0 5.0; 1 2 48.0 24.0; 1 2 22.0 5.0' "$(board 'effect walls 1 mm' | sed 's/ ;/;/g; s/ $//')"
+    same thin ' 1 2 48.0 7.0; 1 2 48.0 24.0; 1 2 24.0 7.0' "$(board 'set q hollow' | sed 's/ ;/;/g; s/ $//')"
+}
+
+@test "plan: pages of A4, also for forty dominoes; one domino; a row that does not fall" {
+    "$DOMINO" -e "set h 4 cm; set r 1.12; effect row 40; plan title \"Forty 'long' rows\" > forty.pdf; plan > forty.svg
+        plan > forty.gp; effect row 1; plan > one.svg"
+    same A4 '/MediaBox [ 0 0 595' "$(tr '\0' '\n' <forty.pdf | grep -aoE '/MediaBox \[ 0 0 59[0-9]' | head -n 1)"
+    pages=$(grep -c '^set label "Forty.*page [0-9]' forty.gp || :)
+    same 'the script has no title' 0 "$pages"
+    for page in 2 3; do grep -q "^set label \"page $page\"" forty.gp; done
+    xmllint --noout forty.svg one.svg
+    for text in '>40<' '>332[0-9][.][0-9]<' 'person' 'For the hall' '>page'; do
+        if [ "$text" = '>page' ]; then run ! grep -q "$text" forty.svg; else grep -q "$text" forty.svg; fi
+    done
+    wrong 'effect row 5; effect friction 3; plan' "this row ends at domino 2, so there is nothing to build yet; 'mend' finds"
+    wrong 'plan' 'there is no row'
+    wrong 'effect row 3; plan foo' "a title is written as in 'plan title"
+}
