@@ -91,3 +91,15 @@ verdicts() { # COMMANDS...
     now=$(json 'effect row 5; tolerance' | values thickness | sed -n "${k}p")
     within 'thinner than now' "$now" "$low" 'd <= 0'
 }
+
+@test "tolerance names the commands to type, and each of them leads to a row that falls" {
+    local scene commands
+    for scene in 'effect row 5' 'set s 0.25; set r 1.3; effect friction 0.1; effect row 4; effect push 3; change 3 gap 12 cm'; do
+        commands=$("$DOMINO" -e "$scene; tolerance" | grep -oE "^'change [^']*'" | tr -d "'")
+        [ "$(wc -l <<<"$commands")" -ge 2 ]
+        while read -r command; do
+            same "$scene; $command" 'all fall' "$(json "$scene; $command; verdict" | values verdict)"
+        done <<<"$commands"
+    done
+    same 'the last row stops' 0 "$(json "$scene; verdict" | values verdict | grep -c 'all fall')"
+}

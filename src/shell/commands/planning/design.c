@@ -160,12 +160,24 @@ static domq_real friction_most(const struct query *query, domq_real safety)
     return low;
 }
 
-/* Returns a push that is stronger than the one in the wish, but weaker than sqrt(2 g/h), which would lift the
- * first domino off the floor. Returns NaN if the push in the wish is already too close to this limit. */
+/* Returns the push in rad/s above which the first domino is lifted off the floor, and thrown. */
+static domq_real push_most(const struct domq_wish *wish)
+{
+    return quad(sqrt)(2 * wish->g / wish->first);
+}
+
+/* Returns a push that is stronger than the one in the wish, but does not lift the first domino. Returns NaN
+ * if the push in the wish is already too close to this limit. */
 static domq_real push_stronger(const struct domq_wish *wish)
 {
-    const domq_real most = quad(sqrt)(2 * wish->g / wish->first) * 9 / 10;
+    const domq_real most = push_most(wish) * 9 / 10;
     return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
+}
+
+/* Returns a push as the speed of the upper edge of the first domino, which people can judge. */
+static struct measured push_speed(const struct domq_wish *wish, domq_real push)
+{
+    return measured(push * wish->first, "m/s", 2);
 }
 
 /* Reports that the search failed, and which effect to turn off because it makes the search hard. Returns
@@ -195,12 +207,19 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
                  "'hall %s m' would do",
                  safety.text, measured(d->needs, "", 4).text,
                  measured(round_digits(d->needs, 4, true), "", 4).text);
+    } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
+        snprintf(text, size,
+                 "infeasible: the start is too weak for safety %s at the next domino; it would need a push "
+                 "of %s at "
+                 "the top of domino 1, and one of more than %s throws it instead; enter a smaller safety",
+                 safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
-        snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s at the next domino, and a push of %s rad/s "
-                 "would do: first enter 'effect row 2; effect push %s'",
-                 safety.text, push.text, push.text);
+        snprintf(
+            text, size,
+            "infeasible: the start is too weak for safety %s at the next domino, and a push of %.40s rad/s, "
+            "which is %.40s at its top, would do: first enter 'effect row 2; effect push %.40s'",
+            safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(text, size,
                  "infeasible: the start is too weak for safety %s, and no push that was tried would do; a "

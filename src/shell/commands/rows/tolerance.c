@@ -48,22 +48,25 @@ static domq_real room(const struct domq_window *w)
 }
 
 /*
- * Finds the domino whose current value is closest to an end of its window. If the row falls, this domino has
- * the least room; if the row does not fall, this domino needs the smallest change. Distances are compared as
- * they are, except for heights, where they are divided by the height.
+ * Returns the number of the domino whose current value is closest to an end of its window, or 0 if there is
+ * no window. If the row falls, this domino has the least room; if the row does not fall, this domino needs
+ * the smallest change. Distances are compared as they are, except for heights and thicknesses, where they are
+ * divided by the value.
  */
-static void first_find(struct windows *w, enum dom_window_of kind)
+static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
+    size_t first = 0;
     for (size_t k = 0; k < w->count; k++) {
         const struct domq_window *of = &w->kind[kind][k];
         domq_real free =
             quad(fabs)(room(of)) / (kind == DOM_WINDOW_HEIGHT || kind == DOM_WINDOW_THICKNESS ? of->now : 1);
         if (!isnan(free) && !(free >= least) && (w->falls || of->now != 0)) {
             least = free;
-            w->first[kind] = k + 1;
+            first = k + 1;
         }
     }
+    return first;
 }
 
 /* Converts a window of lean angles into a window of the distance by which the top of the domino is off plumb.
@@ -101,11 +104,11 @@ enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
     if (status == DOM_OK)
-        first_find(w, DOM_WINDOW_PLUMB);
+        w->first[DOM_WINDOW_PLUMB] = least_room(w, DOM_WINDOW_PLUMB);
     if (status == DOM_OK && w->falls) {
-        first_find(w, DOM_WINDOW_PLACE);
-        first_find(w, DOM_WINDOW_HEIGHT);
-        first_find(w, DOM_WINDOW_THICKNESS);
+        w->first[DOM_WINDOW_PLACE] = least_room(w, DOM_WINDOW_PLACE);
+        w->first[DOM_WINDOW_HEIGHT] = least_room(w, DOM_WINDOW_HEIGHT);
+        w->first[DOM_WINDOW_THICKNESS] = least_room(w, DOM_WINDOW_THICKNESS);
     }
     return status;
 }
@@ -208,8 +211,37 @@ static void heights_say(struct answer *a, const struct windows *w)
                    passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
+/* Writes the command that moves a domino of a row that falls to the middle of its window. Only this domino
+ * moves, so that the gaps on both sides change. */
+static void place_change_say(struct answer *a, const struct windows *w, size_t k)
+{
+    const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];
+    const domq_real by = (p->low + p->high) / 2 - p->now;
+    const struct measured shift = measured(quad(fabs)(by), "m", 3);
+    char after[2 * CELL_TEXT] = "";
+    if (k < w->count)
+        snprintf(after, sizeof after, "; change %zu gap %c%.40s", k + 1, by < 0 ? '+' : '-', shift.text);
+    answer_say(a, "'change %zu gap %c%s%s' puts it into the middle.", k, by < 0 ? '-' : '+', shift.text,
+               after);
+}
+
+/* Writes the command that changes the measure of domino k to the middle of its window. If the row does not
+ * fall, the value is a third of the way into the window, as in 'mend', because the smallest change is better.
+ */
+static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
+{
+    const char *measure = kind == DOM_WINDOW_GAP ? "gap" : kind == DOM_WINDOW_HEIGHT ? "height" : "thickness";
+    const struct domq_window *of = &w->kind[kind][k - 1];
+    const domq_real near = of->now < of->low ? of->low : of->high,
+                    far = of->now < of->low ? of->high : of->low,
+                    value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
+    answer_say(a, "'change %zu %s %s' %s.", k, measure, measured(value, "m", 4).text,
+               w->falls ? "is in the middle" : "saves the row");
+}
+
 static void tolerance_say(struct answer *a, const struct windows *w)
 {
+    static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
     const size_t place = w->first[DOM_WINDOW_PLACE], height = w->first[DOM_WINDOW_HEIGHT];
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
                   "is for one change, with the rest of the row as it is.");
@@ -218,10 +250,14 @@ static void tolerance_say(struct answer *a, const struct windows *w)
                       "window also ends at a value for which the engine finds no verdict.");
     if (!w->falls)
         answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)
+        if (least_room(w, sizes[i]) > 0)
+            change_say(a, w, sizes[i], least_room(w, sizes[i]));
     if (place) {
         const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
         answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
                    place, length(p.low).text, length(p.high).text, length_now(p.now).text);
+        place_change_say(a, w, place);
     }
     if (height) {
         const struct domq_window h = readable(&w->kind[DOM_WINDOW_HEIGHT][height - 1]);
@@ -229,6 +265,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
                    "Make domino %zu between %s and %s tall: its height has the least room%s; it is %s now.",
                    height, length(h.low).text, length(h.high).text, w->count > 1 ? " of all" : "",
                    length_now(h.now).text);
+        change_say(a, w, DOM_WINDOW_HEIGHT, height);
     }
     if (w->first[DOM_WINDOW_THICKNESS]) {
         const size_t k = w->first[DOM_WINDOW_THICKNESS];
@@ -237,6 +274,7 @@ static void tolerance_say(struct answer *a, const struct windows *w)
             a, "Make domino %zu between %s and %s thick: its thickness has the least room%s; it is %s now.",
             k, length(t.low).text, length(t.high).text, w->count > 1 ? " of all" : "",
             length_now(t.now).text);
+        change_say(a, w, DOM_WINDOW_THICKNESS, k);
     }
     heights_say(a, w);
     lean_say(a, w);
