@@ -140,7 +140,7 @@ void script_head(const struct answer *a, const char *terminal)
 /* Writes the script of a picture, with its data, instead of the picture. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
-    char terminal[160] = "";
+    char terminal[TERMINAL_TEXT] = "";
     const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
     if (stage)
         sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
