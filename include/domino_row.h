@@ -460,6 +460,43 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
                                      const struct dom_placement *placement, enum dom_error_of kind,
                                      double probability, struct dom_budget *budget);
 
+/* ---- The row that most likely falls ---- */
+
+/* What dom_row_improve may change, and the limits that it keeps. */
+struct dom_limits {
+    /* true to change the sizes of all dominoes but the first and the last, too. A domino keeps its
+     * proportions, except that its thickness is one of the boards if there are any. */
+    bool sizes;
+    /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
+     * walls, the masses follow from the walls instead. */
+    dom_real q;
+    dom_real hall;         /* m, the space for the row with its last domino lying; may be infinite */
+    dom_real heaviest;     /* kg, the mass of the heaviest domino that changes; may be infinite */
+    dom_real grid;         /* m, all measures that change are multiples of this length; 0 for any measures */
+    const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
+    size_t boards;
+};
+
+/*
+ * Changes a row so that it most likely falls when it is set up with the random errors of a placement, and
+ * writes its dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many of the rows of the
+ * placement fall as the row is given, and study[1] how many fall after the changes. The search itself uses
+ * other random rows, whose numbers follow those of the placement. The result keeps the limits. If the search
+ * finds no row of which more fall than of the row that is given, the result is that row, even if that row
+ * does not keep the limits. The same seed gives the same result, with any placement->parallel.
+ *
+ * The search runs the model in double. If the row has an engine, the engine runs only the rows that are
+ * counted. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so far if
+ * study[0].rows > 0; otherwise study[0].rows is 0, and the dominoes are not written. The status is
+ * DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps, DOM_BAD_THICKNESS for a board,
+ * DOM_BAD_Q for q, DOM_BAD_MASS for the heaviest mass, and DOM_BAD_GAP for the grid. Other statuses are those
+ * of dom_placement_study.
+ */
+enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
+                                const struct dom_placement *placement, const struct dom_limits *limits,
+                                dom_progress *progress, void *context, struct dom_domino *domino,
+                                struct dom_study study[2]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The probability that a row does not fall is an integral over its random errors. Here it is a sum over
+ * random rows, always the same ones, in which each row counts with a share that depends smoothly on its
+ * margin. A domino's margin is a hump of the gap before it, so that it fails with gaps too narrow or too
+ * wide: one that is found from derivatives at the middle of the hump alone (a first-order reliability index)
+ * judged rows worse than counting, and a search that followed this index made 54 % of the rows fail instead
+ * of 29 %.
+ */
+#include "planning/chance.h"
+#include "dispatch/dispatch.h"
+#include "planning/draw.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The margins of a row that has none: no domino needs energy, the row misses or locks. */
+#define MARGIN_MOST  9.0
+#define MARGIN_NONE  (-1.0)
+#define MARGIN_LEAST (-3.0)
+
+/* Rows with a margin of more than this many widths have no derivative. */
+#define FAR 4.0
+
+/* The relative change of a measure for a difference quotient. The margins are exact to about 1e-7. */
+#define CHANGE ((dom_real)1e-4)
+
+/* Number of rows in a task. */
+enum { BATCH = 16 };
+
+/* The margin of one row. */
+struct margin {
+    double z;
+    size_t domino; /* the domino with the smallest margin, from 1 */
+    size_t until;  /* the run ends after this domino */
+    bool tips;     /* the first domino is tipped, and has no margin */
+};
+
+static bool margin_seen(const struct dom_fall *fall, void *context)
+{
+    struct margin *m = context;
+    double z = fall->barrier > 0 ? log((double)(fall->kinetic / fall->barrier)) : MARGIN_MOST;
+    z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite where friction locks */
+    if (z < m->z && !(m->tips && fall->domino == 1)) {
+        m->z = z;
+        m->domino = fall->domino;
+    }
+    return fall->domino < m->until;
+}
+
+/* Finds the margin of a row, or of its first `until` dominoes. A row that the model cannot decide counts as
+ * one that does not fall. */
+static enum dom_status margin_find(const struct chance *c, const struct dom_row *row, size_t until,
+                                   struct margin *m)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    *m = (struct margin){.z = MARGIN_MOST, .until = until, .tips = isnan(row->push)};
+    const enum dom_status status = row_verdict(row, &c->compute, false, margin_seen, m, &verdict);
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
+        return status;
+    if (status != DOM_OK || (verdict.end != DOM_ROW_FALLS && m->z > 0)) {
+        m->z = MARGIN_NONE;
+        m->domino = 0;
+    }
+    return DOM_OK;
+}
+
+/* The sums of one batch. */
+struct totals {
+    double fails, *by_gap, *by_size;
+};
+
+/* The data that all batches share. Each batch has its own sums, which are added in order, so that the result
+ * does not depend on the threads. */
+struct shared {
+    const struct chance *chance;
+    struct dom_row row;
+    struct totals *sums;
+    double *margin; /* the margin of each row, or NULL */
+    enum dom_status *status;
+};
+
+/* Adds the derivatives of one row, whose margin is that of domino m->domino: later dominoes do not matter. */
+static enum dom_status slopes_add(const struct chance *c, struct draw *draw, const struct margin *m,
+                                  struct totals *sums)
+{
+    const double weight = gsl_ran_ugaussian_pdf(m->z / c->width) / c->width;
+    const struct dom_limits *limits = c->shape->limits;
+    enum dom_status status = DOM_OK;
+    for (size_t k = 1; k < m->domino && status == DOM_OK; k++) {
+        struct dom_domino *d = &draw->domino[k], before = *d;
+        struct margin with;
+        const dom_real step = CHANGE * d[-1].height;
+        d->gap += step;
+        status = margin_find(c, &draw->row, m->domino, &with);
+        if (with.domino == m->domino)
+            sums->by_gap[k] -= weight * (with.z - m->z) / (double)step;
+        *d = before;
+        if (status != DOM_OK || !limits->sizes || k + 1 == draw->row.count)
+            continue;
+        shape_resize(c->shape, d, d->height * (1 + CHANGE),
+                     d->thickness * (limits->boards > 0 ? 1 : 1 + CHANGE));
+        status = margin_find(c, &draw->row, m->domino, &with);
+        if (with.domino == m->domino)
+            sums->by_size[k] -= weight * (with.z - m->z) / (double)CHANGE;
+        *d = before;
+    }
+    return status;
+}
+
+static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, struct totals *sums)
+{
+    const struct chance *c = s->chance;
+    struct margin m;
+    draw_row(draw, &s->row, &c->placement, c->placement.first + i, 0);
+    enum dom_status status = margin_find(c, &draw->row, s->row.count, &m);
+    if (status != DOM_OK)
+        return status;
+    if (s->margin)
+        s->margin[i] = m.z;
+    else
+        sums->fails += gsl_cdf_ugaussian_Q(m.z / c->width);
+    if (sums->by_gap && fabs(m.z) < FAR * c->width)
+        status = slopes_add(c, draw, &m, sums);
+    return status;
+}
+
+/* A dom_task. */
+static void batch_run(size_t index, void *context)
+{
+    struct shared *s = context;
+    const size_t rows = s->chance->placement.rows;
+    struct draw draw;
+    enum dom_status status = draw_begin(&draw, &s->row);
+    for (size_t i = index * BATCH; i < rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
+        status = row_add(s, &draw, i, &s->sums[index]);
+    draw_end(&draw);
+    s->status[index] = status;
+}
+
+static enum dom_status batches_run(struct shared *s, size_t batches)
+{
+    const struct dom_placement *p = &s->chance->placement;
+    enum dom_status status = DOM_OK;
+    for (size_t i = 0; i < batches; i++)
+        s->status[i] = DOM_INTERRUPTED; /* until the batch has run */
+    if (p->parallel)
+        status = p->parallel(batches, batch_run, s, p->pool);
+    for (size_t i = 0; i < batches && !p->parallel; i++)
+        batch_run(i, s);
+    for (size_t i = 0; i < batches && status == DOM_OK; i++)
+        status = s->status[i];
+    return status;
+}
+
+/* Runs all rows. Writes their margins to `margin`, or the sums of chance_find to `total`. */
+static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
+                                  struct totals *total)
+{
+    const size_t count = c->shape->row->count, batches = (c->placement.rows + BATCH - 1) / BATCH,
+                 slopes = total->by_gap ? 2 * count : 0;
+    struct shared s = {.chance = c, .row = *c->shape->row, .margin = margin};
+    s.row.domino = domino;
+    s.row.engine = NULL;
+    s.sums = calloc(batches, sizeof *s.sums);
+    s.status = calloc(batches, sizeof *s.status);
+    double *slope = slopes ? calloc(batches * slopes, sizeof *slope) : NULL;
+    enum dom_status status = s.sums && s.status && (slope || !slopes) ? DOM_OK : DOM_NO_MEMORY;
+    for (size_t i = 0; slope && status == DOM_OK && i < batches; i++) {
+        s.sums[i].by_gap = slope + i * slopes;
+        s.sums[i].by_size = s.sums[i].by_gap + count;
+    }
+    if (status == DOM_OK)
+        status = batches_run(&s, batches);
+    for (size_t i = 0; i < batches && status == DOM_OK; i++) {
+        total->fails += s.sums[i].fails;
+        for (size_t k = 0; slope && k < count; k++) {
+            total->by_gap[k] += s.sums[i].by_gap[k];
+            total->by_size[k] += s.sums[i].by_size[k];
+        }
+    }
+    free(slope);
+    free(s.status);
+    free(s.sums);
+    return status;
+}
+
+enum dom_status chance_find(const struct chance *c, const struct dom_domino *domino, double *fails,
+                            double *by_gap, double *by_size)
+{
+    const size_t count = c->shape->row->count;
+    const double rows = (double)c->placement.rows;
+    struct totals total = {0, by_gap, by_size};
+    for (size_t k = 0; by_gap && k < count; k++)
+        by_gap[k] = by_size[k] = 0;
+    const enum dom_status status = chance_run(c, domino, NULL, &total);
+    *fails = total.fails / rows;
+    for (size_t k = 0; by_gap && k < count; k++) {
+        by_gap[k] /= rows;
+        by_size[k] /= rows;
+    }
+    return status;
+}
+
+enum dom_status chance_scatter(const struct chance *c, const struct dom_domino *domino, double *scatter)
+{
+    const size_t rows = c->placement.rows;
+    double *margin = malloc(rows * sizeof *margin);
+    struct totals none = {0, NULL, NULL};
+    const enum dom_status status = margin ? chance_run(c, domino, margin, &none) : DOM_NO_MEMORY;
+    if (status == DOM_OK) {
+        gsl_sort(margin, 1, rows);
+        *scatter = gsl_stats_quantile_from_sorted_data(margin, 1, rows, 0.5) -
+                   gsl_stats_quantile_from_sorted_data(margin, 1, rows, gsl_cdf_ugaussian_P(-1));
+    }
+    free(margin);
+    return status;
+}

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Finds the row that most likely falls under random errors. The search minimizes the smooth share of random
+ * rows that do not fall (chance.h), first with few rows and a smoothing as wide as the standard deviation of
+ * their margins, so that rows far from failing count too, and then with more rows and less smoothing, which
+ * comes close to counting. All steps use the same random rows. Rows that take no part in the search decide
+ * whether a result is kept.
+ */
+#include "dispatch/dispatch.h"
+#include "numerics/quiet.h"
+#include "planning/chance.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multimin.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of the
+ * margins, and the largest number of steps. */
+static const struct level {
+    size_t rows;
+    double width;
+    int steps;
+} levels[] = {{256, 1, 24}, {1024, 0.25, 32}, {4096, 0.1, 32}};
+enum { LEVELS = sizeof levels / sizeof *levels };
+
+/* A result is checked after this many steps. */
+enum { CHECK = 8 };
+
+/* The standard deviation of the margins is taken to be at least this. */
+#define SCATTER_LEAST 0.05
+
+/* The tolerance of the margins. */
+#define MARGIN_TOL ((dom_real)1e-7)
+
+/* The length of the first step of the minimizer, in logarithms of measures, and the accuracy of its line
+ * searches, as in the manual of GSL. */
+#define FIRST_STEP 0.02
+#define LINE_TOL   0.1
+
+struct search {
+    struct shape shape;
+    struct chance chance;
+    const struct dom_compute *compute;
+    const struct dom_placement *placement; /* the rows that decide */
+    double scatter;
+    struct dom_domino *domino, *candidate, *best; /* for one trial; for one check; the best row so far */
+    double *by_gap, *by_size;
+    double fails;            /* the smooth share of the best row, on the last level */
+    struct dom_study *study; /* of the row as given, and of the best row so far */
+    enum dom_status status;
+    dom_progress *progress;
+    void *context;
+    size_t done;
+};
+
+static size_t steps_all(void)
+{
+    size_t all = 0;
+    for (int i = 0; i < LEVELS; i++)
+        all += (size_t)levels[i].steps;
+    return all;
+}
+
+static void level_set(struct search *s, const struct level *level)
+{
+    s->chance.placement.rows = level->rows;
+    s->chance.width = level->width * s->scatter;
+}
+
+/* ---- The function that is minimized ---- */
+
+/* Returns the logarithm of the odds that a row does not fall, and its gradient. It is steep for rows of which
+ * almost none, or almost all, fall. */
+static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
+{
+    double fails;
+    if (s->status != DOM_OK || !shape_dominoes(&s->shape, x->data, false, s->domino))
+        return GSL_NAN;
+    const enum dom_status status =
+        chance_find(&s->chance, s->domino, &fails, gradient ? s->by_gap : NULL, s->by_size);
+    if (status != DOM_OK) {
+        s->status = status;
+        return GSL_NAN;
+    }
+    fails = fmin(fmax(fails, DBL_MIN), 1 - DBL_EPSILON);
+    for (size_t i = 0; gradient && i < x->size; i++) {
+        /* the derivatives of the measures by variable i, which are no work compared with running rows */
+        const double step = 1e-6;
+        double sum = 0, *moved = x->data + i * x->stride, at = *moved;
+        *moved += step;
+        (void)shape_dominoes(&s->shape, x->data, false, s->candidate);
+        *moved = at;
+        for (size_t k = 1; k < s->shape.row->count; k++)
+            sum += s->by_gap[k] * (double)(s->candidate[k].gap - s->domino[k].gap) +
+                   s->by_size[k] * (double)(s->candidate[k].height / s->domino[k].height - 1);
+        gsl_vector_set(gradient, i, sum / step / (fails * (1 - fails)));
+    }
+    return (double)log((dom_real)(fails / (1 - fails)));
+}
+
+static double odds_only(const gsl_vector *x, void *search)
+{
+    return odds(x, search, NULL);
+}
+
+static void odds_both(const gsl_vector *x, void *search, double *f, gsl_vector *gradient)
+{
+    gsl_vector_set_zero(gradient);
+    *f = odds(x, search, gradient);
+}
+
+static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradient)
+{
+    double f;
+    odds_both(x, search, &f, gradient);
+}
+
+/* ---- The search ---- */
+
+/* Counts how many of the rows that decide fall. A row that cannot be computed counts as one that does not
+ * fall. */
+static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
+{
+    struct dom_row row = *s->shape.row;
+    row.domino = domino;
+    return dom_placement_study(&row, s->compute, s->placement, study, NULL);
+}
+
+/* Keeps a row if it is better than the best so far by the rows of the search, and not worse than the row as
+ * given by the rows that decide. */
+static void consider(struct search *s, const gsl_vector *x)
+{
+    struct dom_study study;
+    double fails;
+    if (s->status != DOM_OK || !shape_dominoes(&s->shape, x->data, true, s->candidate) ||
+        !shape_keeps(&s->shape, s->candidate))
+        return;
+    const struct chance now = s->chance;
+    level_set(s, &levels[LEVELS - 1]);
+    s->status = chance_find(&s->chance, s->candidate, &fails, NULL, NULL);
+    s->chance = now;
+    if (s->status != DOM_OK || !(fails < s->fails))
+        return;
+    const enum dom_status status = count(s, s->candidate, &study);
+    if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
+        s->status = status;
+    if (status != DOM_OK || study.fall < s->study[0].fall)
+        return;
+    memcpy(s->best, s->candidate, s->shape.row->count * sizeof *s->best);
+    s->fails = fails;
+    s->study[1] = study;
+}
+
+/* Minimizes on one level, until no step of the minimizer helps. The minimizer stops where its function has a
+ * kink, and is then begun again, as long as that helps. */
+static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
+                      gsl_vector *x)
+{
+    gsl_multimin_function_fdf f = {odds_only, odds_gradient, odds_both, x->size, s};
+    const size_t begun = s->done;
+    double before = GSL_POSINF;
+    level_set(s, level);
+    bool more = gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
+    for (int i = 1; i <= level->steps && more && s->status == DOM_OK; i++) {
+        int code = gsl_multimin_fdfminimizer_iterate(m);
+        if (code != GSL_SUCCESS && s->status == DOM_OK) {
+            more = m->f < before - 0.01;
+            before = m->f;
+            gsl_vector_memcpy(x, m->x);
+            more = more && gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
+        }
+        if (i % CHECK == 0)
+            consider(s, m->x);
+        if (s->progress)
+            s->progress(++s->done, steps_all(), s->context);
+    }
+    s->done = begun + (size_t)level->steps;
+    gsl_vector_memcpy(x, m->x);
+    consider(s, x);
+}
+
+/* Runs all levels. */
+static void search_run(struct search *s)
+{
+    const size_t variables = shape_variables(&s->shape);
+    gsl_vector *x = gsl_vector_alloc(variables);
+    gsl_multimin_fdfminimizer *m =
+        gsl_multimin_fdfminimizer_alloc(gsl_multimin_fdfminimizer_vector_bfgs2, variables);
+    s->status = x && m ? DOM_OK : DOM_NO_MEMORY;
+    if (s->status == DOM_OK) {
+        shape_begin(&s->shape, x->data);
+        level_set(s, &levels[0]);
+        if (!shape_dominoes(&s->shape, x->data, false, s->domino))
+            s->status = DOM_BAD_HALL;
+    }
+    if (s->status == DOM_OK)
+        s->status = chance_scatter(&s->chance, s->domino, &s->scatter);
+    s->scatter = fmax(s->scatter, SCATTER_LEAST);
+    level_set(s, &levels[LEVELS - 1]);
+    if (s->status == DOM_OK)
+        s->status = chance_find(&s->chance, s->best, &s->fails, NULL, NULL);
+    for (int i = 0; i < LEVELS && s->status == DOM_OK; i++)
+        level_run(s, &levels[i], m, x);
+    if (m)
+        gsl_multimin_fdfminimizer_free(m);
+    if (x)
+        gsl_vector_free(x);
+}
+
+static enum dom_status limits_check(const struct dom_limits *l)
+{
+    enum dom_status status = !(l->q > 0 && (double)l->q < HUGE_VAL)          ? DOM_BAD_Q
+                             : !(l->hall > 0)                                ? DOM_BAD_HALL
+                             : !(l->heaviest > 0)                            ? DOM_BAD_MASS
+                             : !(l->grid >= 0 && (double)l->grid < HUGE_VAL) ? DOM_BAD_GAP
+                                                                             : DOM_OK;
+    for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
+        status = l->board[i] > 0 && (double)l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
+    return status;
+}
+
+enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
+                                const struct dom_placement *placement, const struct dom_limits *limits,
+                                dom_progress *progress, void *context, struct dom_domino *domino,
+                                struct dom_study study[2])
+{
+    const size_t n = row->count;
+    struct search s = {.shape = {row, limits},
+                       .compute = compute,
+                       .placement = placement,
+                       .study = study,
+                       .best = domino,
+                       .progress = progress,
+                       .context = context};
+    study[0] = study[1] = (struct dom_study){.rows = 0};
+    s.status = limits_check(limits);
+    if (s.status == DOM_OK)
+        s.status = count(&s, row->domino, &study[0]);
+    if (s.status != DOM_OK) {
+        study[0].rows = 0;
+        return s.status;
+    }
+    memcpy(domino, row->domino, n * sizeof *domino);
+    study[1] = study[0];
+    if (study[0].fall == study[0].rows || n < 2)
+        return DOM_OK;
+    s.chance =
+        (struct chance){.shape = &s.shape, .compute = compute_or_default(compute), .placement = *placement};
+    s.chance.compute.precision = DOM_DOUBLE;
+    s.chance.compute.tol = MARGIN_TOL;
+    s.chance.compute.work = NULL;
+    s.chance.placement.first += placement->rows;
+    s.domino = malloc(n * sizeof *s.domino);
+    s.candidate = malloc(n * sizeof *s.candidate);
+    s.by_gap = malloc(n * sizeof *s.by_gap);
+    s.by_size = malloc(n * sizeof *s.by_size);
+    s.status = s.domino && s.candidate && s.by_gap && s.by_size ? DOM_OK : DOM_NO_MEMORY;
+    dom_quiet_begin();
+    if (s.status == DOM_OK)
+        search_run(&s);
+    dom_quiet_end();
+    free(s.by_size);
+    free(s.by_gap);
+    free(s.candidate);
+    free(s.domino);
+    return s.status;
+}

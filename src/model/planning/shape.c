@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "planning/shape.h"
+#ifdef DOMQ
+#define REAL_QUAD
+#endif
+#include "numerics/real.h"
+#include <string.h>
+
+/* A gap is at least LEAST and at most MOST times as wide as the domino before it is tall. */
+#define LEAST ((dom_real)1 / 1000)
+#define MOST  ((dom_real)98 / 100)
+
+/* A height changes at most by this factor. */
+#define FARTHEST ((dom_real)4)
+
+/* A limit counts as kept if it is exceeded by rounding errors alone. */
+#define ROUNDED (1 + (dom_real)1e-9)
+
+static bool has_size(const struct shape *s, size_t k)
+{
+    return s->limits->sizes && k > 0 && k + 1 < s->row->count;
+}
+
+size_t shape_variables(const struct shape *s)
+{
+    const size_t gaps = s->row->count - 1;
+    return s->limits->sizes && gaps > 1 ? 2 * gaps - 1 : gaps;
+}
+
+void shape_begin(const struct shape *s, double *x)
+{
+    const struct dom_domino *d = s->row->domino;
+    const size_t gaps = s->row->count - 1;
+    for (size_t k = 1; k <= gaps; k++)
+        x[k - 1] = (double)log(fmax(d[k].gap, LEAST * d[k - 1].height));
+    for (size_t k = 1; has_size(s, k); k++)
+        x[gaps + k - 1] = (double)log(d[k].height);
+}
+
+/* Returns the volume of the walls of a domino that is half as wide as it is tall, or 0 if they do not fit. */
+static dom_real walls_volume(const struct dom_row *row, dom_real height, dom_real thickness)
+{
+    struct dom_box box;
+    return dom_box_find(height, thickness, height / 2, row->walls, &box) == DOM_OK
+               ? height * height / 2 * thickness * box.filled
+               : 0;
+}
+
+void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, dom_real thickness)
+{
+    const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
+                   before = s->row->walls > 0 ? walls_volume(s->row, d->height, d->thickness) : 0,
+                   after = before > 0 ? walls_volume(s->row, height, thickness) : 0;
+    /* Of solid dominoes (q = 4) the mass also changes with the thickness alone; that of thin walls (q = 3) is
+     * almost the same. */
+    d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
+    d->radius *= x;
+    d->height = height;
+    d->thickness = thickness;
+}
+
+/* Returns the multiple of the grid nearest to a length, but not 0. */
+static dom_real on_grid(const struct shape *s, dom_real length)
+{
+    const dom_real grid = s->limits->grid;
+    return grid > 0 ? fmax(floor(length / grid + (dom_real)0.5), 1) * grid : length;
+}
+
+/* Returns the board nearest to a thickness, or the thickness itself if any can be had. */
+static dom_real board_near(const struct shape *s, dom_real thickness, bool final)
+{
+    const struct dom_limits *l = s->limits;
+    if (l->boards == 0)
+        return final ? on_grid(s, thickness) : thickness;
+    dom_real near = l->board[0];
+    for (size_t i = 1; i < l->boards; i++)
+        if (fabs(l->board[i] - thickness) < fabs(near - thickness))
+            near = l->board[i];
+    return near;
+}
+
+/* Gives domino k a height, and makes it smaller if it would be too heavy. */
+static void size_set(const struct shape *s, size_t k, dom_real height, bool final, struct dom_domino *d)
+{
+    const struct dom_domino *given = &s->row->domino[k];
+    const dom_real heaviest = s->limits->heaviest, ratio = given->thickness / given->height;
+    height = fmin(fmax(height, given->height / FARTHEST), given->height * FARTHEST);
+    for (int i = 0; i < 8; i++) {
+        const dom_real rounded = final ? on_grid(s, height) : height;
+        *d = *given;
+        shape_resize(s, d, rounded, board_near(s, ratio * rounded, final));
+        if (d->mass <= heaviest)
+            break;
+        height = fmin(height * pow(heaviest / d->mass, 1 / (s->limits->q - 1)), rounded - s->limits->grid);
+    }
+}
+
+/* Rounds the places of the dominoes to the grid, and not the gaps, whose rounding errors would add up. */
+static void gaps_round(const struct shape *s, struct dom_domino *d)
+{
+    const dom_real grid = s->limits->grid;
+    dom_real exact = 0, rounded = 0;
+    for (size_t k = 1; k < s->row->count; k++) {
+        exact += d[k].gap;
+        d[k].gap = fmax(floor((exact - rounded) / grid + (dom_real)0.5), 0) * grid;
+        rounded += d[k].gap;
+    }
+}
+
+bool shape_dominoes(const struct shape *s, const double *x, bool final, struct dom_domino *d)
+{
+    const size_t count = s->row->count, gaps = count - 1;
+    const dom_real grid = s->limits->grid;
+    dom_real room = s->limits->hall - s->row->domino[count - 1].height - grid, sum = 0;
+    memcpy(d, s->row->domino, count * sizeof *d);
+    for (size_t k = 1; has_size(s, k); k++)
+        size_set(s, k, exp((dom_real)x[gaps + k - 1]), final, &d[k]);
+    for (size_t k = 0; k < count; k++)
+        room -= d[k].thickness;
+    for (size_t k = 1; k < count; k++) {
+        d[k].gap = fmin(fmax(exp((dom_real)x[k - 1]), LEAST * d[k - 1].height), MOST * d[k - 1].height);
+        sum += d[k].gap;
+    }
+    if (room <= 0 && gaps > 0)
+        return false;
+    for (size_t k = 1; k < count && sum > room; k++)
+        d[k].gap *= room / sum;
+    if (final && grid > 0)
+        gaps_round(s, d);
+    return true;
+}
+
+bool shape_keeps(const struct shape *s, const struct dom_domino *d)
+{
+    const size_t count = s->row->count;
+    dom_real length = d[count - 1].height;
+    for (size_t k = 0; k < count; k++) {
+        length += d[k].gap + d[k].thickness;
+        if (has_size(s, k) && d[k].mass > s->limits->heaviest * ROUNDED)
+            return false;
+    }
+    return length <= s->limits->hall * ROUNDED;
+}
