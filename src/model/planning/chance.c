@@ -16,8 +16,6 @@
 #include "numerics/real.h"
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -46,7 +44,7 @@ struct margin {
 static bool margin_seen(const struct dom_fall *fall, void *context)
 {
     struct margin *m = context;
-    double z = fall->barrier > 0 ? log((double)(fall->kinetic / fall->barrier)) : MARGIN_MOST;
+    double z = fall->barrier > 0 ? (double)log(fall->kinetic / fall->barrier) : MARGIN_MOST;
     z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite where friction locks */
     if (z < m->z && !(m->tips && fall->domino == 1)) {
         m->z = z;
@@ -119,6 +117,7 @@ static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, st
 {
     const struct chance *c = s->chance;
     struct margin m;
+    i = c->row ? c->row[i] : i;
     draw_row(draw, &s->row, &c->placement, c->placement.first + i, 0);
     enum dom_status status = margin_find(c, &draw->row, s->row.count, &m);
     if (status != DOM_OK)
@@ -132,11 +131,17 @@ static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, st
     return status;
 }
 
+/* Returns how many rows are run. */
+static size_t rows_run(const struct chance *c)
+{
+    return c->row ? c->rows : c->placement.rows;
+}
+
 /* A dom_task. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
-    const size_t rows = s->chance->placement.rows;
+    const size_t rows = rows_run(s->chance);
     struct draw draw;
     enum dom_status status = draw_begin(&draw, &s->row);
     for (size_t i = index * BATCH; i < rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
@@ -164,7 +169,7 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {
-    const size_t count = c->shape->row->count, batches = (c->placement.rows + BATCH - 1) / BATCH,
+    const size_t count = c->shape->row->count, batches = (rows_run(c) + BATCH - 1) / BATCH,
                  slopes = total->by_gap ? 2 * count : 0;
     struct shared s = {.chance = c, .row = *c->shape->row, .margin = margin};
     s.row.domino = domino;
@@ -209,17 +214,10 @@ enum dom_status chance_find(const struct chance *c, const struct dom_domino *dom
     return status;
 }
 
-enum dom_status chance_scatter(const struct chance *c, const struct dom_domino *domino, double *scatter)
+enum dom_status chance_margins(const struct chance *c, const struct dom_domino *domino, double *margin)
 {
-    const size_t rows = c->placement.rows;
-    double *margin = malloc(rows * sizeof *margin);
+    struct chance all = *c;
     struct totals none = {0, NULL, NULL};
-    const enum dom_status status = margin ? chance_run(c, domino, margin, &none) : DOM_NO_MEMORY;
-    if (status == DOM_OK) {
-        gsl_sort(margin, 1, rows);
-        *scatter = gsl_stats_quantile_from_sorted_data(margin, 1, rows, 0.5) -
-                   gsl_stats_quantile_from_sorted_data(margin, 1, rows, gsl_cdf_ugaussian_P(-1));
-    }
-    free(margin);
-    return status;
+    all.row = NULL;
+    return chance_run(&all, domino, margin, &none);
 }

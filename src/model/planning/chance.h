@@ -9,6 +9,10 @@ struct chance {
     const struct shape *shape;
     struct dom_compute compute;
     struct dom_placement placement; /* its rows are those that are run */
+    /* The numbers, counted from 0, of the rows that are run; the others are known to fall. If NULL, all rows
+     * are run. */
+    const size_t *row;
+    size_t rows;
     /* A row whose margin is z falls with the probability Phi(z / width), where the margin is the smallest
      * ln(kinetic / barrier) of its dominoes. A smaller width is closer to counting. */
     double width;
@@ -19,7 +23,7 @@ struct chance {
 enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
                             double *by_gap, double *by_size);
 
-/* Finds the standard deviation of the margins, estimated from the median and the smaller margins. */
-enum dom_status chance_scatter(const struct chance *chance, const struct dom_domino *domino, double *scatter);
+/* Finds the margin of each row. */
+enum dom_status chance_margins(const struct chance *chance, const struct dom_domino *domino, double *margin);
 
 #endif

@@ -58,19 +58,26 @@ struct scan {
  * probe_report. */
 bool scan_run(struct scan *scan);
 
-/* ---- The wishes of 'design' ---- */
+/* ---- The wishes of 'design' and 'improve' ---- */
 
-/* The least safety of a design, the greatest length of its row in m, and the quantity to minimise. */
+enum { BOARDS_MOST = 32 };
+
 struct wishes {
-    domq_real safety, hall;
+    domq_real safety; /* the least safety of a design */
+    domq_real hall;   /* m, the greatest length of the row */
     enum dom_least least;
+    bool has_hall;                            /* the user has typed 'hall' */
+    bool sizes;                               /* 'improve' also changes sizes */
+    domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
+    size_t boards;
 };
 extern const struct wishes usual_wishes;
 
 /* ---- The commands ---- */
 
-extern const struct column design_columns[], solve_columns[], sensitivity_columns[];
+extern const struct column design_columns[], improve_columns[], solve_columns[], sensitivity_columns[];
 bool run_design(const struct query *query, struct answer *a, struct problem *problem);
+bool run_improve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_solve(const struct query *query, struct answer *a, struct problem *problem);
 bool run_sensitivity(const struct query *query, struct answer *a, struct problem *problem);
 bool run_assert(const struct query *query, struct answer *a, struct problem *problem);
@@ -78,7 +85,8 @@ bool run_watch(struct session *session, const struct arguments *given, struct an
                struct problem *problem);
 
 /* Functions that parse and bind the arguments of these commands. */
-bool wishes_parse(struct reader *reader, struct question *question);
+bool design_parse(struct reader *reader, struct question *question);
+bool improve_parse(struct reader *reader, struct question *question);
 bool wishes_bind(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
 bool solve_parse_parameter(struct reader *reader, struct question *question);
@@ -89,9 +97,10 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* Lists, in the form that names.h expects: the wishes of 'design', the parameters of 'solve' and 'watch',
- * and the commands with a verdict. */
-const char *wish_names(const void *context, int k);
+/* Lists, in the form that names.h expects: the wishes of 'design' and of 'improve', the parameters of 'solve'
+ * and 'watch', and the commands with a verdict. */
+const char *design_wishes(const void *context, int k);
+const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);
 const char *assert_names(const void *context, int k);
 

@@ -11,9 +11,9 @@ const struct command design_commands[] = {
                   {.name = "WISHES",
                    .kind = ARGUMENT_GRID,
                    .optional = true,
-                   .parse = wishes_parse,
+                   .parse = design_parse,
                    .bind = wishes_bind,
-                   .choices = wish_names}},
+                   .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
      .help = "Finds the gaps and the growth with which each cycle has at least 'safety' times the energy "
              "that it needs, both in the endless train and at each domino of the row after the first. The "
@@ -46,9 +46,36 @@ const struct command design_commands[] = {
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .unswept = "it is a text",
-     .draws = true,
+     .writes = WRITES_PICTURES,
      .rows = true,
      ANSWER(plan)},
+    {.name = "improve",
+     .synonyms = "optimise optimize best robust reliable",
+     .argument = {{.name = "WISHES",
+                   .kind = ARGUMENT_GRID,
+                   .optional = true,
+                   .parse = improve_parse,
+                   .bind = wishes_bind,
+                   .choices = improve_wishes}},
+     .summary = "change the row so that it most likely falls",
+     .help =
+         "Changes the gaps of the row so that it most likely falls under the random errors of the scene: "
+         "first "
+         "enter 'effect placement 3 mm', or other errors. WISHES, in any order, are: 'sizes' to change the "
+         "sizes of all dominoes but the first and the last, too, in their proportions; 'hall 20 m', the most "
+         "that the row with its last domino fallen may measure (as long as it is now, if left out); 'boards "
+         "9, "
+         "12, 15 mm', the thicknesses to choose from; 'mass 50 kg', the most that a domino may weigh; and "
+         "'grid 1 mm' for measures in whole mm. A domino that becomes twice as large gets 2^(q-1) times the "
+         "mass. The search uses random rows, and other rows show the probability before and after. A row is "
+         "never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes the "
+         "changes back. If the rigid-body engine runs rows, the search runs the model, and the engine runs "
+         "the rows that show the probability.",
+     .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
+     .see = "placement budget design change row",
+     .principal = "probability",
+     .changes = true,
+     ANSWER(improve)},
     {.name = "solve",
      .argument =
          {{.name = "NAME", .kind = ARGUMENT_GRID, .parse = solve_parse_parameter, .choices = solve_names},

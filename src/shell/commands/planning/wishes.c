@@ -1,51 +1,106 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses the wishes of 'design', such as 'safety 2 hall 20 m minimise length', which may be in any order. */
+/* Parses the wishes of 'design' and 'improve', such as 'safety 2 hall 20 m minimise length', which may be in
+ * any order. */
 #include "commands/planning/planning.h"
+#include <stdlib.h>
+#include <string.h>
 
-enum wish { SAFETY, HALL, MINIMISE };
+enum wish { SAFETY, HALL, MINIMISE, SIZES, BOARDS, MASS, GRID, WISHES };
 
-const struct wishes usual_wishes = {.safety = 2, .hall = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
+static const char *const names[WISHES] = {
+    [SAFETY] = "safety", [HALL] = "hall", [MINIMISE] = "minimise", [SIZES] = "sizes",
+    [BOARDS] = "boards", [MASS] = "mass", [GRID] = "grid"};
 
-const char *wish_names(const void *context, int k)
+const struct wishes usual_wishes = {
+    .safety = 2, .hall = (domq_real)HUGE_VAL, .mass = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
+
+const char *design_wishes(const void *context, int k)
 {
-    static const char *const names[] = {[SAFETY] = "safety", [HALL] = "hall", [MINIMISE] = "minimise", NULL};
     (void)context;
-    return names[k];
+    return k <= MINIMISE ? names[k] : NULL;
+}
+
+const char *improve_wishes(const void *context, int k)
+{
+    static const enum wish wishes[] = {SIZES, HALL, BOARDS, MASS, GRID};
+    (void)context;
+    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
+}
+
+/* Returns the wish with this number in a list. */
+static enum wish wish_of(names_list *list, int number)
+{
+    int k = 0;
+    while (k + 1 < WISHES && strcmp(names[k], list(NULL, number)) != 0)
+        k++;
+    return (enum wish)k;
 }
 
 static const char *least_names(const void *context, int k)
 {
-    static const char *const names[] = {
+    static const char *const least[] = {
         [DOM_LEAST_DOMINOES] = "dominoes", [DOM_LEAST_LENGTH] = "length", [DOM_LEAST_MASS] = "mass", NULL};
     (void)context;
-    return names[k];
+    return least[k];
 }
 
 /* The wishes as they were parsed. An item that the user did not type is zero. */
 struct wishes_parsed {
-    struct item value[MINIMISE];
+    struct item value[WISHES], board[BOARDS_MOST];
+    size_t boards;
+    bool sizes;
     enum dom_least least;
 };
 
-static bool wish_parse(struct reader *r, struct wishes_parsed *w)
+/* Parses a list of thicknesses, as in '9, 12, 15 mm'. */
+static bool boards_parse(struct reader *r, struct wishes_parsed *w)
 {
-    static const struct argument wish = {.name = "WISHES", .of = "wish", .choices = wish_names},
-                                 least = {.name = "minimise",
+    static const struct argument board = {.name = "boards", .kind = ARGUMENT_ANY};
+    bool more;
+    w->boards = 0;
+    do {
+        if (w->boards == BOARDS_MOST)
+            return problem_error(r->problem, "there are more than %d boards; leave some out", BOARDS_MOST);
+        r->at = skip_blanks(r->at);
+        reader_place(r, r->at);
+        r->stops = ",";
+        const bool good = item_parse(r, &board, &w->board[w->boards++]);
+        r->stops = NULL;
+        if (!good)
+            return false;
+        r->at = skip_blanks(r->at);
+        more = *r->at == ',';
+        r->at += more;
+    } while (more);
+    return true;
+}
+
+static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed *w)
+{
+    const struct argument wish = {.name = "WISHES", .of = "wish", .choices = list};
+    static const struct argument least = {.name = "minimise",
                                           .of = "thing to minimise",
                                           .choices = least_names},
-                                 values[] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
-                                             [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT}};
+                                 values[WISHES] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
+                                                   [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT},
+                                                   [MASS] = {.name = "mass", .kind = ARGUMENT_ANY},
+                                                   [GRID] = {.name = "grid", .kind = ARGUMENT_HEIGHT}};
     struct item name, thing;
     if (!item_parse_choice(r, &wish, &name))
         return false;
-    const int k = (int)name.number;
+    const enum wish k = wish_of(list, (int)name.number);
+    if (k == SIZES)
+        return w->sizes = true;
     bool ends = reader_ends(r);
     reader_place(r, r->at);
     if (ends)
-        return problem_error(r->problem,
-                             "the value of '%s' is missing; wishes are 'safety 2', 'hall 20 m' and 'minimise "
-                             "dominoes'",
-                             wish_names(NULL, k));
+        return problem_error(
+            r->problem, "the value of '%s' is missing; wishes are %s", names[k],
+            list == design_wishes
+                ? "'safety 2', 'hall 20 m' and 'minimise dominoes'"
+                : "'sizes', 'hall 20 m', 'boards 9, 12, 15 mm', 'mass 50 kg' and 'grid 1 mm'");
+    if (k == BOARDS)
+        return boards_parse(r, w);
     if (k != MINIMISE)
         return item_parse(r, &values[k], &w->value[k]);
     if (!item_parse_choice(r, &least, &thing))
@@ -54,7 +109,7 @@ static bool wish_parse(struct reader *r, struct wishes_parsed *w)
     return true;
 }
 
-bool wishes_parse(struct reader *r, struct question *q)
+static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
 {
     struct wishes_parsed *w = q->parsed = arena_take(r->arena, sizeof *w);
     if (!w)
@@ -63,9 +118,50 @@ bool wishes_parse(struct reader *r, struct question *q)
     r->last = false;
     while (!reader_ends(r)) {
         reader_place(r, r->at);
-        if (!wish_parse(r, w))
+        if (!wish_parse(r, list, w))
             return false;
     }
+    return true;
+}
+
+bool design_parse(struct reader *r, struct question *q)
+{
+    return wishes_parse(r, design_wishes, q);
+}
+
+bool improve_parse(struct reader *r, struct question *q)
+{
+    return wishes_parse(r, improve_wishes, q);
+}
+
+/* ---- Binding ---- */
+
+static int compare(const void *a, const void *b)
+{
+    const domq_real x = *(const domq_real *)a, y = *(const domq_real *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* Computes the thicknesses of the boards, in increasing order. Numbers without a unit are in mm, as boards
+ * are sold. */
+static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
+                        struct problem *problem)
+{
+    const struct wishes_parsed *parsed = q->parsed;
+    struct quantity board[BOARDS_MOST] = {{.value = 0}};
+    w->boards = parsed->boards;
+    for (size_t i = 0; i < w->boards; i++)
+        if (!item_bind(&parsed->board[i], q->text, query, &board[i], &w->board[i], problem))
+            return false;
+    for (size_t i = 0; i < w->boards; i++) {
+        const bool bare = quantity_bare(board[i]),
+                   length = quantity_alike(board[i], (struct quantity){.length = 1});
+        if (!(w->board[i] > 0) || (!bare && !length))
+            return problem_error(problem, "a board is a thickness above 0, as in 'boards 9, 12, 15 mm'");
+        if (bare)
+            w->board[i] *= (domq_real)1 / 1000;
+    }
+    qsort(w->board, w->boards, sizeof *w->board, compare);
     return true;
 }
 
@@ -73,16 +169,26 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
                  struct problem *problem)
 {
     const struct wishes_parsed *parsed = q->parsed;
-    const struct item *safety = &parsed->value[SAFETY], *hall = &parsed->value[HALL];
-    struct quantity unit = {.value = 0};
+    struct quantity unit[WISHES] = {{.value = 0}};
     struct wishes *w = arguments_take(given, sizeof *w, query, problem);
     if (!w)
         return false;
     *w = usual_wishes;
     w->least = parsed->least;
-    if ((safety->argument && !item_bind(safety, q->text, query, &unit, &w->safety, problem)) ||
-        (hall->argument && !item_bind(hall, q->text, query, NULL, &w->hall, problem)))
-        return false;
-    return quantity_bare(unit) || problem_error(problem, "the safety is a number without a unit, such as 2: "
-                                                         "times the energy that a domino needs");
+    w->sizes = parsed->sizes;
+    domq_real *const value[WISHES] = {
+        [SAFETY] = &w->safety, [HALL] = &w->hall, [MASS] = &w->mass, [GRID] = &w->grid};
+    for (int k = 0; k < WISHES; k++)
+        if (parsed->value[k].argument &&
+            !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
+            return false;
+    w->has_hall = parsed->value[HALL].argument;
+    if (!quantity_bare(unit[SAFETY]))
+        return problem_error(problem,
+                             "the safety is a number without a unit, such as 2: times the energy that "
+                             "a domino needs");
+    if (parsed->value[MASS].argument &&
+        !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
+        return problem_error(problem, "the largest mass is in kg, as in 'mass 50 kg'");
+    return boards_bind(q, query, w, problem);
 }

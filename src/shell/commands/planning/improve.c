@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The command improve, which changes the row of the session so that it most likely falls. */
+#include "commands/planning/planning.h"
+#include "commands/rows/falling.h"
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "parallel/workers.h"
+#include "session/errors.h"
+#include <stdlib.h>
+
+const struct column improve_columns[] = {
+    {"before", "share", "the share of the rows that fell before the changes", 0},
+    {"before_low", "share", "the lower end of the 95 % interval of that probability", 0},
+    {"before_high", "share", "the upper end of this interval", 0},
+    {"probability", "share", "the share of the rows that fall after the changes", 0},
+    {"low", "share", "the lower end of the 95 % interval of the probability", 0},
+    {"high", "share", "the upper end of this interval", 0},
+    {"rows", "", "the number of rows that were set up; the search used others", 0},
+    {"changed", "", "the number of dominoes that have changed", 0},
+    {"length", "m", "the length with the last domino fallen", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+/* The number of rows that show the probability. An engine takes thousands of times as long for a row. */
+enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
+
+/* A row and its improvement. Do not copy this struct: it contains a pointer to the pool inside it. */
+struct improvement {
+    struct scene_row scene; /* the row before the changes */
+    struct domq_domino *domino;
+    struct domq_limits limits;
+    struct domq_placement placement;
+    struct task_pool pool;
+    struct domq_study study[2];
+    domq_real before, after; /* m, the lengths with the last domino fallen */
+    size_t changed;          /* the number of dominoes that have changed */
+};
+
+static domq_real length_of(const struct domq_domino *d, size_t count)
+{
+    domq_real length = d[count - 1].height;
+    for (size_t k = 0; k < count; k++)
+        length += d[k].thickness + d[k].gap;
+    return length;
+}
+
+static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
+{
+    return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
+}
+
+/* Makes the row of the scene, the limits and the errors. Returns false with a problem; the caller frees
+ * the memory in both cases. */
+static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
+                             struct improvement *i)
+{
+    if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &i->scene, problem)) {
+        i->scene.domino = NULL;
+        return false;
+    }
+    const size_t count = i->scene.row.count;
+    i->domino = malloc(count * sizeof *i->domino);
+    if (!i->domino)
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    i->before = length_of(i->scene.domino, count);
+    i->limits = (struct domq_limits){.sizes = w->sizes,
+                                     .q = query->scene->train.q,
+                                     .hall = w->has_hall ? w->hall : i->before,
+                                     .heaviest = w->mass,
+                                     .grid = w->grid,
+                                     .board = w->board,
+                                     .boards = w->boards};
+    i->pool = (struct task_pool){.threads = query->state->settings.threads,
+                                 .interrupt = query->scene->compute.interrupt};
+    i->placement = (struct domq_placement){.seed = (unsigned long)query->scene->seed,
+                                           .first = 1,
+                                           .rows = i->scene.row.engine ? ROWS_OF_ENGINE : ROWS,
+                                           .parallel = workers_tasks,
+                                           .pool = &i->pool};
+    if (!scene_errors(query->scene, i->placement.error))
+        return problem_error(problem,
+                             "this command needs random errors; first enter 'effect placement 1 mm', "
+                             "or one such as 'effect error_thickness 1 %%'");
+    if (!w->sizes && (w->boards > 0 || isfinite(w->mass)))
+        return problem_error(problem,
+                             "without 'sizes' only gaps change, and not thicknesses or masses; enter "
+                             "'improve sizes ...'");
+    if (isfinite(w->mass) && !scene_has_masses(query->scene))
+        return problem_error(problem, "the masses of this row are not known; 'set mass' gives that of its "
+                                      "first domino, or leave out the wish 'mass'");
+    return true;
+}
+
+/* ---- The new row ---- */
+
+/* Changes one measure of domino k, from 0. */
+static bool change_to(struct scene *scene, size_t k, enum row_measure measure, int how, domq_real value,
+                      struct problem *problem)
+{
+    const struct row_change change = {.measure = measure, .how = how, .value = value};
+    return scene_row_change(scene, &change, &(struct row_range){k + 1, k + 1}, 1, problem);
+}
+
+/* Makes the new dominoes those of the scene. */
+static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
+{
+    struct scene_row now;
+    const size_t count = i->scene.row.count;
+    bool good = true;
+    for (size_t k = 0; k < count && good; k++) {
+        const struct domq_domino *a = &i->scene.domino[k], *b = &i->domino[k];
+        good =
+            (b->gap == a->gap || change_to(scene, k, MEASURE_GAP, CHANGE_TO, b->gap, problem)) &&
+            (b->height == a->height || change_to(scene, k, MEASURE_HEIGHT, CHANGE_TO, b->height, problem)) &&
+            (b->thickness == a->thickness ||
+             change_to(scene, k, MEASURE_THICKNESS, CHANGE_TO, b->thickness, problem)) &&
+            (b->radius == a->radius || change_to(scene, k, MEASURE_RADIUS, CHANGE_TO, b->radius, problem));
+    }
+    /* Those changes kept the densities. */
+    if (!good || !i->limits.sizes || !scene_row_list(scene, &now, problem))
+        return good && !i->limits.sizes;
+    for (size_t k = 0; k < count && good; k++) {
+        const domq_real times = i->domino[k].mass / now.domino[k].mass;
+        good = quad(fabs)(times - 1) < (domq_real)1e-12 ||
+               change_to(scene, k, MEASURE_MASS, CHANGE_TIMES, times, problem);
+    }
+    free(now.domino);
+    return good;
+}
+
+/* Lists the measures of the dominoes that have changed, before and after. */
+static void changes_list(struct answer *a, const struct improvement *i)
+{
+    static const struct column columns[] = {
+        {"domino", "", "", 6},      {"height", "m", "", 9},    {"to_height", "m", "", 10},
+        {"thickness", "m", "", 10}, {"to_thick", "m", "", 10}, {"gap", "m", "", 9},
+        {"to_gap", "m", "", 9},     {NULL, NULL, NULL, 0},
+    };
+    struct answer list = {.out = a->out, .style = a->style, .columns = columns, .rows = true};
+    if (!i->limits.sizes)
+        for (int c = 1; c < 5; c++)
+            answer_leave_out(&list, columns[c].key);
+    list.style.errors = false;
+    for (int writes = 0; writes < 2; writes++) /* the first pass only chooses the units of the columns */
+        for (size_t k = 0; k < i->scene.row.count && !answer_lost(&list); k++) {
+            const struct domq_domino *from = &i->scene.domino[k], *to = &i->domino[k];
+            struct cell cells[] = {cell_count((domq_real)k + 1),
+                                   cell_real(from->height),
+                                   cell_real(to->height),
+                                   cell_real(from->thickness),
+                                   cell_real(to->thickness),
+                                   cell_real(from->gap),
+                                   cell_real(to->gap)};
+            for (int c = 1; c < 7; c++) {
+                cells[c].digits = 4;
+                if (!writes)
+                    answer_largest(&list, columns[c].key, cells[c].number);
+            }
+            if (writes)
+                answer_row(&list, cells, NULL);
+        }
+}
+
+/* ---- The answer ---- */
+
+/* Returns a phrase such as "1795 of 2000 rows fall (88.4 % to 91 %)". */
+struct phrase {
+    char text[320];
+};
+static struct phrase study_words(const struct domq_study *s)
+{
+    struct phrase phrase;
+    snprintf(phrase.text, sizeof phrase.text, "%zu of %zu rows fall (%s to %s)", s->fall, s->rows,
+             measured((domq_real)s->low, "share", s->low > 0.99 ? 5 : 3).text,
+             measured((domq_real)s->high, "share", s->high > 0.99 ? 5 : 3).text);
+    return phrase;
+}
+
+static void improvement_say(const struct query *query, struct answer *a, const struct improvement *i,
+                            bool interrupted)
+{
+    const size_t count = i->scene.row.count;
+    if (interrupted)
+        answer_say(a, "Interrupted; this is the best row so far.");
+    if (i->study[0].fall == i->study[0].rows)
+        answer_say(
+            a, "All %zu rows fall, so that no change can be seen to help; the probability is at least %s.",
+            i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
+    else if (count < 2)
+        answer_say(a, "A row of one domino has nothing to change.");
+    else if (i->changed == 0)
+        answer_say(a, "No row was found of which more fall: of this one %s.%s",
+                   study_words(&i->study[0]).text,
+                   i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.");
+    else
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other rows.",
+                   study_words(&i->study[0]).text, study_words(&i->study[1]).text);
+    if (i->scene.row.engine)
+        answer_say(a,
+                   "The search ran the model, in which feet are hinges. The rigid-body engine, which runs "
+                   "rows since %s, ran the rows that show the probability.",
+                   scene_engine_why(query->scene));
+    if (i->changed == 0)
+        return;
+    changes_list(a, i);
+    answer_say(a, "With its last domino fallen the row is %s long; it was %s.%s",
+               measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
+               query->next ? " 'row > hall.csv' writes it, 'undo' takes the changes back." : "");
+}
+
+/* Reports why there is no improvement. Returns false. */
+static bool improvement_none(const struct query *query, struct problem *problem, const struct improvement *i,
+                             enum dom_status status)
+{
+    if (status == DOM_BAD_HALL)
+        return problem_no_answer(problem,
+                                 "a hall of %s has no room for these dominoes, even without gaps; enter a "
+                                 "longer hall",
+                                 measured(i->limits.hall, "m", 6).text);
+    return row_status(query, problem, status);
+}
+
+bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
+    struct improvement i = {.domino = NULL};
+    bool good = improvement_make(query, w, problem, &i);
+    enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
+                                                     progress_count, NULL, i.domino, i.study)
+                                  : DOM_OK;
+    const bool interrupted = status == DOM_INTERRUPTED && i.study[0].rows > 0 && !a->sink;
+    if (good && (status == DOM_OK || interrupted)) {
+        i.after = length_of(i.domino, i.scene.row.count);
+        for (size_t k = 0; k < i.scene.row.count; k++)
+            i.changed += is_changed(&i.scene.domino[k], &i.domino[k]);
+        if (answer_for_people(a))
+            improvement_say(query, a, &i, interrupted);
+        const struct domq_study *s = i.study;
+#define SHARE(value) cell_bound((domq_real)(value), DOMQ_NAN)
+        answer_row(a,
+                   ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
+                       SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
+                       cell_count((domq_real)s[1].rows), cell_count((domq_real)i.changed),
+                       cell_narrow(i.after, 5)),
+                   interrupted ? "interrupted: the best row so far" : NULL);
+#undef SHARE
+        good =
+            !query->next || a->sink || i.changed == 0 || improvement_keep(&query->next->scene, &i, problem);
+    }
+    free(i.domino);
+    free(i.scene.domino);
+    return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
+}

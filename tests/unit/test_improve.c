@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The row that most likely falls: never worse than the row that is given, and within its limits, also when
+ * the search is interrupted. And a common error is a mixture of rows with fixed values. */
+#include "support.h"
+#include <string.h>
+
+enum { COUNT = 5, ROWS = 48 };
+
+static struct dom_domino given[COUNT], found[COUNT];
+static struct dom_row row;
+static struct dom_placement placement;
+static struct dom_limits limits;
+static struct dom_study study[2];
+static volatile sig_atomic_t interrupt;
+static size_t interrupt_at, steps;
+
+static double length_of(const struct dom_domino *d)
+{
+    double length = d[COUNT - 1].height;
+    for (size_t k = 0; k < COUNT; k++)
+        length += d[k].gap + d[k].thickness;
+    return length;
+}
+
+/* A row that often stops at its second domino, which is too tall for the first one. */
+static void scene_begin(void)
+{
+    struct dom_train train = dom_train_default();
+    const struct dom_scale scale = dom_scale_default();
+    train.q = 3;
+    train.s = 0.469;
+    train.r = 1.66;
+    dom_row_of_train(&train, &scale, 1, given, COUNT);
+    row = dom_row_default();
+    row.domino = given;
+    row.count = COUNT;
+    row.mu = 0.3;
+    placement = (struct dom_placement){.seed = 1, .first = 1, .rows = ROWS};
+    placement.error[DOM_ERROR_gap].size = 0.005;
+    limits = (struct dom_limits){.sizes = true, .q = 3, .hall = length_of(given), .heaviest = INFINITY};
+    interrupt = 0;
+    interrupt_at = 0;
+    steps = 0;
+}
+
+static void step_seen(size_t done, size_t of, void *context)
+{
+    (void)context;
+    assert_in_range(done, 1, of);
+    if (++steps == interrupt_at)
+        interrupt = 1;
+}
+
+static enum dom_status improve(void)
+{
+    struct dom_compute compute = dom_compute_default();
+    compute.interrupt = &interrupt;
+    memset(found, 0, sizeof found);
+    return dom_row_improve(&row, &compute, &placement, &limits, step_seen, NULL, found, study);
+}
+
+/* Counts how many rows fall, without the function that is tested. */
+static size_t falls(const struct dom_domino *domino)
+{
+    struct dom_row other = row;
+    struct dom_study count;
+    other.domino = domino;
+    assert_int_equal(dom_placement_study(&other, NULL, &placement, &count, NULL), DOM_OK);
+    return count.fall;
+}
+
+static void check(void)
+{
+    assert_int_equal(study[0].fall, falls(given));
+    assert_int_equal(study[1].fall, falls(found));
+    assert_true(study[1].fall >= study[0].fall);
+    assert_true(length_of(found) <= limits.hall * (1 + 1e-9));
+    assert_memory_equal(&found[0], &given[0], sizeof *given);
+    assert_true(found[COUNT - 1].height == given[COUNT - 1].height);
+    for (size_t k = 1; k + 1 < COUNT; k++) {
+        const double x = found[k].height / given[k].height;
+        assert_true(found[k].mass <= limits.heaviest * (1 + 1e-9));
+        if (limits.boards == 0 && limits.grid == 0)
+            assert_true(fabs(found[k].thickness / given[k].thickness / x - 1) < 1e-9);
+        assert_true(limits.boards > 0 || limits.grid > 0 ||
+                    fabs(found[k].mass / given[k].mass / (x * x) - 1) < 1e-9);
+    }
+}
+
+static bool is_multiple(double length, double of)
+{
+    return fabs(length / of - round(length / of)) < 1e-6;
+}
+
+TEST(more_rows_fall)
+{
+    scene_begin();
+    assert_int_equal(improve(), DOM_OK);
+    check();
+    assert_true(study[1].fall > study[0].fall + ROWS / 10);
+}
+
+TEST(limits_are_kept)
+{
+    const double board[] = {0.007, 0.012, 0.025};
+    scene_begin();
+    limits.hall *= 0.97;
+    limits.heaviest = 0.9 * given[3].mass;
+    limits.grid = 0.001;
+    limits.board = board;
+    limits.boards = 3;
+    assert_int_equal(improve(), DOM_OK);
+    assert_true(memcmp(found, given, sizeof given) != 0);
+    check();
+    for (size_t k = 1; k < COUNT; k++) {
+        assert_true(is_multiple(found[k].gap, limits.grid));
+        if (k + 1 == COUNT)
+            continue;
+        assert_true(is_multiple(found[k].height, limits.grid));
+        assert_true(found[k].thickness == board[0] || found[k].thickness == board[1] ||
+                    found[k].thickness == board[2]);
+    }
+    limits.hall = given[COUNT - 1].height;
+    assert_int_equal(improve(), DOM_BAD_HALL);
+}
+
+/* A dom_parallel that runs the tasks in reverse order. */
+static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
+{
+    (void)pool;
+    while (count-- > 0)
+        task(count, context);
+    return interrupt ? DOM_INTERRUPTED : DOM_OK;
+}
+
+TEST(any_order_of_tasks)
+{
+    struct dom_domino first[COUNT];
+    scene_begin();
+    limits.sizes = false;
+    assert_int_equal(improve(), DOM_OK);
+    memcpy(first, found, sizeof found);
+    placement.parallel = backwards;
+    assert_int_equal(improve(), DOM_OK);
+    assert_memory_equal(first, found, sizeof found);
+    for (size_t k = 0; k < COUNT; k++)
+        assert_true(found[k].height == given[k].height);
+}
+
+TEST(interrupted_search)
+{
+    scene_begin();
+    interrupt = 1;
+    assert_int_equal(improve(), DOM_INTERRUPTED);
+    assert_int_equal(study[0].rows, 0);
+    for (interrupt_at = 1; interrupt_at < 40; interrupt_at += 9) {
+        interrupt = 0;
+        steps = 0;
+        assert_int_equal(improve(), DOM_INTERRUPTED);
+        assert_int_equal(study[0].rows, ROWS);
+        check();
+    }
+}
+
+TEST(nothing_to_improve)
+{
+    scene_begin();
+    placement.error[DOM_ERROR_gap].size = 1e-6; /* all rows fall */
+    assert_int_equal(improve(), DOM_OK);
+    assert_memory_equal(found, given, sizeof given);
+    assert_int_equal(study[1].fall, ROWS);
+    row.mu = 3; /* no row falls */
+    placement.error[DOM_ERROR_gap].size = 0.001;
+    assert_int_equal(improve(), DOM_OK);
+    assert_memory_equal(found, given, sizeof given);
+    assert_int_equal(study[1].fall, 0);
+    row.count = 1;
+    row.push = 0.01; /* too weak for the only domino */
+    assert_int_equal(improve(), DOM_OK);
+    assert_memory_equal(found, given, sizeof *given);
+    limits.q = 0;
+    assert_int_equal(improve(), DOM_BAD_Q);
+}
+
+/* The share that falls with an unknown friction, all of whose values are equally likely, is the mean of the
+ * shares with fixed frictions. */
+TEST(common_error_is_a_mixture)
+{
+    enum { FIXED = 20, EACH = 50 };
+    const double mu = 0.25, size = 0.2;
+    struct dom_study count;
+    size_t mixed = 0;
+    scene_begin();
+    placement.rows = FIXED * EACH;
+    row.mu = mu;
+    placement.error[DOM_ERROR_friction] = (struct dom_error){.size = size, .uniform = true};
+    assert_int_equal(dom_placement_study(&row, NULL, &placement, &count, NULL), DOM_OK);
+    placement.error[DOM_ERROR_friction].size = 0;
+    placement.rows = EACH;
+    for (size_t i = 0; i < FIXED; i++) {
+        row.mu = mu + size * (2 * ((double)i + 0.5) / FIXED - 1);
+        placement.first = 1 + i * EACH;
+        mixed += falls(given);
+    }
+    assert_in_range(mixed, FIXED * EACH / 5, FIXED * EACH * 4 / 5); /* friction matters */
+    /* Each share has a standard deviation of at most 0.016. */
+    assert_true(fabs((double)count.fall - (double)mixed) < 0.07 * FIXED * EACH);
+}
