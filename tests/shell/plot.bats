@@ -348,7 +348,7 @@ END
     grep -q '^unset key' e.gp && grep -q "font 'DejaVu Serif," e.gp && grep -q '^set key outside right' f.gp
     # What is beyond the axis is not shown, and does not stretch the other one.
     ! grep -q '"launch"\|"hit"' g.gp
-    same 'the highest number' 0.05 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
+    same 'the highest number' 0.015 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
     tail -n 4 h.txt | grep -q '^ *0.2 .* 0.5$'
     # After a number, 's' is a parameter, not seconds.
     "$DOMINO" -e 'plot sweep font 9 yrange 1 2 s 0.1 0.5 9 : rmax' | grep -q 'rmax over s'
