@@ -137,8 +137,12 @@ bool look_parse(struct reader *r, struct look_parsed *p)
     for (bool more = true; more && !reader_ends(r);) {
         more = false;
         r->last = false;
+        offer_names(r, look_names, NULL);
         for (int k = 0; k < LOOK_WORDS && !more; k++) {
-            more = reader_takes(r, look_names(NULL, k));
+            const char *word = look_names(NULL, k);
+            more = word_is_next(r, word);
+            if (more)
+                r->at = skip_blanks(r->at + strlen(word));
             if (more && !word_parse(r, p, k))
                 return false;
         }
