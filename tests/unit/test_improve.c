@@ -4,7 +4,7 @@
 #include "support.h"
 #include <string.h>
 
-enum { COUNT = 5, ROWS = 48 };
+enum { COUNT = 4, ROWS = 24 };
 
 static struct dom_domino given[COUNT], found[COUNT];
 static struct dom_row row;
@@ -22,21 +22,21 @@ static double length_of(const struct dom_domino *d)
     return length;
 }
 
-/* A row that often stops at its second domino, which is too tall for the first one. */
+/* A row that often stops at its third domino: the gap before it is almost as wide as the second is tall. */
 static void scene_begin(void)
 {
     struct dom_train train = dom_train_default();
     const struct dom_scale scale = dom_scale_default();
     train.q = 3;
-    train.s = 0.469;
-    train.r = 1.66;
+    train.s = 0.45;
+    train.r = 1.6;
     dom_row_of_train(&train, &scale, 1, given, COUNT);
+    given[2].gap = 0.97 * given[1].height;
     row = dom_row_default();
     row.domino = given;
     row.count = COUNT;
-    row.mu = 0.3;
     placement = (struct dom_placement){.seed = 1, .first = 1, .rows = ROWS};
-    placement.error[DOM_ERROR_gap].size = 0.005;
+    placement.error[DOM_ERROR_gap].size = 0.003;
     limits = (struct dom_limits){.sizes = true, .q = 3, .hall = length_of(given), .heaviest = INFINITY};
     interrupt = 0;
     interrupt_at = 0;
@@ -97,7 +97,7 @@ TEST(more_rows_fall)
     scene_begin();
     assert_int_equal(improve(), DOM_OK);
     check();
-    assert_true(study[1].fall > study[0].fall + ROWS / 10);
+    assert_true(study[1].fall >= study[0].fall + ROWS / 8);
 }
 
 TEST(limits_are_kept)
@@ -105,7 +105,7 @@ TEST(limits_are_kept)
     const double board[] = {0.007, 0.012, 0.025};
     scene_begin();
     limits.hall *= 0.97;
-    limits.heaviest = 0.9 * given[3].mass;
+    limits.heaviest = 0.9 * given[2].mass;
     limits.grid = 0.001;
     limits.board = board;
     limits.boards = 3;
@@ -150,12 +150,15 @@ TEST(any_order_of_tasks)
 TEST(interrupted_search)
 {
     scene_begin();
+    assert_int_equal(improve(), DOM_OK);
+    const size_t all = steps;
     interrupt = 1;
     assert_int_equal(improve(), DOM_INTERRUPTED);
     assert_int_equal(study[0].rows, 0);
-    for (interrupt_at = 1; interrupt_at < 40; interrupt_at += 9) {
+    for (size_t third = 0; third < 3; third++) {
         interrupt = 0;
         steps = 0;
+        interrupt_at = 1 + third * all / 3;
         assert_int_equal(improve(), DOM_INTERRUPTED);
         assert_int_equal(study[0].rows, ROWS);
         check();
@@ -187,10 +190,11 @@ TEST(nothing_to_improve)
 TEST(common_error_is_a_mixture)
 {
     enum { FIXED = 20, EACH = 50 };
-    const double mu = 0.25, size = 0.2;
+    const double mu = 0.3, size = 0.3;
     struct dom_study count;
     size_t mixed = 0;
     scene_begin();
+    given[2].gap = 0.45 * given[2].height;
     placement.rows = FIXED * EACH;
     row.mu = mu;
     placement.error[DOM_ERROR_friction] = (struct dom_error){.size = size, .uniform = true};
@@ -202,7 +206,7 @@ TEST(common_error_is_a_mixture)
         placement.first = 1 + i * EACH;
         mixed += falls(given);
     }
-    assert_in_range(mixed, FIXED * EACH / 5, FIXED * EACH * 4 / 5); /* friction matters */
+    assert_in_range(mixed, FIXED * EACH / 5, FIXED * EACH * 9 / 10); /* friction matters */
     /* Each share has a standard deviation of at most 0.016. */
     assert_true(fabs((double)count.fall - (double)mixed) < 0.07 * FIXED * EACH);
 }

@@ -27,16 +27,17 @@
 #include <string.h>
 
 /* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of the
- * margins, and the largest number of steps. */
+ * margins, and the largest number of values of the function. The number of steps is not known before, since a
+ * line search of GSL may need 200 values where the function has a kink. */
 static const struct level {
     size_t rows;
     double width;
-    int steps;
-} levels[] = {{256, 1, 24}, {1024, 0.25, 24}, {4096, 0.1, 32}};
+    size_t values;
+} levels[] = {{256, 1, 60}, {1024, 0.25, 60}, {4096, 0.1, 60}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* A result is checked after this many steps. */
-enum { CHECK = 8 };
+/* A result is checked after this many values. */
+enum { CHECK = 20 };
 
 /* Rows with a margin of more than this many widths are left out until the next level. */
 #define FAR 8
@@ -60,8 +61,11 @@ struct search {
     double scatter;
     struct dom_domino *domino, *candidate, *best; /* for one trial; for one check; the best row so far */
     double *by_gap, *by_size;
-    double *margin;          /* of each row of a level */
-    size_t *row;             /* the rows that are run */
+    double *margin;       /* of each row of a level */
+    size_t *row;          /* the rows that are run */
+    gsl_vector *lowest_x; /* where the function had its lowest value on this level */
+    double lowest;
+    size_t left;             /* the number of values that are left on this level */
     double fails;            /* the smooth share of the best row, on the last level */
     struct dom_study *study; /* of the row as given, and of the best row so far */
     enum dom_status status;
@@ -70,11 +74,11 @@ struct search {
     size_t done;
 };
 
-static size_t steps_all(void)
+static size_t values_all(void)
 {
     size_t all = 0;
     for (int i = 0; i < LEVELS; i++)
-        all += (size_t)levels[i].steps;
+        all += levels[i].values;
     return all;
 }
 
@@ -95,17 +99,21 @@ static void level_set(struct search *s, const struct level *level)
 /* ---- The function that is minimized ---- */
 
 /* Returns the logarithm of the odds that a row does not fall, and its gradient. It is steep for rows of which
- * almost none, or almost all, fall. */
+ * almost none, or almost all, fall. When no values are left, the result is infinite, which ends a line
+ * search. */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
-    if (s->status != DOM_OK || !shape_dominoes(&s->shape, x->data, false, s->domino))
-        return GSL_NAN;
+    if (s->status != DOM_OK || s->left == 0 || !shape_dominoes(&s->shape, x->data, false, s->domino))
+        return HUGE_VAL;
+    s->left--;
+    if (s->progress)
+        s->progress(++s->done, values_all(), s->context);
     const enum dom_status status =
         chance_find(&s->chance, s->domino, &fails, gradient ? s->by_gap : NULL, s->by_size);
     if (status != DOM_OK) {
         s->status = status;
-        return GSL_NAN;
+        return HUGE_VAL;
     }
     fails = GSL_MIN_DBL(GSL_MAX_DBL(fails, DBL_MIN), 1 - DBL_EPSILON);
     for (size_t i = 0; gradient && i < x->size; i++) {
@@ -120,7 +128,12 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
                    s->by_size[k] * (double)(s->candidate[k].height / s->domino[k].height - 1);
         gsl_vector_set(gradient, i, sum / step / (fails * (1 - fails)));
     }
-    return (double)log((dom_real)fails / (1 - (dom_real)fails));
+    const double value = (double)log((dom_real)fails / (1 - (dom_real)fails));
+    if (value < s->lowest) {
+        s->lowest = value;
+        gsl_vector_memcpy(s->lowest_x, x);
+    }
+    return value;
 }
 
 static double odds_only(const gsl_vector *x, void *search)
@@ -218,26 +231,28 @@ static void level_run(struct search *s, const struct level *level, gsl_multimin_
 {
     gsl_multimin_function_fdf f = {odds_only, odds_gradient, odds_both, x->size, s};
     const size_t begun = s->done;
-    double before = GSL_POSINF;
+    double before = HUGE_VAL;
     level_set(s, level);
     margins_find(s, x, true);
-    bool more =
-        s->status == DOM_OK && gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
-    for (int i = 1; i <= level->steps && more && s->status == DOM_OK; i++) {
-        int code = gsl_multimin_fdfminimizer_iterate(m);
-        if (code != GSL_SUCCESS && s->status == DOM_OK) {
-            more = m->f < before - 0.01;
-            before = m->f;
-            gsl_vector_memcpy(x, m->x);
+    s->left = level->values;
+    s->lowest = HUGE_VAL;
+    gsl_vector_memcpy(s->lowest_x, x);
+    size_t check = s->left - CHECK;
+    bool more = gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
+    while (more && s->left > 0 && s->status == DOM_OK) {
+        if (gsl_multimin_fdfminimizer_iterate(m) != GSL_SUCCESS) {
+            more = s->lowest < before - 0.01;
+            before = s->lowest;
+            gsl_vector_memcpy(x, s->lowest_x);
             more = more && gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
         }
-        if (i % CHECK == 0)
-            consider(s, m->x);
-        if (s->progress)
-            s->progress(++s->done, steps_all(), s->context);
+        if (s->left < check) {
+            check = s->left - GSL_MIN(s->left, CHECK);
+            consider(s, s->lowest_x);
+        }
     }
-    s->done = begun + (size_t)level->steps;
-    gsl_vector_memcpy(x, m->x);
+    s->done = begun + level->values;
+    gsl_vector_memcpy(x, s->lowest_x);
     consider(s, x);
 }
 
@@ -248,7 +263,8 @@ static void search_run(struct search *s)
     gsl_vector *x = gsl_vector_alloc(variables);
     gsl_multimin_fdfminimizer *m =
         gsl_multimin_fdfminimizer_alloc(gsl_multimin_fdfminimizer_vector_bfgs2, variables);
-    s->status = x && m ? DOM_OK : DOM_NO_MEMORY;
+    s->lowest_x = gsl_vector_alloc(variables);
+    s->status = x && m && s->lowest_x ? DOM_OK : DOM_NO_MEMORY;
     if (s->status == DOM_OK) {
         shape_begin(&s->shape, x->data);
         s->scatter = scatter_of(s, x);
@@ -260,6 +276,8 @@ static void search_run(struct search *s)
         level_run(s, &levels[i], m, x);
     if (m)
         gsl_multimin_fdfminimizer_free(m);
+    if (s->lowest_x)
+        gsl_vector_free(s->lowest_x);
     if (x)
         gsl_vector_free(x);
 }

@@ -93,11 +93,12 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
 
 /* ---- The new row ---- */
 
-/* Changes one measure of domino k, from 0. */
-static bool change_to(struct scene *scene, size_t k, enum row_measure measure, int how, domq_real value,
+/* Changes one measure of domino k, from 0, to a value or, if `times` is true, by a factor. */
+static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {
-    const struct row_change change = {.measure = measure, .how = how, .value = value};
+    const struct row_change change = {
+        .measure = measure, .how = times ? CHANGE_TIMES : CHANGE_TO, .value = value};
     return scene_row_change(scene, &change, &(struct row_range){k + 1, k + 1}, 1, problem);
 }
 
@@ -109,12 +110,11 @@ static bool improvement_keep(struct scene *scene, const struct improvement *i, s
     bool good = true;
     for (size_t k = 0; k < count && good; k++) {
         const struct domq_domino *a = &i->scene.domino[k], *b = &i->domino[k];
-        good =
-            (b->gap == a->gap || change_to(scene, k, MEASURE_GAP, CHANGE_TO, b->gap, problem)) &&
-            (b->height == a->height || change_to(scene, k, MEASURE_HEIGHT, CHANGE_TO, b->height, problem)) &&
-            (b->thickness == a->thickness ||
-             change_to(scene, k, MEASURE_THICKNESS, CHANGE_TO, b->thickness, problem)) &&
-            (b->radius == a->radius || change_to(scene, k, MEASURE_RADIUS, CHANGE_TO, b->radius, problem));
+        good = (b->gap == a->gap || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
+               (b->height == a->height || change_to(scene, k, MEASURE_HEIGHT, false, b->height, problem)) &&
+               (b->thickness == a->thickness ||
+                change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
+               (b->radius == a->radius || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     /* Those changes kept the densities. */
     if (!good || !i->limits.sizes || !scene_row_list(scene, &now, problem))
@@ -122,7 +122,7 @@ static bool improvement_keep(struct scene *scene, const struct improvement *i, s
     for (size_t k = 0; k < count && good; k++) {
         const domq_real times = i->domino[k].mass / now.domino[k].mass;
         good = quad(fabs)(times - 1) < (domq_real)1e-12 ||
-               change_to(scene, k, MEASURE_MASS, CHANGE_TIMES, times, problem);
+               change_to(scene, k, MEASURE_MASS, true, times, problem);
     }
     free(now.domino);
     return good;

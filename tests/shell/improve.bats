@@ -1,0 +1,29 @@
+#!/usr/bin/env bats
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The row that most likely falls.
+# shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
+
+load common
+
+scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 4.6 cm; effect placement 3 mm'
+
+@test "improve: the new row is the session's, its probability is that of placement, and undo takes it back" {
+    json "$scene; set threads 1; improve sizes grid 1 mm; placement; row; undo; row" >answers
+    [ "$(values before <answers)" != "$(values probability <answers | head -n 1)" ]
+    same probability "$(values probability <answers | head -n 1)" "$(values probability <answers | tail -n 1)"
+    within better "$(values before <answers)" "$(values probability <answers | head -n 1)" 'o > e'
+    same 'whole mm' 3 "$(values gap <answers | head -n 3 | awk '{ x = 1000 * $1; d = x - int(x + 0.5); n += d * d < 1e-12 } END { print n }')"
+    same undone "$(json "$scene; row" | values gap)" "$(values gap <answers | tail -n 3)"
+    same 'other threads' "$(grep improve answers)" "$(json "$scene; set threads 3; improve sizes grid 1 mm" | grep improve)"
+}
+
+@test "improve: refusals say what to do" {
+    wrong 'effect row 3; improve' "needs random errors; first enter 'effect placement 1 mm'"
+    wrong 'improve' "there is no row"
+    wrong "$scene; improve mass 5 kg" "without 'sizes' only gaps change"
+    wrong "$scene; improve sizes mass 5 kg" "the masses of this row are not known"
+    wrong "$scene; improve sizes hall 9 cm" 'has no room for these dominoes'
+    wrong "$scene; improve sizes boards" "the value of 'boards' is missing"
+    wrong "$scene; improve sizes boards 0" 'a board is a thickness above 0'
+    wrong "$scene; improve safety 2" "unknown wish 'safety'"
+}
