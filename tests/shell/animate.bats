@@ -81,7 +81,7 @@ END
     for ending in webm mp4; do
         FRAMES=$PWD/frames PATH=$PWD/bin:$PATH "$DOMINO" -e "set r 1; effect row 5; effect push 6; animate a.$ending rate 20"
         same "$ending" made "$(cat a.$ending)"
-        grep -q -- '-framerate 100/5 .*-f '"$ending"' file:/proc/self/fd/1' frames.said
+        grep -q -- '-framerate 100/5 .*-f '"$ending"' file:/dev/stdout' frames.said
         frames=$(grep -aoc 'IHDR' frames)
         same 'a png each frame' "$(csv 'set r 1; effect row 5; effect push 6; animate a.gif rate 20' | sed 1d | wc -l)" \
             "$(($(grep -ao 'IEND' frames | wc -l) - 20))"

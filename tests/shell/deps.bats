@@ -54,7 +54,7 @@ END
     chmod +x bin/id
     # shellcheck disable=SC2046
     run -0 env MANAGER=pacman "$root/.packaging/deps" $(cat needed)
-    same 'no line' 'pacman has no package for: clang-format clang-tidy libc6-dbg' "$(grep '^pacman has' <<<"$output")"
+    same 'no line' 'pacman has no package for: clang-format clang-tidy dpkg-dev libc6-dbg lintian musl-tools' "$(grep '^pacman has' <<<"$output")"
     same 'with sudo' 'running: sudo pacman -S --needed --noconfirm readline' \
         "$(MANAGER=pacman "$root/.packaging/deps" libreadline-dev | head -n 1)"
     rm bin/sudo

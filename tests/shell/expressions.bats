@@ -372,7 +372,7 @@ END
     done
     same 'the principal columns' ' thetac.theta_c theta1.theta_1 energy.dH fuel.fuel launch.omega0sq omega.omega'`
         `' barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s count.dominoes'`
-        `' verdict.seconds rowmax.r_max design.steps placement.probability budget.sigma slip.motion' "$list"
+        `' verdict.seconds rowmax.r_max design.steps improve.probability placement.probability budget.sigma slip.motion' "$list"
     for name in thetac.theta_c 'theta1(0.1).theta_1' 'energy(0.1).dH' fuel.fuel launch.omega0sq 'omega(0.1).omega' \
         barrier.barrier duration.duration where.theta why.margin rmax.r_max pair.r_max best.s 'count(112).dominoes' \
         verdict.seconds rowmax.r_max 'placement(50).probability' 'budget(0.9, 50).sigma' slip.motion; do

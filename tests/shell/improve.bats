@@ -5,7 +5,7 @@
 
 load common
 
-scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 4.6 cm; effect placement 3 mm'
+scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect placement 3 mm'
 
 @test "improve: the new row is the session's, its probability is that of placement, and undo takes it back" {
     json "$scene; set threads 1; improve sizes grid 1 mm; placement; row; undo; row" >answers
@@ -14,7 +14,7 @@ scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 4.6 cm; effect plac
     within better "$(values before <answers)" "$(values probability <answers | head -n 1)" 'o > e'
     same 'whole mm' 3 "$(values gap <answers | head -n 3 | awk '{ x = 1000 * $1; d = x - int(x + 0.5); n += d * d < 1e-12 } END { print n }')"
     same undone "$(json "$scene; row" | values gap)" "$(values gap <answers | tail -n 3)"
-    same 'other threads' "$(grep improve answers)" "$(json "$scene; set threads 3; improve sizes grid 1 mm" | grep improve)"
+    same 'other threads' "$(grep '"changed"' answers)" "$(json "$scene; set threads 3; improve sizes grid 1 mm" | grep '"changed"')"
 }
 
 @test "improve: refusals say what to do" {

@@ -87,6 +87,8 @@ static bool may_go_on(const char *line)
                                        "0.1,0.1) 9",
                                        " rmax",
                                        " cost rmax",
+                                       " log",
+                                       " 1 2",
                                        " examples/measured/friction.csv"};
     char whole[2 * LINE];
     for (size_t i = 0; i < sizeof more / sizeof *more; i++) {

@@ -25,7 +25,8 @@
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 /* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. rounded_between returns
- * the same domino half way between two tilts. rounded_arms and rounded_pushes are the members `arms` and `pushes` of struct contact_law. */
+ * the same domino half way between two tilts. rounded_arms and rounded_pushes are the members `arms` and
+ * `pushes` of struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);

@@ -310,6 +310,7 @@ const struct command cycle_commands[] = {
      .principal = "theta_1",
      ANSWER(theta1)},
     {.name = "chain",
+     .shortest = "ch",
      .synonyms = "profile shape lean",
      .train = true,
      .argument = {{TILT}},

@@ -35,8 +35,7 @@ static bool is_picture(const struct command *c)
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
-    bool is_on_screen =
-        is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
+    bool is_on_screen = is_picture(c) && !c->files && answer->style.format->for_people && !answer->path;
     if (is_on_screen && !picture_fits(answer, c->name, problem))
         return false;
     if (c->act)
@@ -107,8 +106,7 @@ static bool run_command(struct session *session, const struct command *c, const 
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
-    if (!c->pages &&
-        !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
+    if (!c->pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;

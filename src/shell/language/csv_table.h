@@ -53,13 +53,14 @@ struct csv_kind {
         *items;
     const char *names;   /* for messages: a list of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind that a file may be, or NULL. A file is of the first kind of which it has all required columns,
-     * or else of the first kind of all. */
+    /* Another kind that a file may be, or NULL. A file is of the first kind of which it has all required
+     * columns, or else of the first kind of all. */
     const struct csv_kind *otherwise;
 };
 
-/* A table that is being read. `kind` is chosen when the first line has been read. Arrays of size CSV_COLUMNS_MOST have one element for each column of the kind,
- * and arrays of size CSV_CELLS_MOST have one element for each column of the file. */
+/* A table that is being read. `kind` is chosen when the first line has been read. Arrays of size
+ * CSV_COLUMNS_MOST have one element for each column of the kind, and arrays of size CSV_CELLS_MOST have one
+ * element for each column of the file. */
 struct csv_table {
     const struct csv_kind *kind;
     struct csv_file file;
