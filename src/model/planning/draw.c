@@ -37,22 +37,22 @@ void draw_end(struct draw *draw)
 
 /* Returns seed number i of those derived from `seed`. Its bits are mixed with splitmix64 (Steele et al.,
  * 2014), since the consecutive values of a plain counter would give similar random numbers. */
-static unsigned long seed_of(unsigned long seed, size_t i)
+static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return (unsigned long)(z ^ (z >> 31));
+    return z ^ (z >> 31);
 }
 
 /* Seeds the generators for one kind of error in row number i. */
 static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
 {
-    unsigned long seed = seed_of(p->seed, i);
+    unsigned long long seed = seed_of(p->seed, i);
     if (kind > 0)
         seed = seed_of(seed, (size_t)kind);
-    gsl_rng_set(draw->random[0], seed & 0xffffffffUL);
-    gsl_rng_set(draw->random[1], seed >> 32);
+    gsl_rng_set(draw->random[0], (unsigned long)(seed & 0xffffffffU));
+    gsl_rng_set(draw->random[1], (unsigned long)(seed >> 32));
 }
 
 /*

@@ -194,11 +194,12 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];
     const struct block self = block_of(row, k);
-    return !positive(d->height)                             ? DOM_BAD_HEIGHT
-           : !positive(d->thickness) || !positive(self.d)   ? DOM_BAD_THICKNESS
-           : !positive(d->mass) || !positive(self.unit)     ? DOM_BAD_MASS
-           : !(d->gap >= 0) || !isfinite((real)d->gap)      ? DOM_BAD_GAP
-           : !(d->radius >= 0 && d->radius < d->height / 2) ? DOM_BAD_RADIUS
+    return !positive(d->height)                           ? DOM_BAD_HEIGHT
+           : !positive(d->thickness) || !positive(self.d) ? DOM_BAD_THICKNESS
+           : !positive(d->mass) || !positive(self.unit)   ? DOM_BAD_MASS
+           : !(d->gap >= 0) || !isfinite((real)d->gap)    ? DOM_BAD_GAP
+           : !(d->radius >= 0 && (!dynamics_on(row->effect[DOM_EFFECT_edges]) || d->radius < d->height / 2))
+               ? DOM_BAD_RADIUS
            : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
            : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &self) ? DOM_NO_ROOM

@@ -111,7 +111,7 @@ static void table_put(struct page *p, const struct guide_table *table)
 {
     const int columns = columns_of(table);
     const double wide = SHEET_WIDTH - 2 * SIDE, letter = 0.58 * SIZE;
-    double right[GUIDE_COLUMNS], letters = 0;
+    double right[GUIDE_COLUMNS] = {0}, letters = 0;
     for (int k = 0; k < columns; k++)
         letters += (double)column_width(table, k) + 2;
     const double each = fmin(1.5 * letter, wide / letters);

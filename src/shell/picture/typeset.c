@@ -61,7 +61,7 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
     if (document)
         copy(document, out);
     FILE *const opened[] = {messages, nothing, document};
-    for (size_t i = 0; i < sizeof opened / sizeof *opened; i++)
+    for (int i = 0; i < 3; i++)
         if (opened[i])
             fclose(opened[i]);
     return done;

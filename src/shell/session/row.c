@@ -238,7 +238,7 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const s
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem)
 {
-    struct scene_row row;
+    struct scene_row row = {.domino = NULL};
     if (!scene_row_list(scene, &row, problem))
         return false;
     bool good = ranges_check(range, ranges, change->measure, row.row.count, problem);

@@ -196,7 +196,7 @@ static bool run_explain(const struct query *query, struct answer *a, struct prob
     struct state *state = malloc(sizeof *state);
     bool done = d && state ? derivation_make(d, query, e, bound->value, row ? &fall : NULL, state, problem)
                            : problem_status(problem, query->scene, DOM_NO_MEMORY);
-    done = done && explain_answer(a, d, e, bound, verdict, problem);
+    done = done && d && explain_answer(a, d, e, bound, verdict, problem);
     if (d)
         derivation_end(d);
     free(state);

@@ -180,7 +180,7 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
             most = fmax(most, first[k].measured);
         }
     for (int k = 0; k < STEPS; k++) {
-        time[k] = 2 * length * (k + 0.5 - STEPS / 2) / STEPS;
+        time[k] = 2 * length * (k + 0.5 - STEPS / 2.0) / STEPS;
         domino[k] = first->domino;
     }
     struct watch w = {time, domino, STEPS, 0, tilt};

@@ -135,7 +135,7 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,
                  gap = is_timed && csv->column[GAP] ? (double)csv->value[GAP] : (double)NAN;
-    struct fit_run *last = d->runs > 0 ? &d->run[d->runs - 1] : NULL;
+    struct fit_run *last = d->run && d->runs > 0 ? &d->run[d->runs - 1] : NULL;
     if (last && last->number == number) {
         last->count++;
         return !(last->gap != gap && !isnan(gap)) ||
@@ -144,7 +144,7 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
                          "with 'effect row'",
                          number);
     }
-    for (size_t k = 0; k < d->runs; k++)
+    for (size_t k = 0; d->run && k < d->runs; k++)
         if (d->run[k].number == number)
             return csv_wrong(&csv->file, csv_cell(csv, RUN).at,
                              "run %g goes on after another run; put all its lines together", number);

@@ -162,7 +162,7 @@ static double start_of(const struct fit *f, int i, int k)
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
-    double least = HUGE_VAL, value[FIT_UNKNOWNS];
+    double least = HUGE_VAL, value[FIT_UNKNOWNS] = {0};
     double *at = calloc(f->data.runs, sizeof *at);
     struct problem first = {.kind = PROBLEM_NONE};
     for (int i = 0; at && i < f->unknowns && !is_interrupted(f);) {

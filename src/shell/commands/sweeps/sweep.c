@@ -116,8 +116,8 @@ bool sweep_bind(const struct question *q, const struct query *query, struct argu
 struct sweep_shape sweep_shape(const struct arguments *given)
 {
     const struct sweep *s = given->bound;
-    size_t answers = 0;
-    for (const struct point_question *q = &s->parsed->question; q; q = q->next)
+    size_t answers = 1;
+    for (const struct point_question *q = s->parsed->question.next; q; q = q->next)
         answers++;
     return (struct sweep_shape){&s->grid, s->parsed->question.question.command, s->parsed->typed, answers};
 }
