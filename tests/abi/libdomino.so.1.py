@@ -397,6 +397,10 @@ class dom_budget(Structure):
     pass
 
 
+class dom_limits(Structure):
+    pass
+
+
 class dom_proof_work(Structure):
     pass
 
@@ -789,6 +793,15 @@ dom_budget._fields_ = [
     ("low", c_double),
     ("high", c_double),
 ]
+dom_limits._fields_ = [
+    ("sizes", c_bool),
+    ("q", c_double),
+    ("hall", c_double),
+    ("heaviest", c_double),
+    ("grid", c_double),
+    ("board", POINTER(c_double)),
+    ("boards", c_size_t),
+]
 dom_proof_work._fields_ = [
     ("boxes", c_size_t),
     ("chains", c_size_t),
@@ -873,6 +886,7 @@ FUNCTIONS = {
     "dom_placement_causes": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(dom_placement), POINTER(dom_study), POINTER(c_size_t), POINTER(c_size_t)]),
     "dom_study_interval": (c_int, [POINTER(dom_study)]),
     "dom_placement_budget": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(dom_placement), c_int, c_double, POINTER(dom_budget)]),
+    "dom_row_improve": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(dom_placement), POINTER(dom_limits), dom_progress, c_void_p, POINTER(dom_domino), POINTER(dom_study)]),
     "dom_proof_gap_text": (c_char_p, [c_int]),
     "dom_prove_rmax": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_proof)]),
     "dom_prove_pair": (c_int, [POINTER(dom_train), POINTER(dom_compute), POINTER(dom_proof)]),

@@ -21,7 +21,7 @@ domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
         [MEASURE_RADIUS] = offsetof(struct domq_domino, radius),
         [MEASURE_LEAN] = offsetof(struct domq_domino, lean),
     };
-    return (domq_real *)((char *)domino + member[measure]);
+    return (void *)((char *)domino + member[measure]);
 }
 
 /* Returns the new value of a measure, or NaN if it has not been changed. */

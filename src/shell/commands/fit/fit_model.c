@@ -170,9 +170,10 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
     const struct fit_point *first = &f->data.point[run->first];
     double time[STEPS], tilt[STEPS], most = 0, length = first[run->count - 1].time - first->time;
     size_t domino[STEPS], n = 0;
-    double *measured = malloc(2 * run->count * sizeof *measured), *at = measured + run->count;
+    double *measured = malloc(2 * run->count * sizeof *measured), *at;
     if (!measured)
         return problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
+    at = measured + run->count;
     for (size_t k = 0; k < run->count; k++)
         if (first[k].domino == first->domino) {
             at[n] = first[k].time;
