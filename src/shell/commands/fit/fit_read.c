@@ -9,9 +9,9 @@
 #define ANGLE "rad", "deg, rad", "deg", "write an angle such as 12 deg"
 #define PLAIN "", "none", "", "write a plain number"
 
-#define DOMINO_COLUMN                                                                                        \
+#define DOMINO_COLUMN(traits)                                                                                \
     {                                                                                                        \
-        "domino", "nr,no,no.,number", 0, PLAIN, 1, 1e6, "1 .. 1e6"                                           \
+        "domino", "nr,no,no.,number", traits, PLAIN, 1, 1e6, "1 .. 1e6"                                      \
     }
 #define FRAME_COLUMN                                                                                         \
     {                                                                                                        \
@@ -57,11 +57,10 @@ static const struct csv_column speed_columns[] =
                                        {"error", "errors,sigma,uncertainty,angle error", CSV_EMPTY, ANGLE,
                                         CSV_ABOVE_0, 10, "more than 0, up to 10 rad"},
                                        GAP_COLUMN(0),
-                                       DOMINO_COLUMN,
+                                       DOMINO_COLUMN(CSV_WHOLE),
 },
                                hit_columns[] = {
-                                   {"domino", "nr,no,no.,number", CSV_REQUIRED | CSV_WHOLE, PLAIN, 1, 1e6,
-                                    "1 .. 1e6"},
+                                   DOMINO_COLUMN(CSV_REQUIRED | CSV_WHOLE),
                                    TIME_COLUMN,
                                    FRAME_COLUMN,
                                    RATE_COLUMN,
