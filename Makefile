@@ -28,7 +28,9 @@ OPTIM   ?= -O2 -g1
 HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
 CFLAGS  ?= $(OPTIM) $(HARDEN)
-LDFLAGS ?= -Wl,-z,relro,-z,now
+# The linker and the archiver of macOS have other options than those of GNU, LLVM and FreeBSD.
+DARWIN  := $(filter Darwin,$(shell uname -s))
+LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now)
 # Every digit must be equal on every machine: no contraction, never -ffast-math. The code never reads errno after a
 # square root, which is one instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
@@ -172,15 +174,23 @@ $(LIB_OBJ): $(B)/library.h
 $(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
-	$(Q)$(AR) qcsD $@ $^
+	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $^
 
 # A change of a structure or of a function needs a new major version, which is the number of the soname.
 MAJOR  := $(firstword $(subst ., ,$(VERSION)))
 SONAME := libdomino.so.$(MAJOR)
+# The library exports the functions that begin with dom_ or domq_.
+ifeq ($(DARWIN),)
+EXPORTS  = 'DOMINO_$(MAJOR) { global: dom_*; domq_*; local: *; };'
+SHARED   = -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(B)/libdomino.map
+else
+EXPORTS  = '_dom_*' '_domq_*'
+SHARED   = -dynamiclib -Wl,-install_name,$(LIBDIR)/$(SONAME) -Wl,-exported_symbols_list,$(B)/libdomino.map
+endif
 $(B)/$(SONAME): $(LIB_OBJ)
 	$(call SAY,LD,$@)
-	@echo 'DOMINO_$(MAJOR) { global: dom_*; domq_*; local: *; };' > $(B)/libdomino.map
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script=$(B)/libdomino.map $^ $(GSL) -o $@
+	@printf '%s\n' $(EXPORTS) > $(B)/libdomino.map
+	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $(SHARED) $^ $(GSL) -o $@
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
