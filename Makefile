@@ -141,9 +141,9 @@ $(B)/tutorial.h: examples/tutorial.dom
 	@mkdir -p $(@D)
 	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
-# <domino_quad.h>, made of the two headers, and the names in it for the sources.
+# <domino_quad.h>, made of these headers, and the names in it for the sources.
 QUAD_AWK := src/model/precision/quad.awk
-QUAD_OF  := include/domino.h include/domino_row.h
+QUAD_OF  := include/domino_common.h include/domino.h include/domino_row.h
 $(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
 	@awk -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes <domino_quad.h> of domino.h and domino_row.h, so that both have one text: what follows the marker line of a
-# header, "==== From here on", is written again with domq_ and DOMQ_ instead of dom_ and DOM_. Names that are declared
-# before the marker are common to both. The headers are read twice: first for the names, then for the text.
+# Makes <domino_quad.h> of the headers in include/, so that both have one text: what follows the marker line of a header,
+# "==== From here on", is written again with domq_ and DOMQ_ instead of dom_ and DOM_. Names that are declared before the
+# marker, and in a header without it, are common to both. The headers are read twice: first for the names, then for the
+# text.
 #   awk -f quad.awk HEADER... write=1 HEADER...             prints domino_quad.h
 #   awk -v names=1 -f quad.awk HEADER... write=1 HEADER...  prints '#define dom_train domq_train' and so on
 

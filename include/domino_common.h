@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * What <domino.h> and <domino_quad.h> share, because no floating-point type occurs in it: statuses, the
+ * choices that a caller makes, the names of effects and events, and the counters of work. <domino.h>, which
+ * has the introduction, includes this header.
+ */
+#ifndef DOMINO_COMMON_H
+#define DOMINO_COMMON_H
+
+#include <signal.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Statuses: X(name, meaning) ---- */
+
+#define DOM_STATUSES(X)                                                                                      \
+    X(OK, "no error")                                                                                        \
+    X(BAD_S, "the separation s is outside its range")                                                        \
+    X(BAD_R, "the growth r is outside its range")                                                            \
+    X(BAD_D, "the thickness d is outside its range")                                                         \
+    X(BAD_Q, "the exponent q is outside its range")                                                          \
+    X(BAD_MU, "the friction coefficient mu is outside its range")                                            \
+    X(BAD_ALPHA, "the slope alpha of the floor is outside its range")                                        \
+    X(BAD_WALLS, "the thickness of the walls is outside its range")                                          \
+    X(BAD_RHO, "the radius rho of the edges is outside its range")                                           \
+    X(BAD_FUEL, "the fuel is not a value of enum dom_fuel")                                                  \
+    X(BAD_TOL, "the tolerance tol is outside its range, or below the smallest that the precision can reach") \
+    X(BAD_PRECISION, "the precision is not a value of enum dom_precision")                                   \
+    X(BAD_METHOD, "the method is not a value of enum dom_method")                                            \
+    X(BAD_TILT, "the tilt is outside [0, theta_c]")                                                          \
+    X(BAD_TIME, "the time is negative, or later than the next hit")                                          \
+    X(BAD_G, "the acceleration of gravity g is outside its range")                                           \
+    X(BAD_PUSH, "the push is outside its range")                                                             \
+    X(BAD_COUNT, "the row has no dominoes")                                                                  \
+    X(BAD_HEIGHT, "a height is outside its range")                                                           \
+    X(BAD_THICKNESS, "a thickness is outside its range")                                                     \
+    X(BAD_GAP, "a gap is outside its range")                                                                 \
+    X(BAD_MASS, "a mass is outside its range")                                                               \
+    X(BAD_RADIUS, "the radius of an edge is outside its range")                                              \
+    X(BAD_LEAN, "a lean is outside its range: a domino that leans more falls over when it is set up")        \
+    X(BAD_ERROR, "the size of an error is outside its range")                                                \
+    X(BAD_ROWS, "the number of rows is 0, or smaller than the number counted as fallen or unknown")          \
+    X(BAD_PROBABILITY, "the probability is outside (0, 1)")                                                  \
+    X(BAD_SAFETY, "the safety factor is not a finite number above 1")                                        \
+    X(BAD_HALL, "the length of the hall is not greater than the height of the last domino")                  \
+    X(OUT_OF_REACH, "r s > 1: the head falls past the next domino without touching it")                      \
+    X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
+    X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
+    X(LOCKS,                                                                                                 \
+      "friction locks the train: a contact force passes on the wrong side of a hinge and cannot turn it")    \
+    X(NO_STAND,                                                                                              \
+      "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
+    X(NO_ROOM, "the walls are thicker than half of a domino")                                                \
+    X(NO_ROUND,                                                                                              \
+      "the radius of the edges is too large: it must be at most half of the thickness, rho <= d/2")          \
+    X(NO_LEAN, "dominoes that lean cannot be combined with rounded edges, or with a rigid-body engine")      \
+    X(NO_MARGIN,                                                                                             \
+      "the margin is 0 within rounding errors, so that times cannot be computed; use a slightly smaller r")  \
+    X(NO_GROWTH, "even equal dominoes (r = 1) do not keep falling at this separation")                       \
+    X(TOO_LONG, "more dominoes contribute to the answer than can be computed")                               \
+    X(UNDERFLOW, "r^(2q+1) is outside the range of the precision; use a smaller r or q")                     \
+    X(NO_PRECISION, "this machine does not support the requested precision")                                 \
+    X(NO_METHOD, "the requested method cannot compute this answer")                                          \
+    X(NOT_FINITE, "an intermediate value is not finite")                                                     \
+    X(NOT_CONVERGED, "the iteration did not reach the tolerance")                                            \
+    X(NO_MEMORY, "out of memory")                                                                            \
+    X(INTERRUPTED, "interrupted")
+
+enum dom_status {
+#define DOM_STATUS_ENUM(name, text) DOM_##name,
+    DOM_STATUSES(DOM_STATUS_ENUM)
+#undef DOM_STATUS_ENUM
+};
+
+/* Returns the meaning of a status: one line without a full stop. */
+const char *dom_status_text(enum dom_status status);
+
+/* ---- Choices ---- */
+
+/* The floating-point type of the computation. DOM_QUAD is __float128 where the machine has it, and otherwise
+ * long double if that is wider than double. */
+enum dom_precision { DOM_FLOAT, DOM_DOUBLE, DOM_QUAD };
+
+/* The formula for the fuel P in (24; c6): see struct dom_fuels. */
+enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
+
+/*
+ * The algorithm. DOM_METHOD_GSL and DOM_METHOD_PAPER are for comparison and compute in double precision only:
+ * DOM_METHOD_GSL applies solvers of GSL to the textbook formulas, and DOM_METHOD_PAPER follows the recipe of
+ * the paper, which raises theta and r in steps.
+ */
+enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
+
+/*
+ * Effects beyond the paper, which struct dom_effect describes. The code of an effect runs only while the
+ * effect is on, and struct dom_work counts how often.
+ *
+ * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` is the
+ * member of struct dom_train and of struct dom_row that holds the value of the effect, where 0 means off.
+ * `status` is returned if the value is outside its range.
+ */
+#define DOM_DYNAMICS(X)                                                                                      \
+    X(friction, mu, DOM_BAD_MU)                                                                              \
+    X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS) X(edges, rho, DOM_BAD_RHO)
+
+/* Lists the effects of rows and of questions about rows: X(effect). */
+#define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
+
+/* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
+enum dom_effect_name {
+    DOM_EFFECT_friction,
+    DOM_EFFECT_slope,
+    DOM_EFFECT_walls,
+    DOM_EFFECT_edges,
+    DOM_EFFECT_row,
+    DOM_EFFECT_push,
+    DOM_EFFECT_placement,
+    DOM_EFFECT_floor,
+    DOM_EFFECT_COUNT
+};
+
+/* The number of effects in DOM_DYNAMICS. */
+enum { DOM_DYNAMICS_COUNT = DOM_EFFECT_edges + 1 };
+
+/* The largest number of arguments that an effect has. */
+enum { DOM_EFFECT_ARGUMENTS = 3 };
+
+/* What limits the growth: the barrier, or the reach of the head (dom_train_reach). DOM_END_NONE means that
+ * even equal dominoes do not keep falling. */
+enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
+
+/* Returns "none", "barrier" or "reach". Like dom_event_text and dom_row_end_text, returns "unknown" for a
+ * number that is not in the enumeration. */
+const char *dom_end_text(enum dom_end end);
+
+enum dom_event_kind {
+    DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
+    DOM_EVENT_FALL,   /* a follower detaches from its leader, the domino on which it leaned (41; A17) */
+    DOM_EVENT_TOP,    /* the head passes the top of the barrier, if there is a barrier */
+    DOM_EVENT_STOP,   /* the train comes to rest below the top, and there is no next hit */
+    DOM_EVENT_HIT     /* the head hits the next domino (2; a2) */
+};
+
+/* The largest number of events in a cycle. */
+enum { DOM_EVENTS_MAX = 5 };
+
+/* Returns "launch", "fall", "top", "stop" or "hit". */
+const char *dom_event_text(enum dom_event_kind kind);
+
+/* Whether the states that dom_cycle_walk visits are evenly spaced in time or in tilt. */
+enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
+
+/* The questions that dom_trains_ask can ask. Each comment names the function that answers the question about
+ * one train, and the structure that it fills. */
+enum dom_question {
+    DOM_ASK_ANGLES,   /* dom_angles_find: struct dom_angles */
+    DOM_ASK_CONTACT,  /* dom_contact_find, at a tilt: struct dom_contact */
+    DOM_ASK_ENERGY,   /* dom_energy_find, at a tilt: struct dom_energy */
+    DOM_ASK_FUEL,     /* dom_fuel_find: struct dom_fuels */
+    DOM_ASK_LAUNCH,   /* dom_launch_find: struct dom_launch */
+    DOM_ASK_BARRIER,  /* dom_barrier_find: struct dom_barrier */
+    DOM_ASK_OMEGASQ,  /* dom_cycle_omegasq, at a tilt: struct dom_value */
+    DOM_ASK_DURATION, /* dom_cycle_duration: struct dom_value */
+    DOM_ASK_RMAX,     /* dom_limit_rmax: struct dom_limit */
+    DOM_ASK_PAIR,     /* dom_limit_pair: struct dom_limit */
+    DOM_ASK_BEST      /* dom_limit_best: struct dom_best */
+};
+
+/* ---- Work and interrupts ---- */
+
+/* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
+struct dom_work {
+    size_t passes;                    /* passes down the chain of dominoes */
+    size_t dominoes;                  /* dominoes visited in all passes */
+    size_t longest;                   /* dominoes in the longest pass */
+    size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
+};
+
+/* Returns true if flag is not NULL and *flag is not 0. Reads *flag atomically, since another thread may set
+ * it. */
+static inline bool dom_raised(const volatile sig_atomic_t *flag)
+{
+#if defined __GNUC__
+    return flag && __atomic_load_n(flag, __ATOMIC_RELAXED) != 0;
+#else
+    return flag && *flag;
+#endif
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
