@@ -4,70 +4,46 @@
 #include "session/rowfile.h"
 #include <stdlib.h>
 
-#define SPEED "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
-#define TIME  "s", "s, ms", "s", "write a time such as 0.12 s"
-#define ANGLE "rad", "deg, rad", "deg", "write an angle such as 12 deg"
-#define PLAIN "", "none", "", "write a plain number"
+#define SPEED  "m/s", "m/s, cm/s, mm/s, ft/s", "m/s", "write a speed such as 1.3 m/s"
+#define TIME   "s", "s, ms", "s", "write a time such as 0.12 s"
+#define ANGLE  "rad", "deg, rad", "deg", "write an angle such as 12 deg"
+#define PLAIN  "", "none", "", "write a plain number"
+#define FRAMES "", "none", "", "write the frames in a second, such as 240"
 
-#define DOMINO_COLUMN(traits)                                                                                \
-    {                                                                                                        \
-        "domino", "nr,no,no.,number", traits, PLAIN, 1, 1e6, "1 .. 1e6"                                      \
-    }
-#define FRAME_COLUMN                                                                                         \
-    {                                                                                                        \
-        "frame", "frames,frame number,step", CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"                  \
-    }
-#define RATE_COLUMN                                                                                          \
-    {                                                                                                        \
-        "rate", "frame rate,framerate,fps", 0, "", "none", "", "write the frames in a second, such as 240",  \
-            CSV_ABOVE_0, 1e9, "more than 0, up to 1e9"                                                       \
-    }
-#define RUN_COLUMN                                                                                           \
-    {                                                                                                        \
-        "run", "trial,video", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"                                         \
-    }
-#define TIME_COLUMN                                                                                          \
-    {                                                                                                        \
-        "time", "t,times,hit", CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"                        \
-    }
 #define GAP_COLUMN(traits)                                                                                   \
     {                                                                                                        \
         "gap", "spacing,distance,separation", traits, CSV_LENGTH, "write a length such as 9 mm",             \
             CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"                                                     \
     }
+#define ERROR_COLUMN(of, unit, highest, range)                                                               \
+    {                                                                                                        \
+        "error", "errors,sigma,uncertainty," of " error", CSV_EMPTY, unit, CSV_ABOVE_0, highest,             \
+            "more than 0, up to " range                                                                      \
+    }
 
-/* The columns that hits and angles have in common, in the same places. */
-enum { WHAT, TIME_AT, FRAME, RATE, RUN, ERROR, GAP, DOMINO };
+/* The columns that hits and angles have in common, but for the error. Angles have one more. */
+enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
+#define TIMED_COLUMNS(domino_traits)                                                                         \
+    [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \
+    [TIME_AT] = {"time", "t,times,hit", CSV_EMPTY | CSV_BARE, TIME, -1e9, 1e9, "-1e9 .. 1e9 s"},             \
+    [FRAME] = {"frame", "frames,frame number,step", CSV_EMPTY, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"},         \
+    [RATE] = {"rate", "frame rate,framerate,fps", 0, FRAMES, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9"},    \
+    [RUN] = {"run", "trial,video", 0, PLAIN, -1e12, 1e12, "-1e12 .. 1e12"}, [GAP] = GAP_COLUMN(0)
 
-static const struct csv_column speed_columns[] =
-    {
-        GAP_COLUMN(CSV_REQUIRED),
-        {"speed", "velocity,v", CSV_REQUIRED, SPEED, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
-        {"error", "errors,sigma,uncertainty,speed error", CSV_EMPTY, SPEED, CSV_ABOVE_0, 3e8,
-         "more than 0, up to 3e8 m/s"},
-},
-                               angle_columns[] =
-                                   {
-                                       {"angle", "theta,tilt,rotation,\u03b8,\u03b8r",
-                                        CSV_REQUIRED | CSV_EMPTY, ANGLE, -10, 10, "-10 .. 10 rad"},
-                                       TIME_COLUMN,
-                                       FRAME_COLUMN,
-                                       RATE_COLUMN,
-                                       RUN_COLUMN,
-                                       {"error", "errors,sigma,uncertainty,angle error", CSV_EMPTY, ANGLE,
-                                        CSV_ABOVE_0, 10, "more than 0, up to 10 rad"},
-                                       GAP_COLUMN(0),
-                                       DOMINO_COLUMN(CSV_WHOLE),
-},
-                               hit_columns[] = {
-                                   DOMINO_COLUMN(CSV_REQUIRED | CSV_WHOLE),
-                                   TIME_COLUMN,
-                                   FRAME_COLUMN,
-                                   RATE_COLUMN,
-                                   RUN_COLUMN,
-                                   {"error", "errors,sigma,uncertainty,time error", CSV_EMPTY, TIME,
-                                    CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 s"},
-                                   GAP_COLUMN(0),
+static const struct csv_column hit_columns[] = {
+    TIMED_COLUMNS(CSV_REQUIRED),
+    [ERROR] = ERROR_COLUMN("time", TIME, 1e9, "1e9 s"),
+};
+static const struct csv_column angle_columns[] = {
+    TIMED_COLUMNS(0),
+    [ERROR] = ERROR_COLUMN("angle", ANGLE, 10, "10 rad"),
+    [ANGLE_AT] = {"angle", "theta,tilt,rotation,\u03b8,\u03b8r", CSV_REQUIRED | CSV_EMPTY, ANGLE, -10, 10,
+                  "-10 .. 10 rad"},
+};
+static const struct csv_column speed_columns[] = {
+    GAP_COLUMN(CSV_REQUIRED),
+    {"speed", "velocity,v", CSV_REQUIRED, SPEED, CSV_ABOVE_0, 3e8, "more than 0, up to 3e8 m/s"},
+    ERROR_COLUMN("speed", SPEED, 3e8, "3e8 m/s"),
 };
 
 #define COUNT_OF(array) (int)(sizeof(array) / sizeof *(array))
@@ -187,21 +163,20 @@ static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
         return run_follow(d, csv, false) && point_add(d, csv, point, S_ERROR);
     }
     struct fit_point point = {.domino = 1, .error = known_or((double)value[ERROR], 0)};
-    const int domino = d->kind == FIT_HITS ? WHAT : DOMINO;
-    if (csv->column[domino])
-        point.domino = (size_t)value[domino];
+    if (csv->column[DOMINO])
+        point.domino = (size_t)value[DOMINO];
     if (!time_find(csv, rate, &point.time))
         return false;
-    if (isnan(point.time) || isnan(value[WHAT]))
+    point.measured = d->kind == FIT_HITS ? point.time : (double)value[ANGLE_AT];
+    if (isnan(point.time) || isnan(point.measured))
         return true;
     if (!run_follow(d, csv, true))
         return false;
     struct fit_run *run = &d->run[d->runs - 1];
     const struct fit_point *last = run->count > 1 ? &d->point[d->points - 1] : NULL;
-    point.measured = d->kind == FIT_HITS ? point.time : (double)value[WHAT];
     if (d->kind == FIT_HITS && last && last->domino >= point.domino)
         return csv_wrong(
-            &csv->file, csv_cell(csv, WHAT).at,
+            &csv->file, csv_cell(csv, DOMINO).at,
             "domino %zu comes after domino %zu; list the dominoes of a run in the order in which "
             "they are hit, each once",
             point.domino, last->domino);
