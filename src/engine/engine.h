@@ -81,11 +81,9 @@ struct engine_fall {
      * latter. */
     double gain;
     /* How much the foremost boxes slowed down: the smallest ratio of an angular velocity to the largest one
-     * since the box was hit. A row that almost stops has a small ratio. The ratio is 0 if a box was touched
-     * in an unusual way, as in `caught`, while it was the foremost one. */
+     * since the box was hit. A row that almost stops has a small ratio. The ratio is 0 if the
+     * foremost box was touched in any way other than by the tip of the box behind it on its back face. */
     double slowest;
-    /* Boxes have touched in some way other than with the tip of one on the back face of the next. */
-    bool caught;
 };
 
 enum engine_status {

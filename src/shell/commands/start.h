@@ -12,7 +12,6 @@ struct start {
     bool falls;   /* all of them fall */
     enum dom_row_end end;
     size_t stops_at;    /* the domino at which the row ends, from 1 */
-    bool has_push;      /* the session pushes the first domino */
     domq_real push;     /* rad/s, the weakest push with which all of them fall; NaN if none is enough */
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
