@@ -33,6 +33,11 @@ struct layout {
     unsigned bounded; /* bit i: column i has error bounds, which programs get in a separate column */
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
+    /* In a table for people: the digits of its numbers, the widths of its columns, and where a last column of
+     * words begins, or -1 if the words go below their row. If the terminal is too narrow even then, each row
+     * is stacked, with a line for each column. */
+    int digits, column[ANSWER_COLUMNS], words;
+    bool is_stacked;
     /* If not NULL, a row with the usual kinds of cells, because the first row may have other kinds. */
     const struct cell *sample;
 };

@@ -106,45 +106,30 @@ static void key_field(const struct answer *a, const char *key, int width)
 
 /* ---- A table of rows ---- */
 
-/* Returns the width of a column.  With few digits, the key may be wider than the numbers. */
-static int column_width(const struct answer *a, const struct column *c, int digits)
+/* Fixes the digits of the numbers and the widths of the columns, so that all columns fit into the terminal,
+ * if possible. */
+static void rows_measure(struct answer *a)
 {
-    int number = number_width(a, digits), key = terminal_columns(c->key);
-    return c->width ? c->width : number > key ? number : key;
-}
-
-/* Returns how many digits the numbers may have if all columns are to fit into the terminal. */
-static int row_digits(const struct answer *a)
-{
-    int digits = table_digits(a), fixed = 0, numbers = 0;
+    struct layout *l = &a->layout;
+    int fixed = 0, numbers = 0, at = 0, i = 0;
     for (const struct column *c = a->columns; c->key; c++) {
         fixed += c->width + (c > a->columns ? 2 : 0);
         numbers += c->width == 0;
     }
-    int room = numbers ? (a->layout.width - fixed) / numbers - number_width(a, 0) : digits;
-    return a->layout.width == 0 || room >= digits ? digits : room < DIGITS_LEAST ? DIGITS_LEAST : room;
-}
-
-/* If the last column contains words, returns the position where it begins, or -1 if the words go below their
- * row because there is too little room. */
-static int row_words(const struct answer *a, int digits)
-{
-    int at = 0;
-    const struct column *c = a->columns;
-    for (; c[1].key; c++)
-        at += column_width(a, c, digits) + 2;
-    int least = c->width && c->width <= WORDS_SHORT ? c->width : WORDS_LEAST;
-    return a->layout.width && a->layout.width - at < least ? -1 : at;
-}
-
-/* Returns true if the columns fit into the terminal, apart from long words in the last column. */
-static bool rows_fit(const struct answer *a)
-{
-    int width = -2, digits = row_digits(a);
-    for (const struct column *c = a->columns; c->key; c++)
-        if (c[1].key || c->width <= WORDS_SHORT)
-            width += column_width(a, c, digits) + 2;
-    return a->layout.width == 0 || width <= a->layout.width;
+    l->digits = table_digits(a);
+    int room = numbers ? (l->width - fixed) / numbers - number_width(a, 0) : l->digits;
+    if (l->width && room < l->digits)
+        l->digits = room < DIGITS_LEAST ? DIGITS_LEAST : room;
+    for (const struct column *c = a->columns; c->key; c++, i++) {
+        /* With few digits, the key may be wider than the numbers. */
+        int number = number_width(a, l->digits), key = terminal_columns(c->key);
+        l->column[i] = c->width ? c->width : number > key ? number : key;
+        at += c[1].key ? l->column[i] + 2 : 0;
+    }
+    const int last = a->columns[i - 1].width;
+    int least = last && last <= WORDS_SHORT ? last : WORDS_LEAST;
+    l->words = l->width && l->width - at < least ? -1 : at;
+    l->is_stacked = l->width && at + (last <= WORDS_SHORT ? l->column[i - 1] : -2) > l->width;
 }
 
 /* Writes a row as a line for each column, because the terminal is too narrow for the table. */
@@ -179,12 +164,12 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
     char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
     const char *shown[ANSWER_COLUMNS];
-    int digits = row_digits(a), words = row_words(a, digits), end = 0;
+    int words = a->layout.words, end = 0;
     for (int i = 0; a->columns[i].key; i++) {
         const struct column *c = &a->columns[i];
         shown[i] = line == KEYS    ? c->key
                    : line == UNITS ? column_unit(a, c, a->layout.measure[i], text[i])
-                                   : table_text(a, a->layout.measure[i], cells[i], digits, text[i]);
+                                   : table_text(a, a->layout.measure[i], cells[i], a->layout.digits, text[i]);
         end = *shown[i] ? i + 1 : end; /* the line of units ends with the last unit, without blanks */
     }
     if (line == UNITS && end == 0)
@@ -203,7 +188,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
             continue;
         }
         bool ends_line = is_left && !c[2].key && words < 0; /* no blanks after the last word */
-        int wide = column_width(a, c, digits), width = ends_line ? 0 : is_left ? -wide : wide;
+        int wide = a->layout.column[i], width = ends_line ? 0 : is_left ? -wide : wide;
         fputs(i ? "  " : "", a->out);
         if (line == KEYS)
             key_field(a, value, width);
@@ -260,19 +245,23 @@ static void row_lines(struct answer *a, const struct cell *cells)
 static void table_begin(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;
-    for (enum line line = KEYS; a->rows && rows_fit(a) && line <= UNITS; line++)
+    if (a->rows)
+        rows_measure(a);
+    for (enum line line = KEYS; a->rows && !a->layout.is_stacked && line <= UNITS; line++)
         row_line(a, a->layout.sample ? a->layout.sample : cells, line);
 }
 
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
 {
-    (void)reason; /* answer_row writes the reason below the table */
+    (void)reason;                     /* answer_row writes the reason below the table */
+    if (a->rows && !a->layout.digits) /* another part of the answer has the first row */
+        rows_measure(a);
     if (!a->rows)
         row_lines(a, cells);
-    else if (rows_fit(a))
-        row_line(a, cells, VALUES);
-    else
+    else if (a->layout.is_stacked)
         row_stacked(a, cells);
+    else
+        row_line(a, cells, VALUES);
 }
 
 /* Writes a sentence.  A '\n' at the beginning or the end of the format stands for a blank line.  A '\n' in
