@@ -3,7 +3,7 @@
 # Scenes in parts, under GNU parallel: on the processors of this machine, or with its option --sshlogin on those of
 # others that share FOLDER.
 #
-#   parallel.sh [PARTS] [FOLDER] [SCENE...]     FOLDER/SCENE.csv of each scene; by default all scenes but map.dom
+#   parallel.sh [PARTS] [FOLDER] [SCENE...]     FOLDER/SCENE.csv of each scene; by default all scenes but map.dom and improve.dom
 #
 # A part whose program is killed is computed again, twice at most. When the script itself was ended, run it again: it
 # computes only what is missing. The parts are in FOLDER/SCENE.parts.

@@ -5,10 +5,11 @@
 #   sbatch slurm.sh                               20 parts of the sweep, part-01.csv ... part-20.csv
 #   sbatch --array=1-50 slurm.sh placement.dom    50 parts of a study of placement, and so of errors.dom
 #   sbatch --array=1-100 slurm.sh map.dom         a map of a million points
+#   sbatch slurm.sh improve.dom                   'improve' from 20 seeds, of which one takes the best
 #
 # When all are done the whole is
 #
-#   cat part-*.csv > sweep.csv                    of a sweep, such as sweep.dom and map.dom
+#   cat part-*.csv > sweep.csv                    of a sweep, such as sweep.dom, map.dom and improve.dom
 #   cat part-*.csv | domino -e 'pool -'           of a study
 #
 # After tasks were lost, the same command computes only the parts that are missing, and '--array=7,31' only these two:

@@ -279,6 +279,14 @@ END
     [[ $(head -n 1 part) = 0.501,0.001,* ]]
 }
 
+@test "examples/cluster: improvements from several seeds are parts of a sweep" {
+    # Rows of three with good gaps all fall, which needs no search.
+    sed 's/placement 5 mm/placement 0.01 mm/; s/row 11/row 3/; s/ 20 20 / 4 4 /' "$root/examples/cluster/improve.dom" >scene.dom
+    for part in 1 2 3; do "$DOMINO" --shard $part/3 -f scene.dom; done >parts
+    "$DOMINO" -f scene.dom | cmp - parts
+    same 'a line for each seed' '1 2 3 4' "$(sed 1d parts | cut -d, -f1 | paste -sd ' ')"
+}
+
 @test "examples/cluster: the tasks of a job array of Slurm add up to the whole" {
     for SLURM_ARRAY_TASK_ID in $(seq 11); do
         export SLURM_ARRAY_TASK_ID SLURM_ARRAY_TASK_COUNT=11
