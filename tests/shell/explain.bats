@@ -82,6 +82,10 @@ python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 
     run -1 --separate-stderr env TMPDIR="$PWD/temporary" PATH="$PWD/bin:$PATH" "$DOMINO" -e 'explain launch > none.pdf'
     [[ $stderr == *'pdflatex did not typeset it: ! no such font'* ]] && [ ! -e none.pdf ]
     same 'temporary files' '(nothing)' "$(ls temporary)"
+    cd temporary
+    run -1 --separate-stderr env TMPDIR=none PATH="$BATS_TEST_TMPDIR/bin:$PATH" "$DOMINO" -e 'explain launch > none.pdf'
+    [[ $stderr == *"cannot make a temporary file in 'none': No such file or directory" ]]
+    cd ..
     while IFS='|' read -r command message; do
         run -1 "$DOMINO" -e "$command"
         grep -q "$message" <<<"$output" || same "$command" "$message" "$output"

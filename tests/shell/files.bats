@@ -307,7 +307,7 @@ END
 @test "temporary files are where TMPDIR says" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     run -1 --separate-stderr env TMPDIR="$PWD/none" "$DOMINO" -e 'plot energy > x.svg'
-    same 'no such folder' '-e:1: plot: cannot draw: No such file or directory' "$stderr"
+    same 'no such folder' "-e:1: plot: cannot make a temporary file in '$PWD/none': No such file or directory" "$stderr"
     mkdir own
     TMPDIR=$PWD/own "$DOMINO" -e 'plot energy > x.svg'
     [ -s x.svg ]

@@ -65,8 +65,11 @@ FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 /* Writes all buffered text to standard output. */
 void io_stdout_flush(void);
 
+/* Returns the folder for temporary files: $TMPDIR, or /tmp. */
+const char *io_temporary_folder(void);
+
 /* Opens a temporary file without a name, which vanishes when it is closed or the program ends.  If `folder`
- * is NULL, the file is in $TMPDIR or /tmp.  Returns NULL on failure. */
+ * is NULL, the file is in io_temporary_folder().  Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
 /* Makes a stream that writes into memory.  After fclose, *text has *size bytes, without a terminating NUL,

@@ -208,11 +208,16 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
     return in;
 }
 
-FILE *io_temporary(const char *folder)
+const char *io_temporary_folder(void)
 {
     const char *variable = system_environment("TMPDIR");
+    return variable && *variable ? variable : P_tmpdir;
+}
+
+FILE *io_temporary(const char *folder)
+{
     char *name;
-    folder = folder ? folder : variable && *variable ? variable : P_tmpdir;
+    folder = folder ? folder : io_temporary_folder();
     int file = system_unnamed(folder);
     if (file < 0 && asprintf(&name, "%s/domino.XXXXXX", folder) >= 0) {
         sigset_t before = io_block();

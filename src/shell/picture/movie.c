@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/movie.h"
-#include "io/io.h"
-#include <errno.h>
 #include <string.h>
 #include <strings.h>
 
@@ -61,9 +59,10 @@ bool movie_begin(struct movie *m, const char *path, int width, int height, int d
         snprintf(options, sizeof options, "pngcairo %s", terminal);
     else
         snprintf(options, sizeof options, "gif animate delay %d loop 0 %s optimize", delay, terminal);
-    if (ffmpeg && !(m->frames = io_temporary(NULL)))
-        problem_error(problem, "cannot draw: %s", strerror(errno));
-    else if (picture_begin(&m->picture, ffmpeg ? m->frames : m->file->out, options, interrupt, problem))
+    if (ffmpeg)
+        m->frames = temporary_open(problem);
+    if ((m->frames || !ffmpeg) &&
+        picture_begin(&m->picture, ffmpeg ? m->frames : m->file->out, options, interrupt, problem))
         return true;
     if (m->frames)
         fclose(m->frames);

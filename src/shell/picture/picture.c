@@ -4,6 +4,7 @@
 #include "io/io.h"
 #include "io/system.h"
 #include "io/terminal.h"
+#include "language/names.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -73,12 +74,23 @@ static bool program_failed(const char *name, const char *what, FILE *errors, str
     return problem_error(problem, "%s did not %s: %s", name, what, *line ? line : "it was stopped");
 }
 
+FILE *temporary_open(struct problem *problem)
+{
+    FILE *file = io_temporary(NULL);
+    const int error = errno;
+    char shown[NAMES_SHOWN];
+    if (!file)
+        problem_error(problem, "cannot make a temporary file in '%s': %s",
+                      names_shown(io_temporary_folder(), shown), strerror(error));
+    return file;
+}
+
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    FILE *errors = io_temporary(NULL);
+    FILE *errors = temporary_open(problem);
     if (!errors)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
+        return false;
     const int file[] = {fileno(in), fileno(out), fileno(errors)};
     pid_t parent = getpid();
     fflush(in);
@@ -112,9 +124,9 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 {
     if (!gnuplot_ready(problem))
         return false;
-    *p = (struct picture){.script = io_temporary(NULL), .out = out, .interrupt = interrupt};
+    *p = (struct picture){.script = temporary_open(problem), .out = out, .interrupt = interrupt};
     if (!p->script)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
+        return false;
     fprintf(p->script, "set encoding utf8\nset terminal %s\n", terminal);
     return true;
 }
@@ -158,9 +170,8 @@ static bool draw(const struct picture *p, FILE *drawing, struct problem *problem
 
 bool picture_end(struct picture *p, bool whole, struct problem *problem)
 {
-    FILE *drawing = whole ? io_temporary(NULL) : NULL;
-    bool drawn = drawing ? draw(p, drawing, problem)
-                         : whole && problem_error(problem, "cannot draw: %s", strerror(errno));
+    FILE *drawing = whole ? temporary_open(problem) : NULL;
+    bool drawn = drawing && draw(p, drawing, problem);
     if (drawing)
         fclose(drawing);
     fclose(p->script);

@@ -28,6 +28,9 @@ bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 /* Returns true if a program with this name is in one of the directories of PATH. */
 bool program_exists(const char *name);
 
+/* Opens a temporary file, which vanishes when it is closed. If this fails, sets *problem and returns NULL. */
+FILE *temporary_open(struct problem *problem);
+
 /* Runs a program with `in` as its standard input and `out` as its standard output. If the program fails, the
  * message says that it did not do `what`, for example "draw it". */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,

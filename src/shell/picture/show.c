@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/show.h"
-#include "io/io.h"
 #include "io/terminal.h"
 #include "language/names.h"
 #include "picture/graphics.h"
 #include "picture/picture.h"
-#include <errno.h>
 #include <string.h>
 #include <strings.h>
 
@@ -162,9 +160,9 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     struct sheet sheet;
     char terminal[TERMINAL_TEXT] = "";
     int width = SHEET_WIDTH, height = STAGE_MOST;
-    FILE *drawing = a->path ? a->out : io_temporary(NULL);
+    FILE *drawing = a->path ? a->out : temporary_open(problem);
     if (!drawing)
-        return problem_error(problem, "cannot draw: %s", strerror(errno));
+        return false;
     if (!a->path)
         graphics_size(a->out, &width, &height);
     if (stage) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/typeset.h"
 #include "io/io.h"
+#include "language/names.h"
 #include "picture/picture.h"
 #include <errno.h>
 #include <stdlib.h>
@@ -70,13 +71,14 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
 bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     static const char *const endings[] = {".tex", ".aux", ".log", ".pdf"};
-    const char *temporary = getenv("TMPDIR");
-    char folder[PATH_TEXT - 32], path[PATH_TEXT];
-    int length =
-        snprintf(folder, sizeof folder, "%s/domino-XXXXXX", temporary && *temporary ? temporary : "/tmp");
+    char folder[PATH_TEXT - 32], path[PATH_TEXT], shown[NAMES_SHOWN];
+    int length = snprintf(folder, sizeof folder, "%s/domino-XXXXXX", io_temporary_folder());
     errno = ENAMETOOLONG;
-    if (length >= (int)sizeof folder || !mkdtemp(folder))
-        return problem_error(problem, "cannot make a temporary folder: %s", strerror(errno));
+    if (length >= (int)sizeof folder || !mkdtemp(folder)) {
+        const int error = errno;
+        return problem_error(problem, "cannot make a temporary folder in '%s': %s",
+                             names_shown(io_temporary_folder(), shown), strerror(error));
+    }
     bool done = run(folder, tex, out, interrupt, problem);
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
         unlink(file_of(folder, endings[i], path));

@@ -3,11 +3,10 @@
 #include "answer/wrap.h"
 #include "commands/explain/derivation.h"
 #include "io/escape.h"
-#include "io/io.h"
 #include "language/quad.h"
+#include "picture/picture.h"
 #include "picture/show.h"
 #include "picture/typeset.h"
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -232,9 +231,9 @@ static void document_write(const struct writer *w, const struct explained *e, bo
 static bool typeset_write(struct writer *w, const struct explained *e, bool deep, const char *verdict,
                           FILE *out, struct problem *problem)
 {
-    w->formula.out = io_temporary(NULL);
+    w->formula.out = temporary_open(problem);
     if (!w->formula.out)
-        return problem_error(problem, "cannot typeset: %s", strerror(errno));
+        return false;
     document_write(w, e, deep, verdict);
     const volatile sig_atomic_t *interrupt = w->derivation->query.scene->compute.interrupt;
     bool done = typeset(w->formula.out, out, interrupt, problem);
