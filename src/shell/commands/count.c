@@ -110,14 +110,6 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_text(query, height, t->limit.r_max, moving), starts);
 }
 
-/* Formats a growth with this many digits, or with more if a growth other than 1 would be rounded to 1. */
-static const char *growth_text(domq_real r, int digits, char text[WIDE_TEXT])
-{
-    while (strcmp(quad_text(r, digits, text), "1") == 0 && r != 1)
-        digits++;
-    return text;
-}
-
 /* Calls kind_say for each kind of domino that has a name. If the kind of the session, about which `own`
  * tells, has no name, calls kind_say for this kind, too. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
@@ -128,7 +120,7 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
     char number[WIDE_TEXT];
     struct tower other = {.falls = false};
     answer_say(a,
-               "\nFalling with growth %s at s = %.6g, by kind of domino:", growth_text(train->r, 6, number),
+               "\nFalling with growth %s at s = %.6g, by kind of domino:", quad_growth(train->r, 6, number),
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
@@ -172,7 +164,7 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
                quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
-               growth_text(train->r, (int)a->style.digits, growth),
+               quad_growth(train->r, (int)a->style.digits, growth),
                !t->falls              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",

@@ -51,12 +51,13 @@ static const struct column rmax_columns[] = {
 /* Prints what the largest growth means, and what prevents a larger one. */
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
+    char growth[WIDE_TEXT];
     if (used->ends == DOM_END_NONE)
         answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.\n");
     else
         answer_say(a,
                    "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
-                   (double)train->s, measured(used->r_max, "", 6).text,
+                   (double)train->s, quad_growth(used->r_max, 6, growth),
                    used->ends == DOM_END_REACH
                        ? "Dominoes that grow more fall past the next one without touching it."
                        : "With a larger growth there is too little energy to keep falling.");

@@ -51,6 +51,13 @@ struct quad_shown quad_shown(domq_real value)
     return shown;
 }
 
+const char *quad_growth(domq_real growth, int digits, char text[WIDE_TEXT])
+{
+    while (strcmp(quad_text(growth, digits, text), "1") == 0 && growth != 1)
+        digits++;
+    return text;
+}
+
 domq_real quad_read(const char *text, char **end)
 {
     const char *stop = text;

@@ -41,6 +41,10 @@ enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 /* Writes a number with this many significant digits, as printf does with "%.*g". Returns `text`. */
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT]);
 
+/* Writes a growth with this many significant digits, or with more if a growth other than 1 would be rounded
+ * to 1. Returns `text`. */
+const char *quad_growth(domq_real growth, int digits, char text[WIDE_TEXT]);
+
 /* Returns a number as text with 10 significant digits, for messages. A caller uses quad_shown(x).text. */
 struct quad_shown {
     char text[WIDE_TEXT];
