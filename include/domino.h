@@ -21,7 +21,7 @@
  * Errors: if compute.errors is set, the member `error` of a result holds upper bounds of the absolute errors
  * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance, but not
  * the error made when the parameters are rounded to the precision. A bound is NaN if compute.errors is not
- * set, or if no bound is known, as for the motion and the limits of trains with friction.
+ * set, or if no bound is known. None is known for the motion and the limits of trains with friction.
  *
  * Precision: the functions of this header take and return doubles. <domino_quad.h>, which includes this
  * header, declares the same functions, structures and lists for the widest floating-point type of the
@@ -127,7 +127,7 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* Return the defaults in DOM_TRAIN_PARAMETERS and DOM_SCALE_PARAMETERS, with no effects. */
+/* Return the defaults of DOM_TRAIN_PARAMETERS, without effects, and of DOM_SCALE_PARAMETERS. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -143,7 +143,7 @@ struct dom_compute {
     enum dom_precision precision; /* default DOM_DOUBLE; parameters are rounded to this precision */
     /* Default DOM_METHOD_OURS. The other methods answer only a few questions and give no error bounds. */
     enum dom_method method;
-    bool errors;           /* true to compute error bounds as well, which takes more time */
+    bool errors;           /* true if error bounds are computed as well, which takes more time */
     struct dom_work *work; /* counters to which the work is added; may be NULL */
     /* A long computation ends with DOM_INTERRUPTED soon after *interrupt becomes non-zero. May be NULL. */
     const volatile sig_atomic_t *interrupt;
@@ -191,16 +191,16 @@ struct dom_angles_error {
 };
 
 struct dom_angles {
-    dom_real theta_c;     /* the head hits the next domino here: sin theta_c = r s (2; a2) */
-    dom_real theta_u;     /* a single domino tips over here: tan theta_u = d (4; b1) */
-    dom_real theta_inf;   /* far followers lean at nearly this angle: cos theta_inf = d / (s + d) (40; A16) */
+    dom_real theta_c;     /* the angle at which the head hits the next domino: sin theta_c = r s (2; a2) */
+    dom_real theta_u;     /* the angle at which a single domino tips over: tan theta_u = d (4; b1) */
+    dom_real theta_inf;   /* the angle that far followers approach: cos theta_inf = d / (s + d) (40; A16) */
     dom_real theta_f;     /* the final angle of a follower: (42; A18) if it detaches, otherwise theta_inf */
     dom_real theta_leave; /* the leader's angle at which its follower detaches; NaN if none does */
     bool detaches;        /* true if followers detach from their leaders (41; A17) */
     struct dom_angles_error error;
 };
 
-/* Finds the angles of struct dom_angles. */
+/* Finds the angles of a train. */
 enum dom_status dom_angles_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_angles *angles);
 
@@ -242,7 +242,7 @@ struct dom_link {
 
 /*
  * Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
- * visit returns false to end the walk early; the status is DOM_OK in that case, too.
+ * visit returns false to end the walk early. The status is DOM_OK in that case, too.
  */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -386,7 +386,7 @@ struct dom_state {
     dom_real omegasq;      /* tau^2 omega^2 (21; c3) */
     dom_real acceleration; /* tau^2 times the angular acceleration of the head, from (21; c3) */
     dom_real kinetic;      /* J(theta) tau^2 omega^2 */
-    dom_real climbed;      /* H(theta) - H(0); negative once the train is lower than at the launch */
+    dom_real climbed;      /* H(theta) - H(0); negative while the train is lower than at the launch */
     dom_real fallen;       /* the part of `climbed` that is due to dominoes that detached in this cycle */
     dom_real before;       /* kinetic energy of the train just before the collision */
     /* Energy lost in the collision; without friction, the member `before` divided by J(0) (22; c4). */
@@ -523,7 +523,7 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
 /* ---- Many trains at once ---- */
 
 /*
- * Asks the same question about `count` trains, one after the other. `answers` is an array of `count`
+ * Answers the same question about `count` trains, one after the other. `answers` is an array of `count`
  * structures of the type that enum dom_question names. `statuses` is an array of `count` statuses, one for
  * each train, so that a failure for one train does not affect the others. `tilts` is an array of `count`
  * tilts if the question is asked at a tilt, and may otherwise be NULL. Returns DOM_OK, or DOM_NO_METHOD if
@@ -540,9 +540,9 @@ enum dom_status dom_trains_ask(enum dom_question question, const struct dom_trai
 struct dom_effect_argument {
     const char *name, *unit, *meaning;
     dom_real lowest, highest; /* the range of the argument; both ends are allowed */
-    /* The value used if the argument is left out, and to measure the cost of the effect. */
+    /* The default of an optional argument. The value is also used to measure the cost of the effect. */
     dom_real usual;
-    bool optional;       /* this argument and those after it may be left out */
+    bool optional;       /* this argument and all later ones may be left out */
     bool whole;          /* the argument is a whole number */
     const char *or_file; /* the kind of file that may replace the number, or NULL */
     /* The words that stand for the values, or NULL if the argument is given as a number. The first word

@@ -97,7 +97,7 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
  * Effects beyond the paper, which struct dom_effect describes. The code of an effect runs only while the
- * effect is on, and struct dom_work counts how often.
+ * effect is on, and struct dom_work counts how often the code runs.
  *
  * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` is the
  * member of struct dom_train and of struct dom_row that holds the value of the effect, where 0 means off.
@@ -107,7 +107,7 @@ enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
     X(friction, mu, DOM_BAD_MU)                                                                              \
     X(slope, alpha, DOM_BAD_ALPHA) X(walls, walls, DOM_BAD_WALLS) X(edges, rho, DOM_BAD_RHO)
 
-/* Lists the effects of rows and of questions about rows: X(effect). */
+/* The effects that are not in DOM_DYNAMICS. They concern rows and questions about rows: X(effect). */
 #define DOM_EFFECTS(X) X(row) X(push) X(placement) X(floor)
 
 /* All effects, in the order of DOM_DYNAMICS and DOM_EFFECTS. */
@@ -138,7 +138,7 @@ enum dom_end { DOM_END_NONE, DOM_END_BARRIER, DOM_END_REACH };
 const char *dom_end_text(enum dom_end end);
 
 enum dom_event_kind {
-    DOM_EVENT_LAUNCH, /* the head has been hit, and moves */
+    DOM_EVENT_LAUNCH, /* the head has been hit and begins to move */
     DOM_EVENT_FALL,   /* a follower detaches from its leader, the domino on which it leaned (41; A17) */
     DOM_EVENT_TOP,    /* the head passes the top of the barrier, if there is a barrier */
     DOM_EVENT_STOP,   /* the train comes to rest below the top, and there is no next hit */

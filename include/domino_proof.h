@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Results with a proof: each is a pair of bounds that certainly enclose the true value.
+ * Proved results. Each result is a pair of bounds that certainly enclose the true value.
  *
  * The functions of <domino.h> compute results to a tolerance. The functions of this header prove bounds, by
  * interval arithmetic in double with outward rounding, and share no formula with the functions of <domino.h>.

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finite rows of dominoes of any sizes: how they fall, which changes make a row fall that does not, how
- * precisely a row must be set up, and the design of a row. <domino.h>, which has the introduction, includes
- * this header.
+ * Finite rows of dominoes of any sizes: how a row falls, how to mend a row that stops, how precisely a row
+ * must be set up, and how to design a row. <domino.h>, which has the introduction, includes this header.
  */
 #ifndef DOMINO_ROW_H
 #define DOMINO_ROW_H
@@ -42,12 +41,13 @@ enum dom_least { DOM_LEAST_DOMINOES, DOM_LEAST_LENGTH, DOM_LEAST_MASS };
 /* Why a wish cannot be fulfilled, and the meaning of dom_design.needs in that case. */
 enum dom_design_limit {
     DOM_DESIGN_FITS, /* the wish can be fulfilled */
-    /* No train has this safety; `needs` is slightly below the largest safety that a train has. */
+    /* No train has this safety. `needs` is slightly below the largest safety that is possible. */
     DOM_DESIGN_SAFETY,
     DOM_DESIGN_START,  /* the start is too weak; `needs` is a push in rad/s that is enough, or NaN */
     DOM_DESIGN_HALL,   /* the hall is too short; `needs` is the length of the shortest row found, in m */
     DOM_DESIGN_ENGINE, /* rows with this safety do not fall in the engine of the wish */
-    DOM_DESIGN_FAILED  /* some trains or rows could not be computed; `needs` is the s of one of them */
+    /* some trains or rows could not be computed; `needs` is a separation s for which this happened */
+    DOM_DESIGN_FAILED
 };
 
 /* What dom_row_windows changes. */
@@ -69,16 +69,16 @@ enum dom_window_of {
  * friction on describe one unknown value of the whole row, so all dominoes share one error.
  */
 #define DOM_ERRORS(X)                                                                                        \
-    X(gap, "m", "gap before each domino, which moves all dominoes after it")                                 \
-    X(place, "m", "place of each domino, which alone moves")                                                 \
-    X(height, "", "height of each domino, as a share")                                                       \
-    X(thickness, "", "thickness of each domino, as a share")                                                 \
-    X(mass, "", "mass of each domino, as a share")                                                           \
+    X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
+    X(place, "m", "place of each domino; no other domino moves")                                             \
+    X(height, "", "height of each domino, as a fraction")                                                    \
+    X(thickness, "", "thickness of each domino, as a fraction")                                              \
+    X(mass, "", "mass of each domino, as a fraction")                                                        \
     X(lean, "rad", "lean of each domino")                                                                    \
-    X(radius, "", "radius of the edges of each domino, as a share")                                          \
-    X(friction, "", "friction between dominoes, the same for all")                                           \
-    X(slope, "rad", "slope of the floor, the same for all")                                                  \
-    X(floor, "", "friction of the floor, the same for all")                                                  \
+    X(radius, "", "radius of the edges of each domino, as a fraction")                                       \
+    X(friction, "", "friction between dominoes, equal for all dominoes")                                     \
+    X(slope, "rad", "slope of the floor, equal for all dominoes")                                            \
+    X(floor, "", "friction of the floor, equal for all dominoes")                                            \
     X(push, "rad/s", "push of the first domino")
 
 enum dom_error_of {
@@ -149,7 +149,7 @@ struct dom_row {
     /* The effects of DOM_DYNAMICS, as in struct dom_train, but the thickness of the walls is in m, the same
      * for all dominoes. */
     dom_real mu, alpha, walls, rho;
-    /* Added to the friction coefficient of the floor in an engine; unused by the model. */
+    /* A number that an engine adds to the friction coefficient of the floor. The model does not use it. */
     dom_real feet;
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library; may be NULL. */
@@ -159,22 +159,25 @@ struct dom_row {
 /* Returns a row without dominoes, which the caller adds: g = 9.81 m/s^2, no push, no effects, no engine. */
 struct dom_row dom_row_default(void);
 
-/* One domino of the row while it is the head: from the moment when it is hit until it hits the next domino or
- * lies on the floor. In the comments below, "it" is this domino. */
+/* One domino of the row while it is the head, that is, from the moment when it is hit until it hits the next
+ * domino or lies on the floor. "The hit" is the collision in which the domino is hit. */
 struct dom_fall {
-    size_t domino;     /* number of this domino, from 1 */
-    dom_real time;     /* s, the time of the hit; the clock starts with the push, or at the first hit */
-    dom_real duration; /* s, until it hits the next domino or lies on the floor; NaN if it does neither */
-    dom_real omega;    /* rad/s, its angular velocity just after it was hit */
-    dom_real kinetic;  /* J, the kinetic energy of all moving dominoes just after it was hit */
-    dom_real barrier;  /* J, the kinetic energy that it needs; infinite if friction locks the row later */
-    dom_real margin;   /* J, kinetic - barrier */
-    dom_real lost;     /* J, the energy lost in the collision */
-    /* J, the energy lost to friction between dominoes since it was hit. NaN if the row ends here. */
+    size_t domino; /* number of the domino, from 1 */
+    dom_real time; /* s, the time of the hit, since the push or, without a push, since the first hit */
+    /* s, from the hit until the domino hits the next one or lies on the floor; NaN if it does neither */
+    dom_real duration;
+    dom_real omega;   /* rad/s, the angular velocity of the domino just after the hit */
+    dom_real kinetic; /* J, the kinetic energy of all moving dominoes just after the hit */
+    /* J, the kinetic energy needed to get over the barrier; infinite if friction locks the row */
+    dom_real barrier;
+    dom_real margin; /* J, kinetic - barrier */
+    dom_real lost;   /* J, the energy lost in the collision */
+    /* J, the energy lost to friction between dominoes after the hit. NaN if the row ends at this domino. */
     dom_real friction_work;
-    dom_real theta_m; /* rad, the tilt that takes the most energy to pass */
-    dom_real theta;   /* rad, the tilt at which it hits the next domino, lies on the floor, or rests */
-    size_t moving;    /* the number of dominoes that move when it is hit, including it */
+    dom_real theta_m; /* rad, the tilt of the domino at the top of the barrier */
+    /* rad, the last tilt: the domino hits the next one, lies on the floor, or comes to rest */
+    dom_real theta;
+    size_t moving; /* the number of dominoes that move just after the hit, including this domino */
     /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
      * are NaN and the numbers of the dominoes are 0. */
     dom_real floor_motion, floor_hit;
@@ -183,13 +186,16 @@ struct dom_fall {
 
 struct dom_verdict {
     enum dom_row_end end;
-    /* The last domino that was hit, at which the row ends. With DOM_BAD_... the domino with the bad value. */
+    /* The domino at which the row ends, which is the last one that was hit. With DOM_BAD_..., the domino with
+     * the bad value. */
     size_t domino;
     /* J, the missing energy, > 0 for DOM_ROW_STOPS. Infinite if friction would lock the row. */
     dom_real short_by;
-    dom_real seconds; /* s, until all dominoes lie, or until the last hit; NaN if times were not requested */
-    size_t weakest;   /* the domino that falls with the smallest margin / barrier; 0 if there is none */
-    dom_real spare;   /* margin / barrier of that domino; infinite if there is no barrier */
+    /* s, the time until all dominoes lie or, if the row ends early, until the last hit; NaN if times were not
+     * requested */
+    dom_real seconds;
+    size_t weakest; /* the domino that falls with the smallest margin / barrier; 0 if there is none */
+    dom_real spare; /* margin / barrier of the weakest domino; infinite if there is no barrier */
 };
 
 /*
@@ -204,9 +210,9 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation with effects that
- * the model lacks. run has the parameters and the results of dom_row_run, and may use row->engine->own for
- * data of its own. All functions about rows then call run, except dom_row_watch, which returns DOM_NO_METHOD.
- * Studies may call run from many threads at once.
+ * the model lacks. run has the parameters and the results of dom_row_run, and finds its private data in
+ * row->engine->own. For a row with an engine, all functions about rows call run, except dom_row_watch, which
+ * returns DOM_NO_METHOD. Studies may call run from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -216,7 +222,7 @@ struct dom_engine {
     void *own;
 };
 
-/* The row at one time. */
+/* The state of a row at one moment. */
 struct dom_moment {
     dom_real time;                /* s, as in struct dom_fall */
     size_t head;                  /* number of the last domino that was hit, from 1 */
@@ -250,8 +256,8 @@ struct dom_row_growth {
     dom_real r_max; /* NaN if not all dominoes fall at any growth that was tried */
     /* All dominoes fall at growths from r_min to r_max; r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
-    /* How the row ends just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if `highest` limits
-     * r_max. */
+    /* How the row ends at a growth just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if r_max is
+     * limited only by `highest`. */
     enum dom_row_end ends;
 };
 
@@ -260,8 +266,9 @@ struct dom_row_growth {
  * to `highest`, first until the row falls, and then until it no longer falls. make writes the dominoes for
  * each r that is tried; for a train, let make call dom_row_of_train, and let `highest` be dom_train_reach.
  * row->domino is not used. r is raised in steps of 2 %, or in steps of 10 % while the row does not fall in an
- * engine; a narrower interval of growths can be missed. The statuses are those of dom_row_run, also for the
- * dominoes that make writes. The status is DOM_BAD_R if `highest` is not a finite number >= 1.
+ * engine; an interval of growths that is narrower than a step can be missed. The statuses are those of
+ * dom_row_run, also for the dominoes that make writes. The status is DOM_BAD_R if `highest` is not a finite
+ * number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
@@ -269,8 +276,8 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 /* A change of one gap that makes all dominoes of a row fall. */
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
-    dom_real gap;  /* m, the gap now */
-    /* m, to seven digits: the gap closest in size to `gap` with which all dominoes were found to fall. */
+    dom_real gap;  /* m, the present gap */
+    /* m, rounded to seven digits: the gap closest to the present one with which all dominoes fall. */
     dom_real to;
     /* m, the other end of the interval: all dominoes fall with every gap from `to` to `until`. */
     dom_real until;
@@ -281,9 +288,9 @@ struct dom_mend {
  * number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which the row
  * ends and the 30 gaps before that gap, down to 0 and up to the height of the domino before the gap. If a gap
  * is wider than that height, and all dominoes fall with a gap of that height, `to` is the height. Each
- * direction is searched in 40 steps, the first of which is 1/64,000 of the range and each larger than the one
- * before, and then by bisection. An interval of gaps narrower than a step can be missed. Calls progress,
- * which may be NULL, for each gap. The statuses are those of dom_row_run.
+ * direction is searched in 40 steps of increasing length, of which the first is 1/64,000 of the range, and
+ * then by bisection. An interval of gaps narrower than a step can be missed. Calls progress, which may be
+ * NULL, for each gap. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -295,9 +302,9 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
     dom_real now;  /* the present value */
-    dom_real low;  /* the smallest value of the window, to seven digits; NaN if no window was found */
+    dom_real low;  /* the smallest value of the window, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
-    bool others;   /* true if the row also falls with some values outside the window */
+    bool others;   /* true if the row also falls with some value outside the window */
     /* How the row ends with a value just outside the window. DOM_ROW_FALLS if the window reaches the end of
      * the range that is tried, or if the row does not fall now. */
     enum dom_row_end below, above;
@@ -357,9 +364,9 @@ struct dom_design {
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
-    size_t weakest;   /* the number of that domino, from 2 */
+    size_t weakest;   /* the number of the domino with this smallest ratio, from 2 */
     enum dom_design_limit limit;
-    dom_real needs; /* what would make the wish possible; NaN with DOM_DESIGN_FITS */
+    dom_real needs; /* the value described at enum dom_design_limit; NaN with DOM_DESIGN_FITS */
 };
 
 /*
@@ -370,9 +377,9 @@ struct dom_design {
  * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, with up to 30
  * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001 and in
  * double; a separation at which a train or a row cannot be computed is skipped. If the wish has an engine,
- * the row must also fall in the engine, which is run at separations 0.1 apart; the safety is still that of
- * the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a
- * member of the wish is outside its range.
+ * the row must also fall in the engine, which is tried only at separations 0.1 apart. The safety is still
+ * computed by the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or
+ * DOM_BAD_PUSH if a member of the wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
@@ -404,8 +411,9 @@ struct dom_placement {
 
 /* How many rows of a placement fall. */
 struct dom_study {
-    size_t rows, fall; /* number of all rows, and of those in which every domino falls */
-    /* Rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). They widen the interval. */
+    size_t rows, fall; /* the number of rows, and the number of rows in which every domino falls */
+    /* The number of rows that the model cannot decide (DOM_ROW_PASSES and DOM_ROW_PARTS). Undecided rows
+     * widen the interval. */
     size_t unknown;
     double low, high; /* 95 % interval of the probability that all dominoes fall (Clopper and Pearson) */
 };
@@ -426,9 +434,9 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
 /*
  * Does what dom_placement_study does, and also runs each row again without each kind of error, one kind at a
  * time; the random numbers of the other kinds stay the same. Writes to without[kind] how many rows fall
- * without errors of that kind. Unless it is NULL, `stops` has room for (1 + DOM_ERROR_COUNT) * row->count
- * numbers: those of dom_placement_study, and then, for each kind, how many rows ended at each domino but fall
- * without errors of that kind.
+ * without errors of that kind. Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count
+ * numbers: first the numbers that dom_placement_study writes, and then, for each kind, how many rows ended at
+ * each domino but fall without errors of that kind.
  */
 enum dom_status dom_placement_causes(const struct dom_row *row, const struct dom_compute *compute,
                                      const struct dom_placement *placement, struct dom_study *study,
@@ -441,8 +449,8 @@ enum dom_status dom_study_interval(struct dom_study *study);
 /* How precisely a row must be set up. */
 struct dom_budget {
     /* The size of the error in its unit, or the factor by which all errors are multiplied, and its 95 %
-     * interval. Infinite if even the largest size that is tried is small enough. `low` is 0 if there are too
-     * few rows for a bound. */
+     * interval. `sigma` is infinite if even the largest size that is tried is small enough, and `low` is 0 if
+     * there are too few rows for a bound. */
     double sigma, low, high;
 };
 
@@ -460,34 +468,35 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
                                      const struct dom_placement *placement, enum dom_error_of kind,
                                      double probability, struct dom_budget *budget);
 
-/* ---- The row that most likely falls ---- */
+/* ---- The most reliable row ---- */
 
-/* What dom_row_improve may change, and the limits that it keeps. */
+/* What dom_row_improve may change, and the limits within which the result must be. */
 struct dom_limits {
-    /* true to change the sizes of all dominoes but the first and the last, too. A domino keeps its
-     * proportions, except that its thickness is one of the boards if there are any. */
+    /* true if the sizes of all dominoes except the first and the last may change, too. The proportions of a
+     * domino do not change, except that its thickness becomes that of a board if boards are given. */
     bool sizes;
     /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
      * walls, the masses follow from the walls instead. */
     dom_real q;
-    dom_real hall;         /* m, the space for the row with its last domino lying; may be infinite */
-    dom_real heaviest;     /* kg, the mass of the heaviest domino that changes; may be infinite */
-    dom_real grid;         /* m, all measures that change are multiples of this length; 0 for any measures */
+    dom_real hall;     /* m, the space for the row with its last domino lying; may be infinite */
+    dom_real heaviest; /* kg, the mass of the heaviest domino that changes; may be infinite */
+    /* m, every length that changes becomes a multiple of `grid`; 0 if any length is allowed */
+    dom_real grid;
     const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
     size_t boards;
 };
 
 /*
- * Changes a row so that it most likely falls when it is set up with the random errors of a placement, and
- * writes its dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many of the rows of the
- * placement fall as the row is given, and study[1] how many fall after the changes. The search itself uses
- * other random rows, whose numbers follow those of the placement. The result keeps the limits. If the search
- * finds no row of which more fall than of the row that is given, the result is that row, even if that row
- * does not keep the limits. The same seed gives the same result, with any placement->parallel.
+ * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes
+ * the changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the
+ * placement fall before the changes, and study[1] how many fall after them. The search itself uses other
+ * random rows, whose numbers follow those of the placement. The result is within the limits. If the search
+ * finds no better row, the result is the given row, even if the given row is outside the limits. The same
+ * seed gives the same result, whatever placement->parallel is.
  *
- * The search runs the model in double. If the row has an engine, the engine runs only the rows that are
- * counted. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so far if
- * study[0].rows > 0; otherwise study[0].rows is 0, and the dominoes are not written. The status is
+ * The search runs the model in double. If the row has an engine, the engine runs only the rows that study[0]
+ * and study[1] count. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so
+ * far if study[0].rows > 0; otherwise study[0].rows is 0, and the dominoes are not written. The status is
  * DOM_BAD_HALL if the dominoes do not fit into the hall even without gaps, DOM_BAD_THICKNESS for a board,
  * DOM_BAD_Q for q, DOM_BAD_MASS for the heaviest mass, and DOM_BAD_GAP for the grid. Other statuses are those
  * of dom_placement_study.

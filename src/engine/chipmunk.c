@@ -60,7 +60,8 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    const bool room = tried || room_take(0); /* memory for the first space and for loading the library */
+    /* check that there is memory for the first space and for loading the library */
+    const bool room = tried || room_take(0);
     if (room && !tried) {
         load();
         room_give(0);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Ends the iterations of the engine's solver once they have converged. Chipmunk makes a fixed number of
- * iterations in each step. In each of them it asks every constraint to apply its impulse, and it reads the
- * number of iterations anew. A constraint that applies no impulse can therefore see how much the velocities
+ * iterations in each step. In each iteration it asks every constraint to apply its impulse, and reads the
+ * number of iterations again. A constraint that applies no impulse can therefore see how much the velocities
  * of the boxes still change, and end the loop.
  */
 #include "world.h"
@@ -11,8 +11,8 @@
 /* The largest number of iterations in a step. */
 enum { MOST = 1000 };
 
-/* Before the first iteration: the velocities are those at the beginning of the step, with gravity and with
- * the impulses of the step before. */
+/* Called before the first iteration, when the velocities already include gravity and the impulses of the
+ * previous step. */
 static void before_first(cpConstraint *watch, double factor)
 {
     struct world *w = watch->userData;
@@ -27,8 +27,8 @@ static double motion_change(const struct motion *a, const struct motion *b)
     return fmax(fmax(fabs(a->v.x - b->v.x), fabs(a->v.y - b->v.y)), fabs(a->turns - b->turns));
 }
 
-/* In each iteration: ends the loop if the changes of all further iterations, which are taken to form a
- * geometric series, are small compared with the change of the velocities in this step. */
+/* Called in each iteration. Ends the loop if all further iterations together would change the velocities
+ * little, compared with their change in this step. The changes are taken to form a geometric series. */
 static void each(cpConstraint *watch, double dt)
 {
     struct world *w = watch->userData;

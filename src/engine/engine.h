@@ -26,14 +26,15 @@ struct engine_row {
     double g;
     /* Angular velocity given to the first box; NaN if it is tipped over its edge and let go instead. */
     double push;
-    double slope;  /* angle at which the floor descends in the direction of the row */
+    double slope;  /* angle by which the floor descends in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
     /* Friction coefficient of the floor; if it is infinite, each foot is a hinge, or rolls if it is
      * rounded. */
     double feet;
     double radius; /* radius of rounded edges, relative to the height */
-    double bevel;  /* fraction of the height by which the upper back edge is cut off; masses are unaffected */
+    /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
+    double bevel;
 };
 
 /* Initialiser for a row of solid boxes on hinges, without any other effect. Set the members that differ
@@ -68,12 +69,14 @@ struct engine_hit {
 };
 
 struct engine_fall {
-    bool all;    /* all boxes fall */
-    bool lies;   /* the last box that was hit has fallen to the floor */
-    bool leans;  /* the first box, tipped over its edge, would already touch the second, so nothing was run */
-    size_t hits; /* number of boxes that were hit, including the first */
+    bool all;  /* true if all boxes fall */
+    bool lies; /* true if the last box that was hit has fallen to the floor */
+    /* True if the first box, tipped over its edge, would already touch the second. Nothing was run in this
+     * case. */
+    bool leans;
+    size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies, or until the row has come to rest */
-    double zero;    /* time from the start of the run to the zero of all other times */
+    double zero;    /* time from the start of the run to the moment from which all other times are measured */
     /* The deepest penetration of one box into another, relative to the height of the rear box. */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
@@ -130,7 +133,7 @@ struct engine_settled {
     /* The largest change of a time when the length of the steps was last halved, relative to the duration;
      * NaN if the verdict changed or times were not requested. */
     double change;
-    bool same; /* the verdict did not change when the length of the steps was last halved */
+    bool same; /* true if the verdict did not change when the length of the steps was last halved */
 };
 
 /* The largest relative change of a time that counts as settled, and the finest resolution to try. */

@@ -18,7 +18,8 @@
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
 static const double brakes = 0.9; /* the fraction of the time to the next hit that one step may take */
-static const double lies = 1e-3;  /* a box lies if its tip is lower than this fraction of its height */
+/* a box lies on the floor if its tip is lower than this fraction of its height */
+static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 static const double hinged_rest = 0.1,
                     any_rest = 3; /* a box that rests for this long has stopped, in sqrt(height / g) */
@@ -64,7 +65,7 @@ static double time_to_hit(const struct world *w)
     for (int i = 0; i < 2; i++) {
         cpVect at = world_front(w, k, i == 0);
         double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
-        if (speed > 0 && at.y < height) /* a tip that is higher than the next box passes over it */
+        if (speed > 0 && at.y < height) /* a tip that is higher than the next box passes over this box */
             soonest = fmin(soonest, (face - at.x) / speed);
     }
     return soonest;
@@ -75,7 +76,7 @@ static void look_at_hinges(struct world *w, double unit)
 {
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
-        /* The fraction of the drift that remains after a time of 1. */
+        /* The fraction of the drift that remains after one unit of time. */
         const double left = exp(-hinge_rate / unit);
         if (k + FOREMOST > w->head)
             w->fall->drift =

@@ -12,8 +12,7 @@ static const double rough = 1000;
 static const double tipped = 1e-3;
 enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose penetration is recorded */
 
-/* The engine measures angles from x to y, that is anticlockwise, whereas boxes fall clockwise, towards
- * positive x. */
+/* The engine measures angles anticlockwise, from x to y, whereas boxes fall clockwise, towards positive x. */
 double world_tilt(const struct world *w, size_t k)
 {
     return -w->cp->cpBodyGetAngle(w->body[k].body);

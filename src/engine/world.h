@@ -20,7 +20,8 @@ struct body {
     cpConstraint *hinge, *limit; /* NULL if the box stands on a floor */
     cpVect corner;               /* position of the lower front corner at the start */
     double moment;
-    struct motion begin, now; /* before the iterations of a step, and after the last one so far */
+    /* motion before the iterations of a step, and after the last iteration so far */
+    struct motion begin, now;
 };
 
 struct world {
@@ -36,7 +37,7 @@ struct world {
     double now;
     double energy;             /* energy of the boxes in the space when the head was hit */
     struct cpConstraint watch; /* ends the iterations of a step (converge.c) */
-    double tolerance;          /* of the impulses, as in struct engine_grain */
+    double tolerance;          /* tolerance of the impulses, as in struct engine_grain */
     double change;             /* the largest change of a velocity in the last iteration */
 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Asks the same question about many trains. A caller in a slower language needs only one call for the loop.
- */
+/* Answers the same question about many trains, so that a caller in a slower language such as Python needs no
+ * loop. */
 #include "numerics/real.h"
 
 typedef enum dom_status find_train(const struct dom_train *train, const struct dom_compute *compute,
@@ -8,8 +8,8 @@ typedef enum dom_status find_train(const struct dom_train *train, const struct d
 typedef enum dom_status find_tilt(const struct dom_train *train, const struct dom_compute *compute,
                                   dom_real theta, void *answer);
 
-/* Define a wrapper of the function for a question. The wrapper takes the result as a void pointer, so that
- * one table can list the wrappers of all questions. */
+/* Defines a wrapper around the function that answers a question. All wrappers take the result as a void
+ * pointer, so that they fit into one table. */
 #define FINDS(find, kind)                                                                                    \
     static enum dom_status ask_##find(const struct dom_train *train, const struct dom_compute *compute,      \
                                       void *answer)                                                          \

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method for comparison: the same energies as in our own method, but with the standard solvers of GSL.
- * Brent's method finds the barrier, as a maximum around the highest of a few samples, and r_max, as a root.
- * An adaptive quadrature finds the duration. Second maxima, kinks and trains that nearly stop get no special
- * treatment.
+ * A method for comparison: the energies are computed as in our own method, but the solvers are the standard
+ * ones of GSL. Brent's method finds the barrier, as a maximum around the highest of a few samples, and r_max,
+ * as a root. An adaptive quadrature finds the duration. Second maxima, kinks and trains that nearly stop get
+ * no special treatment.
  */
 #include "numerics/quiet.h"
 #include "precision/kernel.inc"

@@ -2,7 +2,7 @@
 /*
  * A method for comparison: the recipe at the end of the paper's section 'A general domino train', with the
  * angles and plain sums of the paper. theta is raised in steps until H decreases. r is raised in steps until
- * the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One slip
+ * the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One error
  * of the paper is corrected: a follower detaches when its leader reaches theta_leave.
  */
 #include "precision/kernel.h"
@@ -35,8 +35,8 @@ static struct paper_sums paper_chain(struct paper *p, double theta)
         weight *= pow(p->r, -p->q);
         inertia *= pow(p->r, -p->q - 1);
         if (theta >= p->theta_leave && theta > 0) {
-            /* A domino that has detached keeps the tilt theta_f, and so do its followers, which detached
-             * earlier. */
+            /* A domino that has detached stays at the tilt theta_f. Its followers detached earlier and stay
+             * there, too. */
             sums.H += weight * (cos(p->theta_f) + p->d * sin(p->theta_f)) / (1 - pow(p->r, -p->q));
             break;
         }

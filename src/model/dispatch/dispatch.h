@@ -43,8 +43,8 @@ struct row_question row_question_make(const struct dom_row *row, const struct do
 
 /*
  * Calls a function of the question's kernel with the request and the other arguments, and evaluates to the
- * status that the function returns. Calls nothing if the question has failed already, or if the kernel lacks
- * the function (DOM_NO_METHOD).
+ * status that the function returns. Calls nothing if the question already has an error status. Evaluates to
+ * DOM_NO_METHOD if the kernel lacks the function.
  */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \

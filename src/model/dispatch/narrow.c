@@ -53,8 +53,8 @@ static struct domq_compute wide_compute(const struct request *q)
                                  .interrupt = q->interrupt};
 }
 
-/* Define a function of the kernel whose result is a structure. With other statuses than those listed the
- * structure is not written. */
+/* Defines a function of the kernel whose result is a structure. The structure is written only if the status
+ * is one of those listed. */
 #define FIND(find, structure, is_written)                                                                    \
     static enum dom_status narrow_##find(const struct request *q, struct dom_##structure *found)             \
     {                                                                                                        \
@@ -116,9 +116,9 @@ static enum dom_status narrow_cycle_tilt(const struct request *q, dom_real time,
     return status;
 }
 
-/* ---- Walks: the callback of a caller gets structures in double ---- */
+/* ---- Walks: the caller's callback gets structures in double ---- */
 
-/* The callback of a caller, one of the three, and its context. */
+/* The caller's callback, which is one of these three, and its context. */
 struct visitor {
     dom_visit *link;
     dom_state_visit *state;
@@ -183,9 +183,9 @@ static enum dom_status narrow_cycle_forces(const struct request *q, dom_real the
 static enum dom_status narrow_count_find(dom_real first, dom_real height, dom_real r,
                                          const struct dom_compute *compute, struct dom_count *count)
 {
-    const struct domq_compute asked = {.precision = compute->precision, .errors = compute->errors};
+    const struct domq_compute settings = {.precision = compute->precision, .errors = compute->errors};
     struct domq_count wide;
-    enum dom_status status = domq_count_find(first, height, r, &asked, &wide);
+    enum dom_status status = domq_count_find(first, height, r, &settings, &wide);
     if (status == DOM_OK)
         narrow_count(count, &wide);
     return status;

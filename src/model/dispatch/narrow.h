@@ -6,7 +6,7 @@
 #include "dispatch/dispatch.h"
 #include "members.h" /* made by the build: the members of each structure */
 
-/* Define the conversion of a structure of <domino_quad.h> to that of <domino.h>, and back. */
+/* Define the conversions of a structure from <domino_quad.h> to <domino.h>, and back. */
 #define TO_NARROW(member)          to->member = (dom_real)from->member;
 #define TO_WIDE(member)            to->member = from->member;
 #define AS_IT_IS(member)           to->member = from->member;
@@ -17,11 +17,11 @@
         DOM_MEMBERS_##structure(TO_NARROW, AS_IT_IS, PART_OF)                                                \
     }
 
-/* A value of an effect of a request, for the member of a train or of a row. */
+/* Initializes a member of a train or a row with the value of an effect in a request. */
 #define EFFECT(effect_, member, status) .member = q->effect[DOM_EFFECT_##effect_],
 
-/* The tolerance. The smallest one that is allowed in a precision is not the same number in double as in quad.
- */
+/* Returns the tolerance for <domino_quad.h>. The smallest tolerance that a precision allows has a slightly
+ * different value in double than in quad. */
 static inline domq_real wide_tol(dom_real tol, enum dom_precision precision)
 {
     const domq_real least = domq_arithmetic(precision)->tol_floor;

@@ -12,7 +12,7 @@ static void widen_domino(struct domq_domino *to, const struct dom_domino *from)
     DOM_MEMBERS_domino(TO_WIDE, AS_IT_IS, PART_OF)
 }
 
-/* The callback of a caller, one of the two, and its context. */
+/* The caller's callback, which is one of these two, and its context. */
 struct visitor {
     dom_fall_visit *fall;
     dom_moment_visit *moment;
@@ -127,7 +127,7 @@ enum dom_status narrow_row_watch(const struct row_request *q, const dom_real *ti
 
 /* ---- Rows that are run again and again ---- */
 
-/* What the kernel gives its callers as a course or as a random row. */
+/* The data behind the pointers that callers of the kernel get as a struct course or a struct random_row. */
 struct narrow_runs {
     enum dom_precision precision;
     size_t count;

@@ -44,11 +44,12 @@ struct start {
 };
 
 struct dynamics {
-    /* True if the motion conserves energy. The barrier is then the maximum of the potential energy H, which
-     * Newton's method finds. */
+    /* True if the motion conserves energy. In that case the barrier is the maximum of the potential energy H,
+     * and Newton's method finds it. */
     bool conservative;
 
-    /* Optional: allocate and free the memory of this law. `begin` returns DOM_OK or DOM_NO_MEMORY. */
+    /* Optional: these functions allocate and free the memory of this law. `begin` returns DOM_OK or
+     * DOM_NO_MEMORY. */
     enum dom_status (*begin)(struct geometry *geometry);
     void (*end)(struct geometry *geometry);
 
@@ -61,8 +62,8 @@ struct dynamics {
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
      * Optional: if the motion uses up its energy before *hi, lowers *hi to a tilt soon after the one at which
-     * the energy is used up, so that this tilt is easier to find. edge[0] and edge[1] are the ends of the
-     * smooth piece of the motion that contains `start`.
+     * the energy is used up, so that the exact tilt is easier to find. edge[0] and edge[1] are the ends of
+     * the smooth piece of the motion that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);

@@ -48,9 +48,9 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 
 /*
  * Solves the beginning of a motion on separate narrow panels, whose ends increase by factors of 8, because
- * the solution changes on two small scales there. From upright to theta ~ d, u changes by only d^2, and by
- * much more afterwards. Near the tilt sqrt(1 - r s) followers come down. *lo receives the tilt up to which
- * the motion is solved.
+ * the solution changes on two small scales there: on the scale d, because u changes by only d^2 up to theta ~
+ * d and by much more afterwards, and on the scale sqrt(1 - r s), because followers come down near this tilt.
+ * *lo receives the tilt up to which the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
@@ -83,8 +83,8 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 
 /*
  * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain jumps
- * where it ends one domino earlier than at the neighbouring tilt, and the jump must stay below what a
- * Chebyshev series resolves.
+ * where it ends one domino earlier than at the neighbouring tilt, and a Chebyshev series must not resolve
+ * this jump.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -125,7 +125,7 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece include the same dominoes, even if rounding puts the tilt at which a domino
+    /* Count the same dominoes in all sums over one piece, even if rounding puts the tilt at which a domino
      * detaches inside the piece. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;

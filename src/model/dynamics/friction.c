@@ -51,7 +51,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
                                              real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
-    /* Computing forces takes as many dominoes as computing energies does. */
+    /* Forces need as many dominoes as energies do, so count the dominoes of an energy pass. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
         status = geometry->law->equation(geometry, head, &equation);

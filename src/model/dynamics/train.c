@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, physical units and rows: functions that use the arithmetic of dom_real whatever the precision of
- * a request. */
+/* Defaults, physical units and rows: functions that compute with dom_real, whatever the precision of a
+ * request is. */
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -86,8 +86,8 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count)
 {
-    /* A power in quad precision costs as much as the run of a domino, so there each domino is made from the
-     * one before it. The errors of the products are far below the digits of a row. */
+    /* A power in quad precision costs as much as running a domino, so each domino is computed from the one
+     * before it instead. The errors of these products are far below the accuracy of a row. */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;
     for (size_t k = 0; k < count; k++) {

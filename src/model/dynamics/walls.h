@@ -21,7 +21,7 @@ struct box {
     real inertia; /* moment of inertia relative to that of a solid block of the same mass */
 };
 
-/* Returns the properties of a box; all arguments are relative to the height. If two walls fill one of the
+/* Returns the properties of a box; all arguments are relative to the height. If the walls meet in one of the
  * three dimensions, there is no hollow. The formulas are free of cancellation. */
 KERNEL inline struct box walls_box(real d, real width, real walls)
 {
@@ -38,7 +38,7 @@ KERNEL inline bool walls_fit(real d, real walls)
     return walls > 0 && 2 * walls <= d * (1 + 8 * REAL_EPSILON);
 }
 
-/* The width of a domino relative to its height, if none is given. */
+/* The default width of a domino, relative to its height. */
 #define WALLS_WIDTH ((real)1 / 2)
 
 #endif

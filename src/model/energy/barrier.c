@@ -9,8 +9,8 @@
 
 /*
  * The number of samples in each smooth piece, dense up to theta_u. For 1,000,000 random trains, 8 samples
- * missed no maximum that 150 tilts in each piece found. tests/unit/test_barrier.c repeats the comparison with
- * fewer trains.
+ * found every maximum that 150 samples in each piece found. tests/unit/test_barrier.c repeats the comparison
+ * with fewer trains.
  */
 #define BARRIER_SAMPLES 8
 
@@ -117,7 +117,7 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (top->moved <= tol ||
             (closed && top->hi - top->lo <= 4 * REAL_EPSILON * (fabs(top->hi) + top->backwards)))
             return DOM_OK;
-        if (closed && i > 2 && top->moved > before / 2) /* at a kink of H' Newton's method oscillates */
+        if (closed && i > 2 && top->moved > before / 2) /* Newton's method oscillates at a kink of H' */
             top->p = (top->lo + top->hi) / 2;
         before = top->moved;
     }

@@ -17,8 +17,8 @@ struct barrier {
     int edges;
 };
 
-/* A relative tolerance of the tilt of a top that is fine enough for the height of the top to have the
- * tolerance of the sums: the error of the height is of third order in the last step to the top. */
+/* The relative tolerance for the tilt of a top if only the height of the top must have the tolerance of the
+ * sums. The error of the height is of third order in the last step to the top. */
 #define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
 
 /* Finds the barrier. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the height is

@@ -103,7 +103,7 @@ struct geometry {
     bool detaches;     /* (41; A17) */
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
-    size_t n; /* number of dominoes from this domino to the end of the chain */
+    size_t n; /* the number of dominoes from this one to the end of the chain */
     /* The geometry of the follower in a row. NULL in a train, all of whose dominoes have this geometry, since
      * the train is self-similar. */
     const struct geometry *follower;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The law of contact: how two dominoes touch, and how a chain of dominoes moves. It is a table of functions,
- * one for sharp edges (sharp.c) and one for rounded edges (rounded.c). geometry->law is the table of a train
- * or a row. It is set once, where the geometry is prepared, and no other code checks which kind of edges the
- * dominoes have.
+ * The law of contact: how two dominoes touch, and how a chain of dominoes moves. There are two tables of
+ * functions, one for sharp edges (sharp.c) and one for rounded edges (rounded.c). geometry->law points to the
+ * table for a train or a row. This pointer is set once, when the geometry is prepared, and no other code
+ * checks which kind of edges the dominoes have.
  */
 #ifndef DOM_LAW_H
 #define DOM_LAW_H
@@ -56,8 +56,8 @@ struct contact_law {
      * the far tail, the bounds for strips of growths and the shortcuts of random rows are available only in
      * this case. */
     bool closed_form;
-    /* The most dominoes that one search may visit in all its passes, about a second of work in double
-     * precision. */
+    /* The largest number of dominoes that one search may visit in all its passes, about a second of work in
+     * double precision. */
     size_t work_most;
 
     /* ---- Preparing a train or a row ---- */
@@ -65,8 +65,8 @@ struct contact_law {
     /* Finds the characteristic tilts of a train for its separation and growth. Returns DOM_OUT_OF_REACH if r
      * s is too large. */
     enum dom_status (*set)(struct geometry *geometry);
-    /* Prepares the contact of a domino in a row with its follower. NULL if joint_shape (row/) has prepared
-     * all of it. */
+    /* Prepares the contact of a domino in a row with its follower. NULL if joint_shape in row/joint.c has
+     * already prepared everything. */
     void (*joint)(struct geometry *geometry, const struct geometry *follower);
     /* Returns the tilt at which a head hits the next domino. `gap` is the gap between the two, relative to
      * the height of the head. */
@@ -151,8 +151,8 @@ KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
  * geometry->law. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
-/* The passes of both laws that are in separate files (sharp_change.c, sharp_friction.c, rolling.c,
- * rolling_friction.c). */
+/* The passes of both laws, which are defined in sharp_change.c, sharp_friction.c, rolling.c and
+ * rolling_friction.c. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt head, enum pass pass,
                                     struct sums *sums, struct sums *error);
 KERNEL enum dom_status sharp_change_from(const struct geometry *geometry, struct tilt from, struct tilt head,

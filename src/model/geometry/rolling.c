@@ -113,8 +113,8 @@ static struct apart apart_of(struct tilt a, struct tilt b, real by)
     return (struct apart){by, half_of_turn(a, b, by)};
 }
 
-/* Returns the difference whose tangent of half the angle is t. t keeps its relative accuracy along the chain,
- * although the differences become ever smaller. */
+/* Returns the difference between two tilts from t, the tangent of half the angle between them. t keeps its
+ * relative accuracy along the chain, although the differences become ever smaller. */
 static struct apart apart_by(real t)
 {
     real square = t * t;

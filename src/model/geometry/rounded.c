@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* How many of the geometry->n dominoes come before this one: none in a row, where n counts from this
-     * domino on. */
+    /* The number of dominoes that geometry->n counts before this one. In a row there is none, since n counts
+     * from this domino on. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);

@@ -73,8 +73,8 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    /* Far from theta_inf the first term is a poor estimate of the tail, which may cancel the sum. So check
-     * again with all terms. */
+    /* Far from theta_inf the first term is a poor estimate of the tail, which may cancel the sum. Therefore
+     * check again with all terms. */
     real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;

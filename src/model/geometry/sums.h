@@ -38,7 +38,7 @@ struct equation_of_motion {
  * the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
-/* A compensated sum, with what is needed to bound the terms that have not been added yet. */
+/* A compensated sum, with the data from which its remaining terms are bounded. */
 struct series {
     real sum, size; /* sum of the terms, and of their absolute values */
     real lost;      /* the sum of the rounding errors so far, to be added at the end */
@@ -98,7 +98,7 @@ KERNEL_LOOP enum dom_status chain_watch(const struct geometry *geometry, size_t 
         return DOM_TOO_LONG;
     if (i < LINKS_MAX)
         return DOM_OK;
-    chain_count(geometry, i); /* a pass without a result takes as much work as one with a result */
+    chain_count(geometry, i); /* count the work, although this pass has no result */
     return DOM_TOO_LONG;
 }
 

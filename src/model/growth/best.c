@@ -4,7 +4,7 @@
  * which no separation allows more are excluded: either because s R > 1 in the whole interval, or because a
  * bound (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of
  * these trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
- * BEST_FINEST times s are resolved; of a narrower interval only the midpoint is computed. With friction no
+ * BEST_FINEST times s are resolved; in a narrower interval only the midpoint is computed. With friction no
  * bound is available, and only samples are used.
  */
 #include "growth/limit.h"
@@ -17,7 +17,7 @@
 
 struct search {
     struct margin_context *c;
-    real s, r_max; /* the best separation so far */
+    real s, r_max; /* the best separation so far, and r_max there */
     real finest;   /* width of the narrowest interval, relative to s */
     real finer;    /* the factor by which slope_step is reduced */
 };
@@ -66,8 +66,8 @@ static enum dom_status margin_of_s(struct margin_context *c, real s, real r, str
     return c->status;
 }
 
-/* Sets *stops to true if the bounds show that every train with a separation between lo and hi stops at the
- * growth r. m is the margin at lo. */
+/* Sets *stops to true if bounds show that every train with a separation between lo and hi stops at the growth
+ * r. m is the margin at lo. */
 static enum dom_status search_stops(struct margin_context *c, real lo, real hi, real r,
                                     const struct margin *m, bool *stops)
 {
@@ -240,8 +240,8 @@ static real top_slope(real s, void *context)
 /*
  * Finds the factor for slope_step at which the error of the rule is smallest. If a follower begins to detach
  * at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is better.
- * The difference between the results of two steps shows this error; the rounding error, divided by h, keeps
- * the step from becoming too small.
+ * The difference between the results with two steps shows this error. The rounding error, divided by h,
+ * prevents steps that are too small.
  */
 static void search_step(struct search *b)
 {
@@ -262,8 +262,8 @@ static void search_step(struct search *b)
     }
 }
 
-/* Finds the maximum of r_max near b->s. If the maximum is smooth, it is found where the slope changes its
- * sign; at a kink or a jump golden section finds it. */
+/* Finds the maximum of r_max near b->s. A smooth maximum is found as a zero of the slope, and a maximum at a
+ * kink or a jump by golden section. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;

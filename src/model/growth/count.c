@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "numerics/real.h"
 
-/* Returns r^n for an integer n >= 0, in the arithmetic of dom_real, with about n rounding errors. */
+/* Returns r^n for an integer n >= 0, computed in dom_real, with about n rounding errors. */
 static dom_real power_of(dom_real r, dom_real n)
 {
     dom_real power = 1;

@@ -155,8 +155,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE), .hi = fmin(near * (1 + ROOT_ASIDE), 1 / c->s)};
     const real tol = c->geometry.tol;
-    /* With a coarser tolerance the root found here could differ from the approximate one by more than is
-     * accepted below, and a complete search would have to follow. */
+    /* With a coarser tolerance, the root found here could differ too much from the approximate root, and a
+     * complete search would have to follow. */
     c->geometry.tol = fmin(tol, ROOT_ASIDE * ROOT_ASIDE);
     margin_follow_begin(c);
     enum dom_status status = root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
@@ -235,9 +235,9 @@ static real down_first(real whole)
 
 /*
  * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
- * root; *down = root if no strip shows that. Proceeds downwards strip by strip without computing any margin.
- * Over the first strip the margin decreases. For each later strip, a lower bound of the margin and an upper
- * bound of the barrier at its upper end are known from the strips above.
+ * root; *down is the root if no strip shows that the margin is positive. Proceeds downwards strip by strip
+ * without computing any margin. Over the first strip the margin decreases. For each later strip, a lower
+ * bound of the margin and an upper bound of the barrier at its upper end are known from the strips above.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {

@@ -70,7 +70,7 @@ KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, str
 /*
  * Finds the first growth after from->r at which the margin changes its sign; this growth lies between *before
  * and *after. *found is false if the sign does not change up to the reach. The result is not proved: a dip is
- * missed if neither the samples around it nor the one in the middle between them show it.
+ * missed if neither the samples on both sides of the dip nor the sample half way between them shows it.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
                                     struct edge *after, bool *found);

@@ -128,8 +128,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks has no margin, but it has a verdict: since its energy tends to 0, it stops before it
-     * locks. */
+    /* A train that locks has no margin, but it has a verdict: its energy tends to 0 as it approaches the
+     * locked tilt, so it stops. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};

@@ -153,9 +153,9 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 
 /*
  * Returns the terms of the first follower in a form that stays finite at the reach, where the derivative of
- * its upright angle may be unbounded. At the maxima that count, the head leans at least by the tilt `least`,
- * where this derivative is smaller than for an upright head; and this difference lowers the margin by less
- * than it raises it.
+ * the follower's tilt may be unbounded while the head is upright. At the maxima that matter, the head leans
+ * at least by the tilt `least`, where this derivative is smaller than for an upright head. The difference
+ * lowers the margin by less than it raises it.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)

@@ -30,7 +30,8 @@ struct strip {
     /* Upper bounds of d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
      * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */
     real margin_slope, root_slope;
-    /* K exceeds `enough` over the whole strip; then the walk has ended early and only kinetic_least is set */
+    /* True if K exceeds `enough` over the whole strip. In that case the walk has ended early, and only
+     * kinetic_least is set. */
     bool clear;
 };
 

@@ -6,8 +6,8 @@ enum { FLOOR_SAMPLES = 24, FLOOR_HALVINGS = 24 };
 /* A search ends when a smooth maximum can exceed the largest known value by at most this fraction. */
 #define FLOOR_TOL fmax((real)1e-7, 16 * REAL_EPSILON)
 
-/* Dominoes slower than this fraction of the head's speed are ignored. They may need much friction to stay in
- * place, but a slip of theirs would be invisible. */
+/* Dominoes slower than this fraction of the head's speed are ignored. Such dominoes may need much friction to
+ * stay in place, but nobody would see them slip. */
 #define FLOOR_SHARE ((real)1e-3)
 
 static bool required_seen(const struct hinge_load *hinge_load, void *context)

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 
 /*
- * The force on the last domino that is shown comes from the dominoes after it, so the list holds about as
- * many again. In a long train this number of extra dominoes is enough, because moving_push replaces all later
- * ones by a geometric series.
+ * The force on the last domino that is shown comes from the dominoes after it, so the list is about twice as
+ * long. In a long train this number of extra dominoes is enough, because moving_push replaces all later ones
+ * by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -148,7 +148,7 @@ KERNEL real forces_needed(real x, real z)
 /* ---- The forces during a motion ---- */
 
 /* Finds the motion at a tilt. If T is the inertia ratio, the collision reduces the angular velocities of the
- * hitting chain by the factor T / (1 + T), that is, by 1 / T of what remains. */
+ * hitting chain by the factor T / (1 + T), so the chain loses 1 / T of the remaining angular velocities. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {
@@ -254,8 +254,8 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples, and the relative tolerance of a search for a minimum between two samples: a
- * thousandth of the distance of the samples. */
+/* The number of samples. The tolerance of a search for a minimum between two samples is a thousandth of their
+ * distance. */
 #define LEAST_SAMPLES 24
 #define LEAST_LONG                                                                                           \
     100000 /* a train of more dominoes, whose s is tiny, moves so smoothly that a third of the samples is    \

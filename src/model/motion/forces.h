@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The forces in a moving chain, computed from the tail up to the head. A follower passes on to its leader
- * that part of its torque which its own acceleration does not use. The hinge of each domino supplies whatever
+ * The forces in a moving chain, computed from the tail up to the head. The part of a follower's torque that
+ * does not accelerate the follower is passed on to its leader. The hinge of each domino supplies whatever
  * force the contacts and gravity do not.
  */
 #ifndef DOM_FORCES_H

@@ -123,9 +123,9 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 /*
  * Finds the error bound of the time at which the head reaches theta: the integral of the error bound of the
  * slowness, plus the error that the tolerance of the integral allows. The slowness has no error bound near a
- * stop; there, the rounding of the energy enters through m->tol and through the tilt of the stop. An error
- * of_end of that tilt shifts times by at most of_end / omega. Early in the cycle a better bound is half of
- * the time so far, multiplied by the relative error of the kinetic energy.
+ * stop; there, rounding errors of the energy enter through m->tol and through the tilt of the stop. If that
+ * tilt has the error of_end, times shift by at most of_end / omega. Early in the cycle a better bound is half
+ * of the time so far, multiplied by the relative error of the kinetic energy.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {

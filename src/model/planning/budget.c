@@ -13,8 +13,9 @@ struct budget {
     enum dom_error_of kind; /* the kind of error that varies, or DOM_ERROR_COUNT for all */
     double widest;          /* the largest sigma that is tried */
     double lo, hi;          /* best known bounds of sigma: enough rows fall with lo, too few with hi */
-    bool of_answer;         /* sigma itself is searched for, not an end of its confidence interval */
-    /* Cache of the last results, many of which the searches for the interval need again. */
+    /* true while the search is for sigma itself, not for an end of its confidence interval */
+    bool of_answer;
+    /* A cache of the last results. The searches for the interval need many of them again. */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];
@@ -53,8 +54,8 @@ static void known(struct budget *b, double lo, double hi)
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds sigma with a relative tolerance of 1e-3. At lo at least the requested share of the rows falls, at hi
- * fewer do. */
+/* Finds sigma with a relative tolerance of 1e-3. At `lo` at least the requested share of the rows falls, and
+ * at `hi` a smaller share. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
     const double none = 1e-9 * hi; /* smaller than any error of real rows */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The probability that a row does not fall is an integral over its random errors. Here it is a sum over
- * random rows, always the same ones, in which each row counts with a share that depends smoothly on its
- * margin. A domino's margin is a hump of the gap before it, so that it fails with gaps too narrow or too
- * wide: one that is found from derivatives at the middle of the hump alone (a first-order reliability index)
- * judged rows worse than counting, and a search that followed this index made 54 % of the rows fail instead
- * of 29 %.
+ * The probability that a row fails, that is, does not fall. This probability is an integral over the random
+ * errors. Here it is a sum over random rows, which are the same in every call. Each row contributes a number
+ * between 0 and 1 that depends smoothly on its margin. A first-order reliability index, which needs only the
+ * derivatives at the row without errors, is no substitute: a domino fails if the gap before it is too narrow
+ * or too wide, so its margin has a maximum in between, where the derivative is 0. A search that followed this
+ * index found a row of which 54 % failed, instead of 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -19,26 +19,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The margins of a row that has none: no domino needs energy, the row misses or locks. */
+/* Margins for rows without a margin: MARGIN_MOST if no domino needs energy, MARGIN_NONE if the row ends in a
+ * way that has nothing to do with energy, and MARGIN_LEAST, the smallest margin of all, if friction locks the
+ * row. */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
 
-/* Rows with a margin of more than this many widths have no derivative. */
+/* Rows whose margin is larger than this many widths have no derivative worth computing. */
 #define FAR 4.0
 
-/* The relative change of a measure for a difference quotient. The margins are exact to about 1e-7. */
+/* The relative step of difference quotients. The margins are correct to about 1e-7. */
 #define CHANGE ((dom_real)1e-4)
 
-/* Number of rows in a task. */
+/* The number of rows in a task. */
 enum { BATCH = 16 };
 
 /* The margin of one row. */
 struct margin {
     double z;
-    size_t domino; /* the domino with the smallest margin, from 1 */
+    size_t domino; /* number of the domino with the smallest margin, from 1 */
     size_t until;  /* the run ends after this domino */
-    bool tips;     /* the first domino is tipped, and has no margin */
+    bool tips;     /* true if the first domino is tipped and has no margin */
 };
 
 static bool margin_seen(const struct dom_fall *fall, void *context)
@@ -53,8 +55,8 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
     return fall->domino < m->until;
 }
 
-/* Finds the margin of a row, or of its first `until` dominoes. A row that the model cannot decide counts as
- * one that does not fall. */
+/* Finds the margin of a row, or of its first `until` dominoes. A row that the model cannot decide counts as a
+ * failure. */
 static enum dom_status margin_find(const struct chance *c, const struct dom_row *row, size_t until,
                                    struct margin *m)
 {
@@ -85,7 +87,8 @@ struct shared {
     enum dom_status *status;
 };
 
-/* Adds the derivatives of one row, whose margin is that of domino m->domino: later dominoes do not matter. */
+/* Adds the derivatives of one row. The row has the margin of domino m->domino, so later dominoes have no
+ * effect. */
 static enum dom_status slopes_add(const struct chance *c, struct draw *draw, const struct margin *m,
                                   struct totals *sums)
 {
@@ -137,7 +140,7 @@ static size_t rows_run(const struct chance *c)
     return c->row ? c->rows : c->placement.rows;
 }
 
-/* A dom_task. */
+/* A dom_task: runs one batch of rows. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;

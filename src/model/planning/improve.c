@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the row that most likely falls under random errors. The search minimizes the smooth share of random
- * rows that do not fall (chance.h), first with few rows and a smoothing as wide as the standard deviation of
- * their margins, so that rows far from failing count too, and then with more rows and less smoothing, which
- * comes close to counting. All steps use the same random rows. Rows that take no part in the search decide
- * whether a result is kept.
+ * Finds the row that falls most reliably under random errors. The search minimizes the smoothed share of
+ * random rows that do not fall (chance.h). It begins with few rows and a smoothing as wide as the standard
+ * deviation of their margins, so that rows far from failing contribute, too. It goes on with more rows and
+ * less smoothing, until the share is almost a plain count. All steps use the same random rows. Other random
+ * rows decide whether a result is kept.
  *
- * The minimizer is BFGS of GSL. With SLSQP of NLopt 7.2 % of the rows of eleven dominoes failed on the second
- * level, and with GSL 7.6 %, after as many runs of rows; but Debian has NLopt as a shared library alone,
- * which takes 190,000 instructions to load, beside 440,000 of the whole start of the program.
+ * The minimizer is BFGS from GSL. SLSQP from NLopt is slightly better: for rows of eleven dominoes, 7.2 %
+ * failed after the second level instead of 7.6 %, with as many runs. But Debian has NLopt only as a shared
+ * library. Loading it takes 190,000 instructions, and the whole program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -26,9 +26,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of the
- * margins, and the largest number of values of the function. The number of steps is not known before, since a
- * line search of GSL may need 200 values where the function has a kink. */
+/* The levels of the search: the number of rows, the width of the smoothing in standard deviations of the
+ * margins, and the largest number of function evaluations. Evaluations are limited rather than steps, because
+ * a line search of GSL may need 200 evaluations where the function has a kink. */
 static const struct level {
     size_t rows;
     double width;
@@ -36,20 +36,20 @@ static const struct level {
 } levels[] = {{256, 1, 60}, {1024, 0.25, 60}, {4096, 0.1, 60}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* A result is checked after this many values. */
+/* A result is checked after this many evaluations. */
 enum { CHECK = 20 };
 
-/* Rows with a margin of more than this many widths are left out until the next level. */
+/* Rows whose margin is larger than this many widths are left out until the next level. */
 #define FAR 8
 
-/* The standard deviation of the margins is taken to be at least this. */
+/* A lower limit for the standard deviation of the margins. */
 #define SCATTER_LEAST 0.05
 
 /* The tolerance of the margins. */
 #define MARGIN_TOL ((dom_real)1e-7)
 
-/* The length of the first step of the minimizer, in logarithms of measures, and the accuracy of its line
- * searches, as in the manual of GSL. */
+/* The length of the minimizer's first step, in logarithms of gaps and heights, and the accuracy of its line
+ * searches, which is the one that the manual of GSL recommends. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -57,17 +57,19 @@ struct search {
     struct shape shape;
     struct chance chance;
     const struct dom_compute *compute;
-    const struct dom_placement *placement; /* the rows that decide */
+    const struct dom_placement *placement; /* the random rows that decide whether a result is kept */
     double scatter;
-    struct dom_domino *domino, *candidate, *best; /* for one trial; for one check; the best row so far */
+    /* The dominoes of the row that is being evaluated, of the row that is being checked, and of the best row
+     * so far. */
+    struct dom_domino *domino, *candidate, *best;
     double *by_gap, *by_size;
-    double *margin;       /* of each row of a level */
-    size_t *row;          /* the rows that are run */
-    gsl_vector *lowest_x; /* where the function had its lowest value on this level */
+    double *margin;       /* the margin of each row of a level */
+    size_t *row;          /* indices of the rows that are run */
+    gsl_vector *lowest_x; /* the variables at the lowest value on this level */
     double lowest;
-    size_t left;             /* the number of values that are left on this level */
-    double fails;            /* the smooth share of the best row, on the last level */
-    struct dom_study *study; /* of the row as given, and of the best row so far */
+    size_t left;             /* the number of evaluations that are left on this level */
+    double fails;            /* the smoothed share for the best row, as the last level computes it */
+    struct dom_study *study; /* the counts for the given row and for the best row so far */
     enum dom_status status;
     dom_progress *progress;
     void *context;
@@ -82,7 +84,7 @@ static size_t values_all(void)
     return all;
 }
 
-/* Returns how many rows a level runs: not many more than those that decide. */
+/* Returns the number of rows on a level, at most about twice the number of rows that decide. */
 static size_t rows_of(const struct dom_placement *placement, const struct level *level)
 {
     const size_t most = 2 * placement->rows + 2;
@@ -98,9 +100,9 @@ static void level_set(struct search *s, const struct level *level)
 
 /* ---- The function that is minimized ---- */
 
-/* Returns the logarithm of the odds that a row does not fall, and its gradient. It is steep for rows of which
- * almost none, or almost all, fall. When no values are left, the result is infinite, which ends a line
- * search. */
+/* Returns the logarithm of the odds that a row does not fall, and sets its gradient unless `gradient` is
+ * NULL. Unlike the probability, the logarithm still has a slope where almost all rows fall, or almost none.
+ * When no evaluations are left, the result is infinite, which ends a line search. */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
@@ -117,7 +119,7 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
     }
     fails = GSL_MIN_DBL(GSL_MAX_DBL(fails, DBL_MIN), 1 - DBL_EPSILON);
     for (size_t i = 0; gradient && i < x->size; i++) {
-        /* the derivatives of the measures by variable i, which are no work compared with running rows */
+        /* the derivatives of gaps and heights by variable i, which cost nothing compared with running rows */
         const double step = 1e-6;
         double sum = 0, *moved = x->data + i * x->stride, at = *moved;
         *moved += step;
@@ -155,8 +157,8 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 
 /* ---- The search ---- */
 
-/* Finds the margins of the rows of this level, from the smallest to the largest unless `selects` is true,
- * which selects the rows that may fail. */
+/* Finds the margins of the rows of this level. If `selects` is true, then selects the rows that may fail;
+ * otherwise sorts the margins in increasing order. */
 static void margins_find(struct search *s, const gsl_vector *x, bool selects)
 {
     const size_t rows = s->chance.placement.rows;
@@ -177,8 +179,8 @@ static void margins_find(struct search *s, const gsl_vector *x, bool selects)
             s->row[s->chance.rows++] = i;
 }
 
-/* Returns the standard deviation of the margins as given, estimated from the median and the smaller half,
- * since a row with a large margin says nothing about those that fail. */
+/* Returns the standard deviation of the margins of the given row. It is estimated from the median and the
+ * margins below the median, since the large margins say nothing about the rows that fail. */
 static double scatter_of(struct search *s, const gsl_vector *x)
 {
     const size_t rows = rows_of(s->placement, &levels[0]);
@@ -191,7 +193,7 @@ static double scatter_of(struct search *s, const gsl_vector *x)
                            gsl_stats_quantile_from_sorted_data(s->margin, 1, rows, gsl_cdf_ugaussian_P(-1)));
 }
 
-/* Counts how many of the rows that decide fall. */
+/* Counts how many of the deciding rows fall. */
 static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
 {
     struct dom_row row = *s->shape.row;
@@ -199,8 +201,8 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Keeps a row if it is better than the best so far by the rows of the search, and not worse than the row as
- * given by the rows that decide. */
+/* Keeps a row if it does better than the best row so far in the random rows of the search, and no worse than
+ * the given row in the deciding ones. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;
@@ -224,8 +226,8 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Minimizes on one level, until no step of the minimizer helps. The minimizer stops where its function has a
- * kink, and is then begun again, as long as that helps. */
+/* Minimizes on one level. The minimizer stops where the function has a kink, and is then restarted until a
+ * restart no longer helps. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)
 {
@@ -256,7 +258,7 @@ static void level_run(struct search *s, const struct level *level, gsl_multimin_
     consider(s, x);
 }
 
-/* Runs all levels. */
+/* Runs the search on all levels. */
 static void search_run(struct search *s)
 {
     const size_t variables = shape_variables(&s->shape);

@@ -47,8 +47,8 @@ static double tail_off(double p, void *context)
  * TAIL. Bisection is used, since the tail is flat where it is 0. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 halvings give the digits. Up to 64 more reach a root as small as that for one row out of the largest
-     * possible number of rows. */
+    /* 50 halvings give all digits of a root near 1. The smallest root, that for one row out of the largest
+     * possible number of rows, needs up to 64 more. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);

@@ -5,8 +5,8 @@
 
 /* ---- Gaps ---- */
 
-/* The gap at which the row ends and this many gaps before it are tried. A change of an earlier gap has no
- * effect on a domino so many places further on. */
+/* The gap at which the row ends and this many gaps before it are tried. A change of an even earlier gap has
+ * no effect at the place where the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
 /* Finds the gap closest in size to the present one, between the present one and `end`, with which all
@@ -18,7 +18,7 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 }
 
 /* If the gap is out of reach, finds the gaps with which all dominoes fall, from the widest gap in reach
- * downwards. Returns false if the gap is in reach, or not all fall with the widest gap. */
+ * downwards. Returns false if the gap is in reach, or if not all dominoes fall with the widest gap. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -124,7 +124,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
             good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
-            /* Round up, so that the push still suffices. */
+            /* Round up, so that the push is still strong enough. */
             dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
@@ -136,8 +136,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The growth is raised by GROWTH_STEP. Where an engine runs the row and the search is for a growth at which
- * the row falls, it is raised by GROWTH_STEP_OF_ENGINE. */
+/* The factor by which the growth is raised, and the factor if an engine runs the row and the search is for a
+ * growth at which the row falls. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -149,9 +149,9 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/* Raises r in steps until the row no longer falls (if `falls` is true) or first falls (if it is false).
- * *before receives the growth one step earlier. Returns false if r reaches `highest` without such a change.
- * Bisection alone would not do: a row may fall again beyond a growth at which it does not. */
+/* Raises r in steps until the row no longer falls, or, if `falls` is false, until the row falls. *before
+ * receives the growth one step earlier. Returns false if r reaches `highest` without such a change. Bisection
+ * alone would not be enough: a row that does not fall at one growth may fall again at a larger one. */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;

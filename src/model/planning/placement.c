@@ -86,7 +86,7 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* If the friction has random errors, most rows have friction, which needs memory that is allocated
+        /* If the friction has random errors, most rows have friction. The memory for friction is allocated
          * here. */
         row.mu = 1;
     row.floor = false;
@@ -125,8 +125,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The gaps and the tolerance are checked here, since the study replaces them
- * before the model sees them. */
+/* Checks the arguments of a study. The model cannot check the gaps and the tolerance, because the study
+ * replaces them first. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {

@@ -6,14 +6,14 @@
 #include "numerics/real.h"
 #include <string.h>
 
-/* A gap is at least LEAST and at most MOST times as wide as the domino before it is tall. */
+/* The limits of a gap, relative to the height of the domino before the gap. */
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* A height changes at most by this factor. */
+/* The largest factor by which a height may change. */
 #define FARTHEST ((dom_real)4)
 
-/* A limit counts as kept if it is exceeded by rounding errors alone. */
+/* An allowance for rounding errors: a limit may be exceeded by this factor. */
 #define ROUNDED (1 + (dom_real)1e-9)
 
 static bool has_size(const struct shape *s, size_t k)
@@ -51,22 +51,23 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
     const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
                    before = s->row->walls > 0 ? walls_volume(s->row, d->height, d->thickness) : 0,
                    after = before > 0 ? walls_volume(s->row, height, thickness) : 0;
-    /* Of solid dominoes (q = 4) the mass also changes with the thickness alone; that of thin walls (q = 3) is
-     * almost the same. */
+    /* The mass of a solid domino (q = 4) is proportional to its thickness, even if the height does not
+     * change. That of a domino with thin walls (q = 3) hardly depends on the thickness. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
     d->radius *= x;
     d->height = height;
     d->thickness = thickness;
 }
 
-/* Returns the multiple of the grid nearest to a length, but not 0. */
+/* Returns the multiple of the grid nearest to a length, but at least one grid step. */
 static dom_real on_grid(const struct shape *s, dom_real length)
 {
     const dom_real grid = s->limits->grid;
     return grid > 0 ? fmax(floor(length / grid + (dom_real)0.5), 1) * grid : length;
 }
 
-/* Returns the board nearest to a thickness, or the thickness itself if any can be had. */
+/* Returns the thickness of the board nearest to a thickness. If no boards are given, returns the thickness,
+ * which is rounded to the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -79,7 +80,7 @@ static dom_real board_near(const struct shape *s, dom_real thickness, bool final
     return near;
 }
 
-/* Gives domino k a height, and makes it smaller if it would be too heavy. */
+/* Sets the height of domino k, or a smaller height if the domino would be too heavy. */
 static void size_set(const struct shape *s, size_t k, dom_real height, bool final, struct dom_domino *d)
 {
     const struct dom_domino *given = &s->row->domino[k];
@@ -95,7 +96,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds the places of the dominoes to the grid, and not the gaps, whose rounding errors would add up. */
+/* Rounds all gaps to the grid. The total distance is rounded each time rather than the single gap, so that
+ * rounding errors do not add up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;

@@ -17,11 +17,11 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* What a trial remembers of the dominoes that it has run. */
+/* The spare energy of the last dominoes that a trial has run. */
 enum { RECENT = 4 };
 struct recent {
-    dom_real share[RECENT]; /* margin / kinetic of the last dominoes, the last one first */
-    dom_real spare;         /* margin / barrier of the last one */
+    dom_real share[RECENT]; /* margin / kinetic of each domino, beginning with the last */
+    dom_real spare;         /* margin / barrier of the last domino */
 };
 
 static bool recent_add(const struct dom_fall *fall, void *context)
@@ -43,8 +43,8 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
         t->verdict.spare = recent->spare;
 }
 
-/* Returns true if each domino is the one before it enlarged, always by the same factors, so that each cycle
- * is like the one before it. Walls are as thick in all dominoes, so with walls it is not. */
+/* Returns true if the row is part of a train: each domino is the previous one, enlarged by constant factors,
+ * so that all cycles are alike. A row with walls is no train, because all walls have the same thickness. */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -64,11 +64,12 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * Runs only the first dominoes of a train's row, and returns true if they decide whether all fall. Each cycle
- * forgets the one before it, so the share of its energy that a domino has to spare approaches that of the
- * endless train, and changes less and less from domino to domino. All fall if the first ones do, and if the
- * last change, repeated for each of the other dominoes, would leave half of this share. The last domino of a
- * row differs from all others, because it falls down to the floor, so it has to have enough as well.
+ * Runs only the first dominoes of a row that is part of a train, and returns true if these dominoes decide
+ * whether all fall. A cycle hardly depends on the cycles before it, so the share of its energy that a domino
+ * can spare approaches the share in the endless train, and changes less and less from domino to domino. All
+ * dominoes fall if the first ones do, and if at least half of the share would be left after the last change
+ * is repeated for each of the other dominoes. The last domino of a row falls down to the floor, unlike all
+ * others, so its share must be large enough as well.
  */
 static bool start_decides(struct trial *t)
 {
@@ -93,7 +94,7 @@ bool trial_falls(struct trial *t)
     return trial_judged(t);
 }
 
-/* Runs the unchanged row, and keeps the state that later runs of nearly the same row start from. */
+/* Runs the unchanged row, and stores the states from which later runs of slightly changed rows start. */
 static enum dom_status trial_course(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);
@@ -127,12 +128,12 @@ void trial_end(struct trial *t)
 }
 
 /*
- * Neither num_root nor a solver of GSL is used: not every test returns a number to interpolate, the result
- * must be a point that was tested, and GSL computes only in double. Where the row stops on the far side of
- * the edge, the spare energy of a trial changes its sign at the edge. Every other trial is therefore placed
- * where the straight line through the spare energies at both ends is zero. The point is then moved by half of
- * the distance at which the search ends towards the end that is farther away, so that this end comes close to
- * the edge as well.
+ * Neither num_root nor a solver of GSL can be used: not every test yields a number to interpolate, the result
+ * must be a point that was tested, and GSL computes only in double. If the row stops on the far side of the
+ * edge, the spare energy of a trial changes its sign at the edge. Therefore every other trial is at the point
+ * where the straight line through the spare energies at both ends is zero. This point is then moved towards
+ * the end that is farther away, by half of the distance at which the search ends, so that both ends come
+ * close to the edge.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -205,7 +206,7 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* A domino at the end of the reach must not get out of reach by the rounding of the sum. */
+        /* A domino that is just in reach must not get out of reach because the sum is rounded. */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)
@@ -239,7 +240,7 @@ bool falls_with(dom_real value, void *context)
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
-            t->status = DOM_OK; /* a row that an engine cannot decide counts as one that does not fall */
+            t->status = DOM_OK; /* a row that an engine cannot decide counts as a row that does not fall */
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)

@@ -12,13 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A series of trials. Once the status is not DOM_OK, no row is run any more, and every trial counts as a row
- * that does not fall. */
+/* A series of trials. After an error, when the status is not DOM_OK, no more rows are run, and every trial
+ * counts as a row that does not fall. */
 struct trial {
     struct dom_row row;
     struct dom_compute compute;
     struct dom_domino *domino; /* copy of the row's dominoes, which the trials change */
-    enum dom_window_of of;     /* which value is changed */
+    enum dom_window_of of;     /* the property that is changed */
     size_t k;                  /* index of the domino that is changed, from 0 */
     dom_real place;            /* position of that domino before the change: see DOM_WINDOW_PLACE */
     const struct kernel *kernel;
@@ -29,26 +29,27 @@ struct trial {
     enum dom_status status;
     struct dom_verdict verdict; /* verdict on the row that was run last */
     enum dom_row_end ends;      /* how the last row that did not fall ended */
-    /* margin / barrier of the weakest domino of the row that was run last or, if the row stopped, of the
-     * domino at which it stopped; NaN if it ended otherwise */
+    /* margin / barrier of one domino in the last run: the weakest one if the row fell, and the last one if
+     * the row stopped. NaN if the row ended in another way. */
     dom_real spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its present dominoes, or as many of them as decide. Returns true if all dominoes fall. */
+/* Runs the row with its present dominoes, or only as many of these as decide the outcome. Returns true if all
+ * dominoes fall. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
- * all dominoes fall. Call trial_end afterwards to free the memory, also after a failure. */
+ * all dominoes fall. Call trial_end afterwards to free the memory, even after a failure. */
 bool trial_begin(struct trial *t);
 void trial_end(struct trial *t);
 
 typedef bool trial_test(dom_real x, void *trial);
 
 /* Returns the point closest to the edge at which the test was found to be true. The edge is between `good`,
- * where the test is true, and `bad`, where it is false. The search stops when both are at most absolute +
- * relative * good apart, or when no number is between them. */
+ * where the test is true, and `bad`, where it is false. The search stops when `good` and `bad` are at most
+ * absolute + relative * good apart, or are adjacent numbers. */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
@@ -58,18 +59,19 @@ dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* Return the present value in the row, and change it. */
+/* Return and set the value. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
 /* A trial_test: returns true if all dominoes fall with the value. Restores the row afterwards. */
 bool falls_with(dom_real value, void *context);
 
-/* Return the number of values that are tried on the way from `value` to `end`, and value number i of them. */
+/* trial_steps returns the number of values that are tried on the way from `value` to `end`, and value_step
+ * returns value number i. */
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
-/* Returns one unit of the last digit to which an edge is rounded that is as large as `value`. */
+/* Returns one unit of the last digit to which an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
 /* Returns the last value with which all dominoes fall, between a good value and a bad one. The result is

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Windows: how far each gap, position, height, thickness or lean of a row, or its friction, may change while
- * all dominoes still fall. */
+/* Windows: how far each gap, position, height, thickness or lean of a row, or its friction, may change so
+ * that all dominoes still fall. */
 #include "planning/trial.h"
 
 /* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction
@@ -90,7 +90,8 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            /* t->ends belongs to the last row that did not fall, which is the closest one to the edge */
+            /* t->ends is from the last trial in which the row did not fall, which is the trial closest to the
+             * edge */
             *beyond = t->ends;
             open = false;
         }

@@ -10,7 +10,7 @@ enum outcome {
     OUTCOME_PROVED,  /* the train keeps falling for all growths of the interval */
     OUTCOME_REFUTED, /* the train stops at the upper end of the interval */
     OUTCOME_OPEN,    /* neither could be shown on so wide an interval */
-    OUTCOME_LIMIT,   /* the proof would need more dominoes or boxes than allowed */
+    OUTCOME_LIMIT,   /* the proof would need more dominoes or boxes than are allowed */
     OUTCOME_INTERRUPTED
 };
 

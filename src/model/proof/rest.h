@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Upper bounds of the remainders of sums over dominoes, that is of the terms of dominoes n and later.
+ * Upper bounds of the remainders of sums over dominoes. A remainder consists of the terms of domino n and all
+ * later dominoes.
  *
  * Contraction. Let p = 1 - r L sin theta_n, for the smallest r and theta_n. For i >= n, dF/dtheta = 1 - r L
  * x_i / Y_i <= p, since Y <= 1 and x_i >= x_n. If no follower detaches, theta_inf is a fixed point, so

@@ -3,7 +3,7 @@
  * A row that is run many times, each time with different sizes of a few neighbouring dominoes.
  *
  * The dominoes before the change fall as in the unchanged row, so a trial begins at the first head that can
- * be affected. A trial may also end early, because a head passes on little of what happened before it. While
+ * be affected. A trial may also end early, because the effect of a change decreases from head to head. While
  * the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for every law
  * of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the relative
  * deviation of omegasq from that of the unchanged row. At the next head the deviation becomes lambda D, with

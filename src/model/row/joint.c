@@ -47,8 +47,8 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* Bounds of the terms of all dominoes before this one, divided by the term of this domino. This is the
-     * remainder of a sum that ends here. */
+    /* Bounds of the terms of all dominoes before this one, divided by the term of this domino. A sum that
+     * ends at this domino leaves these terms out. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
@@ -74,7 +74,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Returns the same as row_end, for the case that domino k or the next one leans while the row stands. */
+/* Does the same as row_end if domino k or the next one leans before the row falls. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
@@ -146,7 +146,7 @@ KERNEL enum dom_status row_make(const struct row_request *request, size_t count,
     enum dom_status status = DOM_OK;
     for (size_t k = 0; k < count && status == DOM_OK; k++) {
         status = row_geometry(request, k, row);
-        if (status == DOM_OK && k == 0) /* all joints share the memory of the law */
+        if (status == DOM_OK && k == 0) /* all joints share the memory that is allocated here for the law */
             status = dynamics_begin(row);
     }
     return status;

@@ -11,13 +11,13 @@ struct run {
     const struct row_request *request;
     /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
     struct geometry *geometry;
-    size_t made; /* number of geometries that have been made, if not all have (steady.h) */
+    size_t made; /* number of geometries that have been made, if some are still missing (steady.h) */
     bool times;
-    bool forces;   /* find the smallest contact force itself, not only its sign */
+    bool forces;   /* true to find the smallest contact force, and not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* from the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction; 0 without a
-     * collision */
+    /* inertia ratio of the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction; 0
+     * without a collision */
     real inertia_ratio;
     real time;           /* time of the run so far, in s; NaN if it has no value */
     real carried;        /* kinetic energy before the next collision, in J */
@@ -30,7 +30,8 @@ struct descent {
     struct segment st; /* the present segment */
     size_t stay;       /* number of dominoes that still move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
-    bool stops, locks;                          /* the head stops, or still moves when friction locks it */
+    /* whether the head stops, and whether it is still moving when friction locks it */
+    bool stops, locks;
     bool forces;                                /* as in struct run */
     struct required_friction required_friction; /* coefficients of friction that the floor needs */
     struct watch *watch;

@@ -15,17 +15,18 @@ struct random_row {
     struct row_request request;
     bool plain; /* the edges are sharp and the dominoes are plumb */
     bool rolls; /* the edges are rounded, and there is friction */
-    /* there is friction: the row runs roughly at first, and precisely if the verdict is in doubt */
-    bool rubs;
+    /* True if there is friction. The row is then run roughly at first, and precisely only if the verdict is
+     * in doubt. */
+    bool has_friction;
     bool rough, doubt;
     struct slide slide;
     real off_at_end; /* the largest possible error of omegasq at the end of a head's motion */
     struct block *block;
     struct geometry *geometry;
-    struct link *link; /* dominoes `deep` to `head` at the moment when domino `head` hits the next one */
-    size_t deep, head; /* `head` is SIZE_MAX if no chain is stored */
-    /* The dynamics that were begun, and must be ended; NULL before. A row that was drawn without friction has
-     * other dynamics. */
+    struct link *link;  /* dominoes `first` to `head` at the moment when domino `head` hits the next one */
+    size_t first, head; /* `head` is SIZE_MAX if no chain is stored */
+    /* The dynamics whose memory must be freed; NULL if there is none. Rows drawn with and without friction
+     * have different dynamics. */
     const struct dynamics *begun;
 };
 
@@ -119,11 +120,11 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
     const bool alone = run->moving == 1; /* a domino that moves alone has no friction */
     struct link a = link_head(head, head->c), b = link_head(head, standing);
     struct glide g = {.t = half_of_tilt(head->c)};
-    const size_t known = k > 0 && s->head == k - 1 ? s->deep : k;
+    const size_t known = k > 0 && s->head == k - 1 ? s->first : k;
     s->head = SIZE_MAX;
     for (;;) {
-        s->deep = k - a.i;
-        s->link[s->deep] = a;
+        s->first = k - a.i;
+        s->link[s->first] = a;
         glide_add(&g, &a, &b);
         if (a.i + 1 == run->moving)
             break;
@@ -134,12 +135,12 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
             break;
         g.t *= shrinks;
         glide_next(&g, &a, &b);
-        b = link_before(s, s->deep - 1, known, &b);
+        b = link_before(s, s->first - 1, known, &b);
         link_next(&a);
     }
     s->head = k;
     *at = (struct start){.from = head->c, .J = g.J, .omegasq = (kinetic - g.dH) / g.J};
-    if (alone || !s->rubs)
+    if (alone || !s->has_friction)
         return glide_passes(&g, &s->link[k], kinetic);
     if (!s->rough)
         return false;
@@ -259,8 +260,8 @@ static enum dom_status sample_make(struct random_row *s)
         status = row_geometry(&s->request, k, s->geometry);
     for (size_t k = 0; k < s->request.count && status == DOM_OK; k++)
         s->plain = s->plain && s->geometry[k].law->closed_form && s->request.domino[k].lean == 0;
-    s->rubs = status == DOM_OK && !s->geometry[0].dynamics->conservative;
-    s->rolls = s->rubs && !s->geometry[0].law->closed_form;
+    s->has_friction = status == DOM_OK && !s->geometry[0].dynamics->conservative;
+    s->rolls = s->has_friction && !s->geometry[0].law->closed_form;
     return status;
 }
 
@@ -315,7 +316,7 @@ KERNEL enum dom_status row_sampled(struct random_row *s, const struct dom_row *r
     else
         row_gaps(&s->request, s->geometry);
     if (status == DOM_OK) {
-        sample_tol(s, s->rubs && (s->plain || s->rolls));
+        sample_tol(s, s->has_friction && (s->plain || s->rolls));
         status = sample_falls(s, &run);
     }
     if (status == DOM_OK && s->doubt) {

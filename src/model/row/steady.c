@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* Besides the dominoes of the longest pass, this many more must be equal. */
+/* The number of equal dominoes that are required beyond the longest pass. */
 enum { STEADY_MORE = 2 };
 
-/* Among the equal dominoes at the end of a row, the geometry is at first made for only this many. */
+/* The number of equal dominoes at the end of a row whose geometry is made before the run. */
 enum { STEADY_FIRST = 256 };
 
-/* All later heads together may change omegasq by at most this fraction of the tolerance. */
+/* The largest change of omegasq that all later heads together may cause, as a fraction of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* In a sequence of equal dominoes, after a while each head moves in the same way as the previous head. By
- * then all dominoes that matter to a head are equal, and omegasq no longer changes. */
+/* In a long sequence of equal dominoes, each head eventually moves like the previous one. From then on, all
+ * dominoes that matter to a head are equal, and omegasq no longer changes. */
 #ifndef DOM_STEADY_H
 #define DOM_STEADY_H
 
@@ -10,7 +10,7 @@ struct steady {
     struct dom_fall fall; /* the fall of the last head that was computed */
     size_t alike;         /* number of equal dominoes up to the present head */
     size_t more; /* 1 if each head has one more moving domino than the previous one, 0 if it has as many */
-    bool found;  /* the next head repeats this motion if its dominoes are also equal */
+    bool found;  /* true if the next head repeats this motion, provided that its dominoes are equal as well */
 };
 
 /* Makes the geometry of the dominoes up to domino k that have no geometry yet. */
