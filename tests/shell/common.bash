@@ -90,6 +90,7 @@ begin() { answers_at_all && mkdir -p "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_
 answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
 
 csv() { "$DOMINO" -e "set output csv; $1"; }
+file() { cat >"$1"; }
 completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
 mode() { find "$1" -prune -perm "$2"; }
@@ -159,11 +160,39 @@ wrong() { # COMMANDS PATTERN
     [ "${lines[-1]}" = 42 ] || same "$1: goes on" 42 "$output"
 }
 
+# The same, and no row.
+wrong_line() { # COMMANDS PATTERN
+    wrong "$@"
+    [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
+}
+
+# Rows of COMMANDS|PATTERN on stdin: each fails with a message that has the pattern.
+all_fail() {
+    local commands pattern
+    while IFS='|' read -r commands pattern; do
+        run -1 "$DOMINO" -e "$commands"
+        expects "$commands" "$pattern"
+        grep -q -- "$pattern" <<<"$output" || same "$commands" "$pattern" "$output"
+    done
+}
+
 # Checks that commands fail with one line, which has the text.
 one_line() { # TEXT COMMANDS
     run -1 "$DOMINO" --keep-going -e "$2"
     same "$2: one line" 1 "${#lines[@]}"
     [[ $output == *"$1"* ]] || same "$2" "$1" "$output"
+}
+
+# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
+all_print() {
+    local line answer
+    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
+}
+
+# Rows of LINE|COMMANDS: the two print the same, in json.
+all_mean() {
+    local line commands
+    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
 }
 
 # Rows of VALUE|UNIT|EXPRESSION on stdin, where '-' is no unit: what print makes of them.
@@ -220,3 +249,6 @@ checked() {
     if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
     if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi
 }
+
+# Debian's Python has Debian's NumPy; another one that is first on PATH may have none.
+python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 "$@"; fi; }

@@ -7,8 +7,6 @@ load common
 
 check=$root/tests/derivations/check.py
 
-python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 "$@"; fi; }
-
 @test "the texts of 1,000 derivations give the library's numbers, evaluated elsewhere" {
     cd "$BATS_TEST_TMPDIR"
     python "$check" commands 20121 1000 >scenes.dom
@@ -86,10 +84,7 @@ python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 
     run -1 --separate-stderr env TMPDIR=none PATH="$BATS_TEST_TMPDIR/bin:$PATH" "$DOMINO" -e 'explain launch > none.pdf'
     [[ $stderr == *"cannot make a temporary file in 'none': No such file or directory" ]]
     cd ..
-    while IFS='|' read -r command message; do
-        run -1 "$DOMINO" -e "$command"
-        grep -q "$message" <<<"$output" || same "$command" "$message" "$output"
-    done <<END
+    all_fail <<END
 explain foo|unknown question 'foo'; use one of: thetac, theta1
 explain theta1|'explain theta1' needs a value, for example 'explain theta1 0.2'
 explain theta1 3|outside the cycle

@@ -6,12 +6,6 @@
 
 load common
 
-# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
-all_print() {
-    local line answer
-    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
-}
-
 # Prints TEXT COUNT times: twice as much in each step, since a million of printf take their time.
 repeat() { # TEXT COUNT
     awk -v text="$1" -v n="$2" 'BEGIN {

@@ -5,8 +5,6 @@
 
 load common
 
-file() { cat >"$1"; }
-
 @test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
     scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
     verdict=$(json "$scene; verdict")

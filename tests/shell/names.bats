@@ -5,12 +5,6 @@
 
 load common
 
-# Rows of LINE|COMMANDS: the two print the same, in json.
-all_mean() {
-    local line commands
-    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
-}
-
 @test "unique beginnings of commands, parameters, topics, words and keys" {
     plain=$(json 'fuel; thetac; show digits')
     while IFS='|' read -r short long; do

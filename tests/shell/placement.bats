@@ -5,18 +5,10 @@
 
 load common
 
-file() { cat >"$1"; }
-
 study='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
 
 parts() { # PARTS ROWS
     for part in $(seq "$1"); do "$DOMINO" --shard "$part/$1" -e "set output csv; $study; placement $2"; done
-}
-
-# The same, and no row.
-wrong_line() { # COMMANDS PATTERN
-    wrong "$@"
-    [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
 }
 
 @test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {

@@ -7,9 +7,6 @@ load common
 
 build=$(dirname "$DOMINO")
 
-# Debian's Python has Debian's NumPy; another one that is first on PATH may have none.
-python() { if [ -x /usr/bin/python3 ]; then /usr/bin/python3 "$@"; else python3 "$@"; fi; }
-
 setup() {
     cd "$BATS_TEST_TMPDIR" || return
     if [ -n "$(checked "$build/libdomino.a")" ]; then skip 'Python does not load a library with sanitizers'; fi

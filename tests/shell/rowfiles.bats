@@ -5,8 +5,6 @@
 
 load common
 
-file() { cat >"$1"; }
-
 @test "rows from csv: the same row in every way of writing it" {
     file plain.csv <<'END'
 height (m),thickness (m),gap (m),mass (kg)

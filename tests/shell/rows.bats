@@ -5,8 +5,6 @@
 
 load common
 
-file() { cat >"$1"; }
-
 @test "rows of the model: one, the verdicts of each end, thousands, taller than the Earth" {
     same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
     same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"

@@ -5,12 +5,6 @@
 
 load common
 
-# Rows of LINE|COMMANDS: the two print the same, in json.
-all_mean() {
-    local line commands
-    while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
-}
-
 # Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
 columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
     awk -v what="$1" -v filled=" $2 " '

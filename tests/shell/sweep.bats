@@ -5,12 +5,6 @@
 
 load common
 
-# The same, and no row.
-wrong_line() { # COMMANDS PATTERN
-    wrong "$@"
-    [ "$output" = 42 ] || same "$1: no row, and it goes on" 42 "$output"
-}
-
 sweeps='sweep s 0.1 0.9 81 d 0.05 0.3 6 : rmax
 sweep s 0.02 0.98 200 : barrier
 sweep q hollow, massive s 0.001 1 40 log : launch

@@ -10,12 +10,6 @@ shown() { # KEY COMMANDS
     "$DOMINO" -e "$2" | awk -v key="$1" '$1 == key { print $2, $3 }'
 }
 
-# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
-all_print() {
-    local line answer
-    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
-}
-
 @test "s and d as lengths are divided by h" {
     same 's' "$(json 'set s 0.5; set d 7/48; duration')" "$(json 'set s 2.4 cm; set d 7 mm; duration')"
     same 'of another h' 0.25 "$(json 'set h 8 cm; set s 2 cm; show s' | values value)"

@@ -5,12 +5,6 @@
 
 load common
 
-# Rows of LINE|ANSWER on stdin: what the line prints, its last line.
-all_print() {
-    local line answer
-    while IFS='|' read -r line answer; do same "$line" "$answer" "$("$DOMINO" -e "$line" | tail -n 1)"; done
-}
-
 @test "let: a variable keeps its value, and its unit" {
     all_print <<'END'
 let x = 2; x|2
