@@ -19,8 +19,8 @@ cycle 3|event t theta theta_1 theta_2 omega kinetic potential
 goto 0.1|cycle event theta t omega before lost gained fallen kinetic potential
 where|cycle event theta t omega before lost gained fallen kinetic potential
 why|verdict fuel J0 kinetic barrier margin r_max
-rmax|s r_max ends_by r_max_exact r_max_paper
-rmax 0.3|s r_max ends_by r_max_exact r_max_paper
+rmax|s r_max ends_by r_max_exact r_max_paper r_start
+rmax 0.3|s r_max ends_by r_max_exact r_max_paper r_start
 pair|s r_max ends_by
 pair 0.3|s r_max ends_by
 best|s r_max

@@ -36,9 +36,9 @@ END
 }
 
 @test "rmax says why exact and paper differ, and only where they do" {
-    "$DOMINO" -e rmax | grep -q '^They differ because'
+    "$DOMINO" -e rmax | grep -q '^r_max_exact and r_max_paper differ because'
     same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
-    "$DOMINO" -e 'rmax 0.9' | grep -q '^Both are limited by the reach'
+    "$DOMINO" -e 'rmax 0.9' | grep -q '^r_max_exact and r_max_paper are both limited by the reach'
     same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
 }
 
@@ -100,5 +100,9 @@ END
     "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls with growth up to 1\.63'
     # Both limits are the same where the reach ends them.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
-    ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is a train that moves'
+    ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is for a train'
+    # Programs get the limit of a row that starts, as 'count' gives it.
+    answer=$(json 'rmax; count 112; set q hollow; rmax 0.1')
+    same r_start "$(sed -n 2p <<<"$answer" | values r_start)" "$(head -n 1 <<<"$answer" | values r_start)"
+    grep -q '"r_start":null,"reason":"r_start has no value: a row that starts with a first domino' <<<"$answer"
 }

@@ -123,7 +123,7 @@ quad() { # COMMANDS KEY DIGITS
             value=$(values "$key" <<<"$answer")
             if [[ $value =~ ^-?[0-9] ]] && [[ " i dominoes cycle " != *" $key "* ]] &&
                 [[ $call != cycle* || $key != theta* ]] &&
-                [[ $call != count* || " push r_start stops_at " != *" $key "* ]]; then
+                [[ $call != [cr]* || " push r_start stops_at " != *" $key "* ]]; then
                 [[ $(values "${key}_error" <<<"$answer") =~ ^[0-9.]+(e[-+][0-9]+)?$ ]] || same "$call: $key" 'a bound' "$answer"
                 bounds=$((bounds + 1))
             fi
@@ -132,7 +132,7 @@ quad() { # COMMANDS KEY DIGITS
         head=$("$DOMINO" -e "set errors on; set output csv; $call" | head -n 1)
         same "$call: csv" "$(json "set errors on; $call" | keys | tr ' ' ,)" "$head"
     done <<<"$commands"
-    same 'off again' 's r_max ends_by r_max_exact r_max_paper' "$(json 'set errors on; set errors off; rmax' | keys)"
+    same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
 }
 
 @test "errors on: the bound is one, of what is printed too" {

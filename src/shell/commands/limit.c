@@ -72,28 +72,25 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
         answer_say(a, "r_max_paper has no value: the paper's closed form of the fuel does not include %s.",
                    domq_dynamics(train)->name);
     else if (used->ends != DOM_END_NONE && exact->r_max == paper->r_max)
-        answer_say(a, "Both are limited by the reach, r = 1/s, which does not depend on the fuel.");
+        answer_say(a, "r_max_exact and r_max_paper are both limited by the reach, r = 1/s, which does not "
+                      "depend on the fuel.");
     else if (used->ends != DOM_END_NONE)
-        answer_say(a, "They differ because the paper's closed form of the fuel leaves out the weights r^(-q "
+        answer_say(a, "r_max_exact and r_max_paper differ because the paper's closed form of the fuel leaves "
+                      "out the weights r^(-q "
                       "i) (25; c7).");
 }
 
 /* If a row that has to start tolerates less growth than a moving train, prints up to which growth it starts,
  * and which push it needs with the session's growth. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
-                           const struct domq_train *train, const struct domq_limit *used)
+                           const struct domq_train *train, const struct domq_limit *used, domq_real r_start)
 {
-    struct start_growths growths;
     struct start start;
     char words[START_WORDS], push[96] = "";
-    if (used->ends == DOM_END_NONE)
+    bool starts = !isnan(r_start);
+    if (used->ends == DOM_END_NONE || scene_has_engine(query->scene) || r_start >= used->r_max)
         return true;
-    if (!start_growths_find(query, train, used->r_max, &growths, problem))
-        return false;
-    bool starts = !isnan(growths.r_max);
-    if (scene_has_engine(query->scene) || !(growths.r_max < used->r_max || !starts))
-        return true;
-    if (train->r <= used->r_max && !(train->r <= growths.r_max)) {
+    if (train->r <= used->r_max && !(train->r <= r_start)) {
         if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
             return false;
         if (isfinite(start.push))
@@ -105,13 +102,36 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
         answer_say(a,
                    "This is for a train that is already moving. A row that starts %s falls with growth up to "
                    "%.6g.%s",
-                   words, (double)growths.r_max, push);
+                   words, (double)r_start, push);
     else
         answer_say(a,
                    "This is for a train that is already moving. A row that starts %s does not fall with any "
                    "growth.%s",
                    words, push);
     return true;
+}
+
+/* Returns why there is no largest growth with which a row starts, although a moving train has one. Returns
+ * NULL if a sentence says this. */
+static const char *start_missing(const struct query *query, const struct answer *a, char reason[START_TEXT])
+{
+    char words[START_WORDS];
+    if (scene_has_engine(query->scene))
+        return "r_start has no value: the rigid-body engine would take too long to find it";
+    snprintf(reason, START_TEXT, "r_start has no value: a row that starts %s does not fall with any growth",
+             start_words(query, words));
+    return answer_for_people(a) ? NULL : reason;
+}
+
+/* Adds the column of the largest growth with which a row starts. This limit takes much longer to find than
+ * the other numbers, so sweeps and expressions do not have it. */
+static void rmax_start_column(struct answer *a)
+{
+    struct column *c = answer_columns(a, a->columns);
+    while (c->key)
+        c++;
+    c[0] = (struct column){"r_start", "", "the largest growth with which a row starts and keeps falling", 0};
+    c[1] = (struct column){NULL, NULL, NULL, 0};
 }
 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
@@ -124,13 +144,23 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
+    struct start_growths growths = {DOMQ_NAN, DOMQ_NAN};
+    const char *missing = no_growth(used);
+    char reason[START_TEXT];
+    if (a->out && !a->sink) {
+        if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
+            return false;
+        rmax_start_column(a);
+        if (!missing && isnan(growths.r_max))
+            missing = start_missing(query, a, reason);
+    }
     rmax_say(a, &train, &used);
     answer_row(a,
                ROW(cell_real(train.s), CELL_OF(used, r_max), cell_word(dom_end_text(used.ends)),
-                   CELL_OF(exact, r_max), CELL_OF(paper, r_max)),
-               no_growth(used));
+                   CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_unbounded(growths.r_max)),
+               missing);
     rmax_fuels_say(a, &train, &used, &exact, &paper);
-    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used);
+    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, growths.r_max);
 }
 
 static const struct column pair_columns[] = {
@@ -262,11 +292,13 @@ const struct command limit_commands[] = {
      .argument = {{SEPARATION}},
      .summary = "the largest growth, with gaps of S heights (or s heights)",
      .equation = "(26; c8)",
-     .help = "The growth r is raised from 1 until a domino has less energy than it needs to topple the next "
-             "one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
-             "without touching it. This is the limit for a train that is already moving. A row that starts "
-             "from rest, with a first domino that just tips over or with the push of 'effect push', may need "
-             "a smaller growth. The answer then gives that limit as well; its value is 'count.r_start'.",
+     .help =
+         "The growth r is raised from 1 until a domino has less energy than it needs to topple the next "
+         "one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
+         "without touching it. This is the limit for a train that is already moving. A row that starts "
+         "from rest, with a first domino that just tips over or with the push of 'effect push', may need "
+         "a smaller growth. The answer then gives that limit as well, which csv and json call r_start. In "
+         "expressions and sweeps, where it would take too long, use 'count.r_start'.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
