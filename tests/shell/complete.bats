@@ -81,7 +81,7 @@ draw forces |(nothing)
 draw train |forces
 animate a.gif |speed rate train
 animate a.gif speed 2 r|rate
-plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost
+plot |fall speed gaps placement growth marginal sweep energy omega inertia chain cost fit
 plot fall |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot placement |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot growth |width height font family title xlabel ylabel xrange yrange xscale yscale legend paper
@@ -93,6 +93,7 @@ plot sweep s 0.1 0.3 3 : rm|rmax
 plot energy |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 plot energy r|(nothing)
 plot co|cost
+plot fit fr|friction
 plot co r|rmax
 plot cost rmax |width height font family title xlabel ylabel xrange yrange xscale yscale legend
 cost |fuel launch barrier duration rmax pair

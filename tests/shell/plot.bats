@@ -245,6 +245,7 @@ END
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
     wrong 'effect row 1; plot speed > a.svg' "a front needs two dominoes; 'effect row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
+    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'since bounce is on, and computes no energies'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends before the front has a speed'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do

@@ -101,6 +101,11 @@ extern const struct column fit_columns[];
 const char *fit_names(const void *context, int k); /* a names_list of the parameters that can be fitted */
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
+
+/* Fits, and adds to the chart what was measured against what the fitted values give. */
+struct chart;
+bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
+               struct problem *problem);
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

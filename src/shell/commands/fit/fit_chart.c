@@ -32,7 +32,7 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
 }
 
 /* Makes a chart with a point for each measurement, whose distance from a straight line is the residual. */
-static void fit_chart(struct chart *chart, const struct fit *f, const struct answer_style *style)
+static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
 {
     static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};
     const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
@@ -55,17 +55,23 @@ static void fit_chart(struct chart *chart, const struct fit *f, const struct ans
     chart_point(chart, line, most, most);
 }
 
-bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
+bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
+               struct problem *problem)
 {
     struct fit f;
+    const bool done = fit_make(query, &f, problem);
+    if (done)
+        points_draw(chart, &f, &a->style);
+    fit_free(&f);
+    return done;
+}
+
+bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
+{
     if (!picture_ready(a, problem))
         return false;
     struct chart chart = chart_make();
-    const bool done = fit_make(query, &f, problem);
-    if (done)
-        fit_chart(&chart, &f, &a->style);
-    fit_free(&f);
-    if (done)
+    if (fit_chart(query, a, &chart, problem))
         return chart_show(&chart, a, query->scene->compute.interrupt, problem);
     chart_free(&chart);
     return false;

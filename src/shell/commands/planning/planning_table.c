@@ -143,9 +143,9 @@ const struct command design_commands[] = {
              "gives the gap of each run; a column 'error' gives standard errors. The dominoes are "
              "those of 'effect row', or else all have the growth r. Finds the values with the least "
              "sum of squared residuals, each divided by its error, and their standard deviations and "
-             "correlations. 'fit ... > fit.svg' (or .png, .pdf) draws what was measured against what "
-             "the best values give.",
-     .see = "solve duration fall sensitivity",
+             "correlations. 'plot fit ...' draws what was measured against what the best values give, as "
+             "does 'fit ... > fit.svg' (or .png, .pdf).",
+     .see = "plot solve duration fall sensitivity",
      .files = true,
      .rows = true,
      ANSWER(fit),

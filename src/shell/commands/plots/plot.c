@@ -60,7 +60,8 @@ static const struct argument answer_argument = {.name = "NAME",
                                                .of = "word after 'plot growth'",
                                                .choices = paper_names},
                              rows_argument = {.name = "ROWS", .kind = ARGUMENT_COUNT},
-                             grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID};
+                             grid_argument = {.name = "GRID", .kind = ARGUMENT_GRID},
+                             fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
 /* The plots, in the order in which completion offers them. Members that an axis or a curve leaves out are 0
  * on purpose, but clang would warn of them. */
@@ -115,6 +116,7 @@ static const struct plot plots[] = {
                {"theta_i", "i = 3", CHART_LINE, INK_PURPLE, 3, 4},
                {"theta_i", "i = 4", CHART_LINE, INK_ORANGE, 4, 5}}},
     {"cost", plot_cost, "", .title = "", .argument = &answer_argument},
+    {"fit", plot_fit, "", .title = "", .argument = &fit_argument},
     {.name = NULL},
 };
 #pragma GCC diagnostic pop
@@ -129,10 +131,10 @@ static const char *plot_names(const void *context, int k)
 struct plot_parsed {
     struct look_parsed look;
     bool has_argument; /* the plot has been given an argument */
-    void *argument;    /* for a grid: the result of sweep_parse_grid */
+    void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* The bound values of the members of plot_parsed. */
+/* The bound values of the members of plot_parsed; a fit is bound later, when it is drawn. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;
@@ -147,6 +149,8 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
     switch (plot->argument->kind) {
     case ARGUMENT_GRID:
         return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);
+    case ARGUMENT_COMMAND:
+        return plot_fit_parse(r, q);
     case ARGUMENT_CHOICE:
         return item_parse_choice(r, plot->argument, &q->item[1]);
     default:
@@ -156,7 +160,7 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
 }
 
 /* Parses words about the look of the chart, the argument of the plot, and further words about the look. A
- * grid extends to the end of the command. */
+ * grid and a fit extend to the end of the command. */
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
@@ -179,11 +183,13 @@ static bool more_bind(const struct question *q, const struct query *query, struc
                       struct problem *problem)
 {
     const struct plot_parsed *p = q->parsed;
+    const struct argument *kind = plots[(int)q->item[0].number].argument;
+    const bool is_grid = p->argument && kind->kind == ARGUMENT_GRID;
     struct question inner = *q;
     inner.parsed = p->argument;
-    if (p->argument && !sweep_bind(&inner, query, given, problem))
+    if (is_grid && !sweep_bind(&inner, query, given, problem))
         return false;
-    void *argument = p->argument ? given->bound : NULL;
+    void *argument = is_grid ? given->bound : p->argument;
     struct plot_given *g = arguments_take(given, sizeof *g, query, problem);
     if (!g)
         return false;
@@ -245,8 +251,9 @@ const struct command plot_commands[] = {
          "the largest growth, which 'plot growth paper' compares with that of the paper's fuel, and 'plot "
          "marginal' with that of two dominoes. 'plot energy', 'plot omega', 'plot inertia' and 'plot chain' "
          "show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
-         "shows any sweep over one or two parameters. In the terminal the picture is drawn at once. "
-         "'plot sweep s 0.1 0.9 33 : rmax, pair' shows the curves of several answers. "
+         "shows any sweep over one or two parameters, and 'plot sweep s 0.1 0.9 33 : rmax, pair' the curves "
+         "of several answers. 'plot fit friction FILE' shows measurements against what the fitted friction "
+         "gives. In the terminal the picture is drawn at once. "
          "'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; .tex is for "
          "\\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings "
          ".csv and .json give the data, and .gp gives gnuplot's script with the data in it, in which you can "
@@ -257,12 +264,10 @@ const struct command plot_commands[] = {
          "'below', "
          "'right' or 'off'; and of a file, "
          "'width' and 'height' from 6 to 30 cm, 'font' in points, and 'family' with the name of a font. "
-         "These "
-         "words stand "
-         "in any order, and before the grid of a sweep.",
+         "These words stand in any order, and before the grid of a sweep or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
-     .see = "fall mend placement sweep curve draw",
+     .see = "fall mend placement sweep curve fit draw",
      .unswept = "it draws",
      .writes = WRITES_CHARTS,
      .rows = true,

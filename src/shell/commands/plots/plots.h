@@ -22,6 +22,7 @@ plot_run plot_cost;
 plot_run plot_fall, plot_speed, plot_gaps;
 plot_run plot_placement;
 plot_run plot_sweep_rows;
+plot_run plot_fit;
 
 /* The rows of a plot as numbers. */
 struct plot_rows {
@@ -84,6 +85,9 @@ struct look_parsed {
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);
+
+/* Parses the arguments of 'fit', and stores them as a question in q->parsed. */
+bool plot_fit_parse(struct reader *reader, struct question *q);
 
 /* plot_sweep draws a sweep that was typed as 'sweep' or as 'plot sweep'. plot_sweep_draw makes the chart of
  * its rows. */
