@@ -75,20 +75,20 @@ END
         grep -qF -- "$message" <<<"$stderr" || same "$command" "$message" "$stderr"
         same "$command: the row" "$before" "$(grep '"domino"' <<<"$output")"
     done <<'END'
-change 3 thickness 12|a thickness of 12 without a unit would be 12 m, but domino 3 is 1.575 cm now; write '12 mm'
+change 3 thickness 12|a thickness of 12 without a unit would be 12 m, but domino 3 is 1.575 cm thick; write '12 mm'
 change 9 height 1 m|there is no domino 9; this row has 5
 change 0 height 1 m|there is no domino 0
 change 1 gap 1 cm|there is no gap before domino 1
 change 3 height 0|domino 3: height = 0 m is too small
 change 2,3 thickness -100 %|domino 2: thickness = 0 m is too small
 change 4 lean 5 cm|domino 4: with its top 5 cm off plumb this domino falls over by itself
-change 3 radius 20 mm|domino 3: radius = 0.02 m is more than half of the thickness
+change 3 radius 20 mm|domino 3: radius = 0.02 m is more than 0.007875 m, half of the thickness
 change 2 foo 3|unknown measure 'foo'; use one of: height, thickness, gap, mass, radius, lean
 change 2 height|X is missing
 change 2 height 3 s|the height is a length, not a time; enter one such as '48 mm'
 change 5-2 gap 1 cm|'5-2' names no dominoes
 change all gap +0.1|a change of the gap by 0.1 needs a unit, as in '+0.1 m'; with '%' it is a share of the gap
-change 2 mass 20 g|the masses of this row are not known; 'set mass'
+change 2 mass 20 g|the masses of this row are not known; enter the mass of its first domino with 'set mass'
 change 2 gap -20 cm|domino 2: gap = -0.1712 m is negative
 END
     wrong 'change 2 gap 1 cm' 'there is no row'

@@ -122,7 +122,7 @@ END
 @test "count asks the rigid-body engine about a row that only it can run" {
     command -v "$DOMINO" >/dev/null
     answer=$("$DOMINO" -e 'effect row 2; effect feet 0.5; count 1 m' 2>&1) || skip 'without Chipmunk'
-    grep -q 'The rigid-body engine ran the row, since feet is on' <<<"$answer"
+    grep -q 'The rigid-body engine ran the row because feet is on' <<<"$answer"
     same 'on ice' false "$(json 'effect row 2; effect feet 0.05; count 1 m' | values feasible)"
 }
 

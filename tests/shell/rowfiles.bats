@@ -111,7 +111,7 @@ END
 @test "other columns are named once, and written back with the row; a wrong spelling is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
-    same 'one note' "-e:1: effect: more.csv:1: not used: the columns 'colour', 'shop'; those that are: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
+    same 'one note' "-e:1: effect: more.csv:1: ignored columns: 'colour', 'shop'; recognized columns: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
     printf 'height (mm);thickness (mm);gap (mm);"a;b";note\r\n48,5;7;-;red;"1 "" wide\nor # 2"\r\n50;7;20\r\n' >more.csv
     "$DOMINO" -e 'effect row more.csv; place 2 3 cm; row > saved.csv; effect row saved.csv; row > again.csv'
     same_file saved.csv again.csv
@@ -187,7 +187,7 @@ END
     # Uphill it may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has no column lean"
-    wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, and the rigid-body engine, which runs the row since method is engine, needs upright ones; turn that off'
+    wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, and the rigid-body engine, which runs the row because method is engine, needs upright ones; turn that off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
     grep -qxF 'The top of domino 2 may be off by 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is off by 1 mm backwards now.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv

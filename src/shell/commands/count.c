@@ -186,7 +186,7 @@ static void start_say(const struct query *query, struct answer *a, const struct 
         answer_say(a, "The first %zu dominoes fall, but a longer row stops: %s.", t->start.count, t->stops);
     }
     if (t->start.engine)
-        answer_say(a, "The rigid-body engine ran the row, since %s.", t->start.engine);
+        answer_say(a, "The rigid-body engine ran the row because %s.", t->start.engine);
     answer_say(a, "%s", "");
 }
 

@@ -6,13 +6,13 @@ const struct domq_effect engine_effect_feet = {
     .name = "feet",
     .synonyms = "foot slip slide slippery floor ground hinge engine chipmunk",
     .adds = "feet that can slip on a floor with friction, instead of hinges",
-    .help = "Feet are not hinges: a foot slides when more friction than MU would be needed to hold it, in "
-            "motion and in the collision, and it may lift off. The equations of the train have one degree of "
-            "freedom and cannot describe this, so a rigid-body engine, Chipmunk 7, runs the row. 'fall' "
-            "reports how far feet slide. The step of the engine is halved until the verdict and the times no "
-            "longer change. The result depends on the start: a push of more than sqrt(2 g/h) lifts the first "
-            "domino and throws it at the second. 'rowmax' finds the largest growth with which such a row "
-            "falls; 'rmax' is for the endless train, whose feet are hinges.",
+    .help = "Feet are not hinges: a foot may lift off, and it slides when a friction coefficient above MU "
+            "would be needed to hold it, during the motion and in collisions. The equations of the train "
+            "have one degree of freedom and cannot describe this, so a rigid-body engine, Chipmunk 7, runs "
+            "the row. 'fall' reports how far feet slide. The step of the engine is halved until the verdict "
+            "and the times no longer change. The result depends on the start: a push of more than sqrt(2 "
+            "g/h) lifts the first domino and throws it at the second. 'rowmax' finds the largest growth at "
+            "which such a row falls; 'rmax' is for the endless train, whose feet are hinges.",
     .source = "Chipmunk 7, a rigid-body engine; Coulomb friction",
     .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "MU",
@@ -86,7 +86,7 @@ const char *effect_usage(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-/* Example commands for some effects. effect_example composes the examples of the other effects. */
+/* Example commands for some effects. effect_example builds the examples of the other effects. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
@@ -111,8 +111,9 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
         if (e->needs >> k & 1)
             n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
     snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; %s", e->name,
-             name < EFFECT_ENGINE_END      ? "scene"
-             : e->needs >> EFFECT_feet & 1 ? "placement 5" /* the engine takes a thousand times as long */
+             name < EFFECT_ENGINE_END ? "scene"
+             /* fewer rows, because the engine takes a thousand times as long as the model */
+             : e->needs >> EFFECT_feet & 1 ? "placement 5"
                                            : "placement 500");
     return example;
 }

@@ -75,11 +75,11 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     for (size_t k = 0; k < row->count; k++)
         rounded = rounded || row->domino[k].radius > 0;
     if (rounded && !scene->effect[DOM_EFFECT_edges].on)
-        means_note(means, "%s:%ld: the radii are used while the effect edges is on: 'effect edges on'",
-                   csv->path, csv->head.at.line);
+        means_note(means, "%s:%ld: the radii have no effect until you enter 'effect edges on'", csv->path,
+                   csv->head.at.line);
     if (good && *csv->unused)
-        means_note(means, "%s:%ld: not used: the columns %s; those that are: %s", csv->path,
-                   csv->head.at.line, csv->unused, csv->kind->names);
+        means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
+                   csv->unused, csv->kind->names);
     /* 'save' may write a script in another directory, and so needs the absolute path. A pipe has no such
      * path, and keeps its name. */
     row->path = good ? realpath(csv->path, NULL) : NULL;

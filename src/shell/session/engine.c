@@ -25,8 +25,8 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The engine's units of length and mass are the height and mass of the first domino, and in its unit of time
- * g is 1. Rounding errors then do not depend on the size of the row. */
+/* The units in which the engine computes: the height and the mass of the first domino, and the unit of time
+ * in which g is 1. With these units, rounding errors do not depend on the size of the row. */
 struct unit {
     double length, mass, time;
 };
@@ -44,8 +44,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
     struct domq_box box;
     if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    /* box.inertia is the same ratio for an axis along the lower edge. The parallel axis theorem converts it
-     * to an axis through the centre. */
+    /* box.inertia is the ratio of the same moments about the lower edge. The parallel axis theorem converts
+     * it to the ratio about the centre. */
     return 4 * (double)box.inertia - 3;
 }
 
@@ -212,18 +212,20 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    double zero;             /* the engine's time, in its units, at which the caller's clock starts */
+    /* the engine's time, in the engine's units, at which the caller's clock starts */
+    double zero;
     const domq_real *times;  /* the times in s that have not been visited yet */
     size_t left;             /* the number of elements of `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    double *feet, time;      /* how far the feet have slid in m, and the time in s, after the last step */
+    /* the distances in m that the feet have slid, and the time in s, after the last step */
+    double *feet, time;
     size_t head;
     domq_moment_visit *visit;
     void *context;
     bool more; /* the visitor wants to see more times */
 };
 
-/* Calls the visitor with the state after the last step, as the state at `time`. */
+/* Reports the state after the last step to the visitor, as the state at `time`. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,
@@ -236,8 +238,7 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* The engine calls this function after each step. Steps are so short that the state is not interpolated
- * between them. */
+/* The engine calls this function after each step. The steps are so short that no interpolation is needed. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -275,7 +276,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &settled->grain, watch_step, &w);
-    /* When the motion has ended, the last state is also that of all later times. */
+    /* Once the motion has ended, the state no longer changes. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);
@@ -294,7 +295,7 @@ static bool effects_check(const struct scene *scene, struct problem *problem)
         if (scene->effect[k].on && !(known >> k & 1))
             return problem_error(
                 problem,
-                "the rigid-body engine, which runs this row since %s, does not include %s; first "
+                "the rigid-body engine, which runs this row because %s, does not include %s; first "
                 "enter 'effect %s off'",
                 scene_engine_why(scene), effect_at(k)->name, effect_at(k)->name);
     return true;
@@ -310,7 +311,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
     if (count > ENGINE_MOST)
         return problem_error(
             problem,
-            "a row of %zu dominoes is too long for the rigid-body engine, which runs it since %s; it "
+            "a row of %zu dominoes is too long for the rigid-body engine, which runs it because %s; it "
             "takes up to %d, for example 'effect row 20'",
             count, why, ENGINE_MOST);
     const enum engine_status loaded = engine_load();

@@ -12,18 +12,20 @@ enum { METHOD_MODEL, METHOD_ENGINE };
 
 /* What the engine finds in one run, in addition to what the library needs. */
 struct engine_report {
-    struct engine_hit *hit; /* in m, s and kg; the caller provides one element for each domino */
+    /* in m, s and kg; the caller provides the array, with one element for each domino */
+    struct engine_hit *hit;
     struct engine_settled settled;
     double seconds; /* the time until the row has fallen or stopped */
 };
 
 struct scene_engine {
-    struct domq_engine engine;    /* its member `own` points to this struct */
-    struct engine_row effects;    /* the engine's settings for the effects that the library lacks */
-    struct engine_report *report; /* filled in by each run unless it is NULL; it must be NULL in studies */
+    struct domq_engine engine; /* engine.own points to this struct */
+    struct engine_row effects; /* the engine's settings for the effects that the library lacks */
+    /* each run fills in this report; NULL if no report is wanted, as in studies */
+    struct engine_report *report;
 };
 
-/* Returns true if the engine, and not the model, runs the row of the scene. */
+/* Returns true if the rigid-body engine runs the row of the scene instead of the model. */
 bool scene_has_engine(const struct scene *scene);
 
 /* Returns the reason why the engine runs the row, such as "feet is on" or "method is engine". */
@@ -38,8 +40,9 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
 /*
- * Does the same as domq_row_watch, in the engine, with the step size that an earlier run stored in the
- * report. Before each visit, feet[k] is set to the distance in m that the foot of domino k, from 0, has slid.
+ * Does the same as domq_row_watch, but in the engine, with the step size that an earlier run stored in the
+ * report. Before each visit, sets feet[k] to the distance in m that the foot of domino k, counted from 0, has
+ * slid.
  */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,

@@ -5,10 +5,11 @@
 
 #include "session/scene.h"
 
-/* Lists the names of the kinds of errors, and then "all", in the form that names.h expects. */
+/* A names_list (see names.h) of the kinds of errors, with "all" as its last name. */
 const char *error_names(const void *context, int k);
 
-/* Returns the unit of a kind of error; "" for DOM_ERROR_COUNT, which stands for a factor of all errors. */
+/* Returns the unit of a kind of error, or "" for DOM_ERROR_COUNT, which stands for a factor that scales all
+ * errors. */
 const char *error_unit(int kind);
 
 /* Returns the effect to which a kind of error belongs, which is 'placement' for gaps and heights. */
@@ -25,7 +26,7 @@ bool errors_check(const struct scene *scene, struct problem *problem);
 /* Turns all errors off in a copy of a scene. The copy must borrow its row from the original. */
 void errors_off(struct scene *scene);
 
-/* Writes the errors as words, with their exact sizes, for example "gap 0.003 m, friction 0.05 uniform". */
+/* Describes the errors in words, with their exact sizes, for example "gap 0.003 m, friction 0.05 uniform". */
 enum { ERRORS_TEXT = 1024 };
 const char *errors_text(const struct domq_error error[DOM_ERROR_COUNT], char text[ERRORS_TEXT]);
 

@@ -128,7 +128,7 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lower bound of a parameter's value number i at the precision of the state. */
+/* Returns the lower bound of value number i of a parameter, at the precision of the state. */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
@@ -180,7 +180,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     struct state next = *state;
     domq_real all[DOM_EFFECT_ARGUMENTS];
     if (p->effect && given > 0 && value[0] == EFFECT_ON && state->scene.effect[p->which].on)
-        return true; /* the effect keeps its values */
+        return true; /* the effect is already on and keeps its values */
     if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
         return false;
     const struct assigned assigned = {p, p->effect ? all[0] : value[0], p->effect ? all + 1 : NULL};
@@ -263,8 +263,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
-    /* A lower bound such as 1e-15 is not exactly a double. Both the decimal number and the nearest double are
-     * accepted. */
+    /* A lower bound such as 1e-15 cannot be stored exactly as a double, so both the decimal number and the
+     * nearest double are accepted. */
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
@@ -276,7 +276,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
         return problem_no_answer(
             problem, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
             quad_shown(value).text, arithmetic->name, p->name, range,
-            state->scene.compute.precision == DOM_QUAD ? "" : ", a wider precision has a lower floor");
+            state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
     return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
@@ -290,7 +290,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = format_at(style.output);
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* this is ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* equals ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -8,8 +8,8 @@
 
 /* ---- Descriptions ---- */
 
-/* Each of these functions is a names_list (see names.h). They list all parameters; all words for values of
- * the parameter that is the context; and the same words without their synonyms. */
+/* Three names_lists (see names.h): all parameters; all words that stand for values of the given parameter;
+ * and the same words without their synonyms. */
 const char *parameter_names(const void *context, int k);
 const char *parameter_words(const void *parameter, int k);
 const char *parameter_offered(const void *parameter, int k);
@@ -31,11 +31,11 @@ bool is_synonym(const char *synonyms, const char *word);
  * = VALUE' gives it a value", and returns true. Otherwise returns false. */
 bool parameter_hint(const char *word, char *message, size_t size);
 
-/* Returns the description of a parameter's value number i, from 0, or NULL after the last value. Only effects
- * have more than one. */
+/* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.
+ * Only effects have more than one value. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* parameter_meaning returns a short phrase. The help and the synonyms may be NULL. */
+/* Three texts about a parameter. The meaning is a short phrase. The help and the synonyms may be NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
 const char *parameter_help(const struct parameter *parameter);
 const char *parameter_synonyms(const struct parameter *parameter);
@@ -46,7 +46,8 @@ bool parameter_is_number(const struct parameter *parameter);
 /* Returns the word that stands for a value of the parameter, or NULL if no word does. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
-/* Writes the range of value number i, such as "1e-12 .. 1", or all words, such as "exact|paper". */
+/* Writes the range of value number i of a parameter, such as "1e-12 .. 1", or all words, such as
+ * "exact|paper". */
 void parameter_range(const struct state *state, const struct parameter *parameter, int i, char *text,
                      size_t size);
 
@@ -61,7 +62,7 @@ domq_real parameter_get(const struct state *state, const struct parameter *param
 /* Returns the default of a parameter at the precision of the state, or EFFECT_OFF for an effect. */
 domq_real parameter_fallback(const struct state *state, const struct parameter *parameter);
 
-/* Returns true if a value is in the range of the parameter's value number i. Otherwise reports the
+/* Returns true if `value` is in the range of value number i of the parameter. Otherwise reports the
  * problem. */
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
@@ -82,8 +83,8 @@ enum { ASSIGNED_MAX = 8 };
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter of a state that owns its memory to `given` values; only effects take more than one.
- * Returns false with a problem, and then nothing has changed. */
+/* Sets a parameter to `given` values, in a state that owns its memory. Only effects take more than one value.
+ * Returns false with a problem, and changes nothing, if a value cannot be set. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 

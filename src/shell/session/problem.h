@@ -9,7 +9,7 @@
 
 enum problem_kind {
     PROBLEM_NONE,
-    PROBLEM_WRONG,     /* the line is wrong, whatever the values of parameters are */
+    PROBLEM_WRONG,     /* the line is wrong, whatever values the parameters have */
     PROBLEM_NO_ANSWER, /* there is no answer with these values; a sweep continues with its next point */
 };
 

@@ -19,7 +19,7 @@ struct shard {
 struct means {
     struct shard shard;
     bool safe;          /* commands may not touch files */
-    bool sourced;       /* the command is in a file that is sourced */
+    bool sourced;       /* the command comes from a file that 'source' runs */
     const char *script; /* the path of the script, to find files in its directory; NULL at the prompt */
     /* Shows a note to the user at once. May be NULL. */
     void (*note)(void *context, const char *text);

@@ -5,7 +5,7 @@
 #include "session/engine.h"
 #include <float.h>
 
-/* The type that quad precision uses, for the description of the parameter. */
+/* The floating-point type of quad precision, as the description of the parameter 'precision' names it. */
 #if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
@@ -19,8 +19,8 @@
 static const char s_help[] = "The free distance between a domino and the one before it, divided by its "
                              "height. A length, as in 'set s 2 cm', is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
-                             "each domino are r times those of the one before. 'rmax' finds the largest r "
-                             "with which a train keeps falling, and 'effect row N' makes a row that ends.";
+                             "each domino are r times those of the one before. 'rmax' finds the largest r at "
+                             "which a train keeps falling, and 'effect row N' makes a row that ends.";
 static const char d_help[] = "The thickness is the size of a domino along the row, and d is the thickness "
                              "divided by the height. A length, as in 'set d 7 mm', is divided by h.";
 static const char q_help[] =
@@ -38,9 +38,9 @@ static const char precision_help[] =
     "default, it changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
     "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors of the "
-    "computation, the terms that are left out because of tol, and the digits that are not printed. The "
-    "parameter 'digits' is then not used. In csv and json the bound has a column or key of its own, named "
-    "KEY_error. The values of 'print' have no bounds.";
+    "computation, the terms that are left out because of tol, and the digits that are not printed. While "
+    "errors are on, the parameter 'digits' has no effect. In csv and json the bound has a column or key of "
+    "its own, named KEY_error. The values of 'print' have no bounds.";
 static const char hints_help[] =
     "While you type, faint text after the cursor shows how the line may continue: with the last line of the "
     "history that begins in the same way, or with the arguments that the command can still take. At the end "
@@ -81,7 +81,7 @@ static void precision_before(struct state *state, domq_real precision)
         compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
 }
 
-/* More members for the parameters that the library lists. */
+/* Additional members in the entries of parameters that the library lists. */
 #define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
 #define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
@@ -121,9 +121,9 @@ const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", scene.mass, "kg", "mass of the first domino; with 0, energies are in m g h/2", .highest = 1e9),
+    {ROW("mass", scene.mass, "kg", "mass of the first domino; if it is 0, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ROW("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as tall; 0: not given",
+    {ROW("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as it is tall; 0 if not known",
          .highest = 1e9),
      .synonyms = "wood weight material"},
     {ROW("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
@@ -141,7 +141,7 @@ const struct parameter session_parameters[] = {
     {ROW("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
      .synonyms = "random chance"},
-    {ROW("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 is one for each processor",
+    {ROW("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
     {ROW("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
@@ -156,7 +156,7 @@ const struct parameter session_parameters[] = {
     {ROW("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ROW("errors", settings.style.errors, "", "whether a bound of its error follows each number", .usual = 0),
+    {ROW("errors", settings.style.errors, "", "whether each number is followed by a bound of its error", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     {ROW("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),

@@ -18,17 +18,18 @@ struct word {
 
 struct parameter {
     const char *name;
-    /* The description of the parameter's value, whose `usual` is the default. For an effect: the descriptions
-     * of its values. */
+    /* Describes the parameter's value, whose default is the member `usual`. For an effect, this is an array
+     * that describes all values of the effect. */
     const struct domq_effect_argument *value;
     const char *help;     /* the text of 'help'; may be NULL */
     const char *synonyms; /* words that people may use instead, separated by blanks; may be NULL */
-    /* NULL unless the parameter is an effect. The `help` and `synonyms` above are NULL for an effect, which
-     * has its own. */
+    /* NULL unless the parameter is an effect. For an effect, `help` and `synonyms` above are NULL, because
+     * the description of the effect contains them. */
     const struct domq_effect *effect;
     int which;                /* the number of the effect, if the parameter is one */
     const struct word *words; /* words for some of the values; may be NULL */
-    bool words_only;          /* only these words are values, and the member of the state is an unsigned */
+    /* the parameter takes only these words, and its value is stored as an unsigned */
+    bool words_only;
     /* The parameter is a setting of the calculator. 'reset' does not change it unless its name is given. */
     bool setting;
     bool of_precision; /* the default and the lowest value depend on the precision, as for tol */

@@ -11,8 +11,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses of which only the ratios are known. The first domino gets the mass that the session has for
- * it. If there is no such mass, m g h / 2 of the first domino becomes 1. */
+/* Scales masses of which only the ratios are known. If the session knows the mass of the first domino, the
+ * first domino gets this mass. Otherwise, m g h / 2 of the first domino becomes 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -33,7 +33,8 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
     row_changes_apply(listed, domino, count);
-    if (listed->changes > 0 && !scene_has_masses(scene)) /* m g h / 2 of the changed first domino is 1 */
+    /* restores m g h / 2 = 1 for the changed first domino */
+    if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
 
@@ -118,12 +119,12 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* ---- Changes ---- */
 
-/* A value without a unit is probably a mistake if it is this many times as large as the measure now. */
+/* A value typed without a unit is probably a mistake if it is at least this many times the present value. */
 #define SLIP_OF_UNIT 50
 
-/* Checks a new value that was typed without a unit, and so is in m or kg: a user who types 25 means 25 mm and
- * not 25 m. A gap is likely if it is not wider than both of the dominoes beside it are tall. Returns false
- * with a problem. */
+/* Returns true if a new value that was typed without a unit, and is therefore in m or kg, is plausible: a
+ * user who types 25 means 25 mm and not 25 m. A gap is plausible if it is no wider than the taller of the two
+ * dominoes beside it is tall. Otherwise reports the problem. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -138,7 +139,10 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
         "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or the "
         "unit that you mean",
         row_measure_names(NULL, (int)measure), quad_shown(value).text, measured(value, unit, 6).text,
-        k + !is_gap, measured(tall, unit, 4).text, is_gap || measure == MEASURE_HEIGHT ? " tall" : " now",
+        k + !is_gap, measured(tall, unit, 4).text,
+        is_gap || measure == MEASURE_HEIGHT ? " tall"
+        : is_mass                           ? " now"
+                                            : " thick",
         quad_shown(value).text, write);
 }
 
@@ -151,14 +155,14 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
                                                               : *row_measure_at(&copy, measure);
 }
 
-/* Returns the angle of a domino whose top is off plumb by a distance. */
+/* Returns the angle at which a domino leans if its top is `off` m from plumb. */
 static domq_real lean_angle(domq_real off, domq_real height)
 {
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Computes the new value of a measure of domino k, from 0, of a row, as row_changes_apply takes it. Returns
- * false with a problem. */
+/* Changes one measurement of domino k of a row, counted from 0, and stores the change in *kept, in the form
+ * of struct listed_row. Returns false with a problem. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -189,8 +193,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Returns true if the row has all dominoes of some ranges, and gaps before them if gaps change. Otherwise
- * reports the problem. */
+/* Returns true if the row has all dominoes in the ranges and, if gaps change, a gap before each of these
+ * dominoes. Otherwise reports the problem. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {
@@ -208,7 +212,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
     return true;
 }
 
-/* Changes the row of a scene that owns the changes of its row. Returns false with a problem. */
+/* Changes the row of a scene that owns the memory of its row. Returns false with a problem. */
 static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
                        const struct row_range *range, int ranges, struct problem *problem)
 {
@@ -226,7 +230,7 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const s
     struct listed_row before = scene->listed;
     next.saved = false;
     scene->listed = next;
-    good = good && scene_row_list(scene, &changed, problem); /* do the walls still fit? */
+    good = good && scene_row_list(scene, &changed, problem); /* checks that the walls still fit */
     if (good)
         free(changed.domino);
     else
@@ -243,9 +247,8 @@ bool scene_row_change(struct scene *scene, const struct row_change *change, cons
         return false;
     bool good = ranges_check(range, ranges, change->measure, row.row.count, problem);
     if (good && change->measure == MEASURE_MASS && change->how != CHANGE_TIMES && !scene_has_masses(scene))
-        good =
-            problem_error(problem, "the masses of this row are not known; 'set mass' gives that of its first "
-                                   "domino, and a change such as '+10 %%' needs none");
+        good = problem_error(problem, "the masses of this row are not known; enter the mass of its first "
+                                      "domino with 'set mass', or a relative change such as '+10 %%'");
     good = good && row_change(scene, &row, change, range, ranges, problem);
     free(row.domino);
     return good;

@@ -24,7 +24,7 @@ domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure)
     return (void *)((char *)domino + member[measure]);
 }
 
-/* Returns the new value of a measure, or NaN if it has not been changed. */
+/* Returns the stored change of a measurement, or NaN if the measurement has not been changed. */
 static domq_real changed(const struct listed_row *row, size_t k, enum row_measure measure)
 {
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
@@ -84,7 +84,8 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* A lean is signed, and would be read as a change by its value without the '='. */
+            /* A lean may have a sign. Without the '=', the command would read such a number as an amount to
+             * add. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, number),

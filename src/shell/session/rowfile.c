@@ -9,8 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Looks for a file in the directory of the script that names it. Returns its path, or a copy of the name if
- * there is no such file there. Returns NULL if there is no memory. The caller frees the path. */
+/* Looks for a file in the directory of the running script. Returns the path of the file, or a copy of `name`
+ * if there is no such file. Returns NULL if there is no memory. The caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
     const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
@@ -65,7 +65,7 @@ enum { DENSITY = ROW_MEASURES, WIDTH, RELATIVE, DOMINO, KINDS };
 #define WEIGHT "write a number in the unit of the first line, as in "
 #define PLAIN  "", "none", "", "write a plain number: "
 
-/* The range of masses is the range of single precision. */
+/* The range of masses is that of single precision. */
 static const struct csv_column columns[KINDS] = {
     [MEASURE_HEIGHT] = {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     [MEASURE_THICKNESS] = {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11,
@@ -79,7 +79,7 @@ static const struct csv_column columns[KINDS] = {
     [DENSITY] = {"density", NULL, 0, "kg/m^3", "kg/m^3, g/cm^3, lb/ft^3", "g/cm^3",
                  WEIGHT "'density (g/cm^3)'", CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 kg/m^3"},
     [WIDTH] = {"width", NULL, 0, LENGTH, CSV_ABOVE_0, 1e9, "more than 0, up to 1e9 m"},
-    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass over that of the first domino", 1e-40, 1e38,
+    [RELATIVE] = {"relative", NULL, 0, PLAIN "the mass divided by that of the first domino", 1e-40, 1e38,
                   "1e-40 .. 1e38"},
     [DOMINO] = {"domino", "nr,no,no.,number", 0, PLAIN "the program does not use it", 1, 1e6, "1 .. 1e6"},
 };
@@ -119,7 +119,7 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
         return MEASURE_THICKNESS;
     }
     if (2 * d->radius > d->thickness) {
-        snprintf(message, MISFIT_MESSAGE, "radius = %s m is more than half of the thickness, %s m",
+        snprintf(message, MISFIT_MESSAGE, "radius = %s m is more than %s m, half of the thickness",
                  quad_shown(d->radius).text, quad_shown(d->thickness / 2).text);
         return MEASURE_RADIUS;
     }

@@ -7,8 +7,8 @@
 #include "session/query.h"
 
 /*
- * Opens a csv file, and reads the first line of its table. The file is looked for in the directory of the
- * script that names it, and then in the current directory. If `standard` is true, the name '-' means standard
+ * Opens a csv file, and reads the first line of its table. Looks for the file first in the directory of the
+ * running script, and then in the current directory. If `standard` is true, the name '-' means standard
  * input. Returns NULL with a problem.
  */
 struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
@@ -32,19 +32,20 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  * domino is off plumb when the domino is set up; a backward lean is negative. The column "domino" is ignored,
  * and all other columns are kept as text.
  */
-/* The first columns of the kind are those of enum row_measure. */
+/* Describes the columns of such a file. The first columns are those of enum row_measure, in the same
+ * order. */
 extern const struct csv_kind rowfile_kind;
 
-/* Checks that the measures of a domino fit together on a floor with this slope in radians. Returns
- * ROW_MEASURES if they do. Otherwise returns the measure that is wrong, and writes a message. */
+/* Checks that the measurements of a domino fit together on a floor with this slope in radians. Returns
+ * ROW_MEASURES if they do. Otherwise returns the measurement that is wrong, and writes a message. */
 enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
 /*
  * Reads all dominoes of a table. The gap of the first domino is 0. If the table gives no masses in kg, masses
- * are relative, like those of solid blocks of density 1. On a floor with this slope, in radians, the leans
- * must not make a domino fall over. Returns false with a problem in the table, and then *rows is empty. Free
+ * are relative, like those of solid blocks of density 1. No domino may lean so far that it falls over on a
+ * floor with this slope in radians. Returns false with a problem in the table, and then *rows is empty. Free
  * *rows with listed_free.
  */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);

@@ -114,13 +114,13 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
 {
     const struct domq_train *t = &scene->train;
     problem->place = 0;
-    /* These statuses can occur whatever the values of the parameters are. */
+    /* These statuses can occur with any values of the parameters. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius is at most half of the "
-                                 "thickness; here 'effect edges %.6g' is the largest",
+                                 "thickness; the largest that fits is 'effect edges %.6g'",
                                  quad_shown(t->rho).text, (double)(t->d / 2));
     if (status == DOM_NO_STAND) {
         domq_real lean[2];
@@ -140,10 +140,10 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
             problem, "'fuel paper' cannot be combined with %s; enter 'set fuel exact' or 'effect %s off'",
             domq_dynamics(t)->name, domq_dynamics(t)->name);
     if (status == DOM_NOT_CONVERGED && scene->compute.precision != DOM_QUAD)
-        return problem_no_answer(problem,
-                                 "%s of %.3g; 'set precision %s' has more digits, 'set tol' allows fewer",
-                                 dom_status_text(status), (double)scene->compute.tol,
-                                 scene->compute.precision == DOM_FLOAT ? "double" : "quad");
+        return problem_no_answer(
+            problem, "%s of %.3g; 'set precision %s' gives more digits, and 'set tol' accepts fewer",
+            dom_status_text(status), (double)scene->compute.tol,
+            scene->compute.precision == DOM_FLOAT ? "double" : "quad");
     if (status == DOM_NO_FUEL)
         return problem_no_answer(problem, "%s; 'why' says more", dom_status_text(status));
     if (status == DOM_NO_ROOM)

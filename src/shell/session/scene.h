@@ -18,7 +18,7 @@ struct effect_state {
     domq_real value[DOM_EFFECT_ARGUMENTS];
 };
 
-/* The measures of a domino that 'change' can change. */
+/* The measurements of a domino that 'change' can change. */
 enum row_measure {
     MEASURE_HEIGHT,
     MEASURE_THICKNESS,
@@ -29,7 +29,8 @@ enum row_measure {
     ROW_MEASURES
 };
 
-/* The dominoes of a row that was read from a file, and the measures that 'change' has changed in any row. */
+/* The dominoes of a row that was read from a file, and the measurements that 'change' has changed in any
+ * row. */
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;
@@ -39,8 +40,9 @@ struct listed_row {
     /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
      * row. Each cell begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    /* For each domino of the row, the measures that have been changed, or NaN for the others; NULL if there
-     * are none. A mass is a factor, since the density of a domino is what 'change' changes. */
+    /* For each domino of the row, the measurements that have been changed, with NaN for the others. NULL if
+     * nothing has been changed. A mass is stored as a factor, because 'change' changes the density of a
+     * domino. */
     struct domq_domino *change;
     size_t changes;  /* the number of elements of `change` */
     bool saved;      /* the changes have been written to a file */
@@ -49,7 +51,7 @@ struct listed_row {
 
 struct scene {
     struct domq_train train;
-    struct domq_compute compute; /* options without error bounds; query_compute adds them */
+    struct domq_compute compute; /* options without error bounds, which query_compute adds */
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of solid dominoes in kg/m^3; 0 if it is not known */
@@ -64,7 +66,7 @@ struct settings {
     struct answer_style style; /* only `output`, `header`, `digits`, `angle` and `errors` are set; state_style
                                   fills in the others */
     unsigned timing, hints;
-    domq_real threads; /* 0 stands for the number of processors */
+    domq_real threads; /* 0 means one thread for each processor */
 };
 
 struct state {
@@ -101,15 +103,15 @@ void listed_free(struct listed_row *row);
  * in m. */
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);
 
-/* Returns the mass in kg that a first domino of this height and thickness in m has, or 0 if neither mass nor
- * density is known. */
+/* Returns the mass in kg that the first domino has if its height and thickness in m are these, or 0 if
+ * neither mass nor density is known. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
 domq_real scene_mass(const struct scene *scene);
 
-/* Returns true if a domino with sharp edges stands despite its lean on a slope of `alpha` radians. Otherwise
- * writes a message that says how far the domino can lean, and returns false. */
+/* Returns true if a leaning domino with sharp edges does not fall over on a slope of `alpha` radians.
+ * Otherwise writes a message that says how far the domino can lean, and returns false. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 

@@ -57,7 +57,7 @@ bool session_stops(const struct session *session, long errors)
 
 /* ---- Errors and notes ---- */
 
-/* The indentation of the copy of the line above a caret. */
+/* A copy of the typed line above a caret is indented by this many columns. */
 enum { CARET_INDENT = 2 };
 
 /* Returns true if the typed line has no control characters. A pasted line may have some. */
@@ -79,7 +79,7 @@ static void session_caret(const struct session *session, int column)
     bool above = session->typed.is_last && width > 0;
     if (!above && (session->typed.columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
-    if (above) /* the terminal wraps a long line */
+    if (above) /* the terminal has wrapped a line that is longer than `width` */
         at = (at - 1) % width + 1;
     if (!above)
         fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
@@ -87,7 +87,8 @@ static void session_caret(const struct session *session, int column)
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error among the answers of a script, if the format of answers can represent errors. */
+/* Writes an error into the output of a script, among its answers, if the output format can represent
+ * errors. */
 static void session_tell(const struct session *session, const struct problem *problem)
 {
     const struct format *format = format_at(session->state.settings.style.output);
@@ -120,8 +121,8 @@ static void session_write(struct session *session, const struct problem *problem
         n += snprintf(line + n, sizeof line - (size_t)n, "%s: ", problem->command);
     snprintf(line + n, sizeof line - (size_t)n, "%s", problem->text);
     escape_text(line, text, sizeof text);
-    /* A 'source' command stays in the log even if a command of its file fails, since the commands before the
-     * error have run. */
+    /* A 'source' command stays in the log even if a command in the sourced file fails, because the commands
+     * before the error have run. */
     log_message(&session->output, text, is_error && session->source.depth == 0);
     if (is_error)
         session_tell(session, problem);

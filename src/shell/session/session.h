@@ -16,7 +16,7 @@ struct session {
     struct means means;
     struct undo *undo; /* NULL until something has changed */
 
-    struct output *output; /* the top of the stack of outputs, to which answers go */
+    struct output *output; /* the top of the stack of outputs, which receives the answers */
     struct output standard;
 
     struct source {
@@ -24,23 +24,23 @@ struct session {
         FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
         long line;        /* the number of the current line in the script */
         int depth;        /* how deeply 'source' commands are nested */
-        int prompt_width; /* the width of the prompt in columns; 0 in a script or a command of several lines
-                           */
+        /* the width of the prompt in columns; 0 in a script and for a command of several lines */
+        int prompt_width;
     } source;
 
     struct typed {
-        const char *text; /* the line that is running, not terminated by a NUL byte; NULL between lines */
+        const char *text; /* the line that is being run, not terminated by a NUL byte; NULL between lines */
         int length, columns;
-        bool is_last; /* at the prompt: nothing has been written below the typed line yet */
+        bool is_last; /* at the prompt: nothing has been written below the typed line */
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
-    /* If SIGINT ends only the running command and not the script: the flag that the signal handler sets.
+    /* The flag that the handler of SIGINT sets, if SIGINT ends only the running command and not the script.
      * Otherwise NULL. */
     volatile sig_atomic_t *resumes;
     bool bail; /* the first error ends the session */
     bool quit;
-    bool wrote; /* the last command wrote rows */
+    bool wrote; /* the last command wrote rows of an answer */
     long errors;
 };
 
@@ -49,8 +49,8 @@ void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer. If the answer goes to a file with a format, this is the file's
- * format, and otherwise the format chosen with 'set output'. */
+/* Returns the format of the next answer. If the answer goes to a file whose name implies a format, returns
+ * that format, and otherwise the format chosen with 'set output'. */
 const struct format *session_answers(const struct session *session);
 
 /* Returns a query about the session's state. The caller sets the members `given` and `next`. */

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 100, HELD_MOST = 4000000 /* the most dominoes and changed dominoes in all steps together */ };
+/* the maximum number of dominoes and changed dominoes in all steps together */
+enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*
  * Steps with an index below `done` can be undone; each holds the state before its command. The other steps

@@ -137,10 +137,11 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
 {
     struct row_run run;
     if (scene_has_engine(query->scene))
-        return problem_no_answer(problem,
-                                 "the rigid-body engine runs the row, since %s, and has no equations; 'fall' "
-                                 "shows its run",
-                                 scene_engine_why(query->scene));
+        return problem_no_answer(
+            problem,
+            "the rigid-body engine runs the row, because %s, and has no equations; 'fall' "
+            "shows its run",
+            scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
     const struct domq_verdict v = run.verdict;

@@ -234,7 +234,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             snprintf(more, sizeof more, "another thickness may help");
         snprintf(text, size,
                  "infeasible: rows with safety %s fall by the model, in which feet are hinges, but none that "
-                 "was tried falls in the rigid-body engine, which runs rows since %s; %s",
+                 "was tried falls in the rigid-body engine, which runs rows because %s; %s",
                  safety.text, scene_engine_why(query->scene), more);
     } else {
         domq_real mu = friction_most(query, wish->safety);
@@ -301,7 +301,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
                  " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
                  floor(100 * (double)d->row), wish->engine ? ", by the model, in which feet are hinges" : "");
     if (wish->engine)
-        snprintf(engine, sizeof engine, " All fall in the rigid-body engine, too, which runs rows since %s.",
+        snprintf(engine, sizeof engine,
+                 " All fall in the rigid-body engine, too, which runs rows because %s.",
                  scene_engine_why(query->scene));
     answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s%s\n",
                plan->count, (double)d->r, measured(wish->height, "m", 4).text, least, engine);

@@ -198,7 +198,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     if (i->scene.row.engine)
         answer_say(a,
                    "The search ran the model, in which feet are hinges. The rigid-body engine, which runs "
-                   "rows since %s, ran the rows that show the probability.",
+                   "rows because %s, ran the rows that show the probability.",
                    scene_engine_why(query->scene));
     if (i->changed == 0)
         return;

@@ -117,11 +117,12 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
             problem, "the rigid-body engine cannot decide: this row comes to no end, or its "
                      "verdict still changes with ever shorter steps; try a slightly different row");
     if (status == DOM_NO_LEAN && engine)
-        return problem_no_answer(problem,
-                                 "a domino of this row leans, and the rigid-body engine, which runs the row "
-                                 "since %s, needs upright ones; turn that off, or enter a row whose file has "
-                                 "no column lean",
-                                 scene_engine_why(query->scene));
+        return problem_no_answer(
+            problem,
+            "a domino of this row leans, and the rigid-body engine, which runs the row "
+            "because %s, needs upright ones; turn that off, or enter a row whose file has "
+            "no column lean",
+            scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
         return problem_no_answer(problem,
                                  "a domino of this row leans, and rounded edges need upright ones; enter "
