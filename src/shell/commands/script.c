@@ -44,18 +44,16 @@ static bool echo_parse(struct reader *r, struct question *q)
     const char *begin = r->at, *end = text_end(begin, ";>");
     const char *quote = *begin == '"' ? text_quote(begin) : NULL;
     struct item *item = &q->item[0];
-    if (*begin == '"' && !quote)
-        return problem_error(r->problem, "%s", unclosed);
-    if (quote && skip_blanks(quote) >= end) {
+    if (*begin == '"' && (!quote || skip_blanks(quote) >= end)) {
         item->word = read_text(r);
     } else {
         while (end > begin && strchr(" \t\r\f\v", end[-1]))
             end--;
         const char *typed = text_typed(r->text, begin);
-        item->word = arena_text(r->arena, typed, (size_t)(text_typed(r->text, end) - typed));
+        item->word = reader_copy(r, typed, (size_t)(text_typed(r->text, end) - typed));
         r->at = end;
     }
-    return item->word || problem_error(r->problem, "out of memory");
+    return item->word != NULL;
 }
 
 static const struct column echo_columns[] = {

@@ -68,7 +68,7 @@ bool conversion_parse(struct reader *r, struct question *q)
     *item = (struct item){.at = r->at};
     offer_names(r, expression_units, NULL);
     item->word = reader_ends(r) ? "" : read_word(r, false);
-    return item->word || problem_error(r->problem, "out of memory");
+    return item->word != NULL;
 }
 
 bool conversion_bind(const struct question *question, const struct query *query, struct arguments *given,
@@ -178,14 +178,14 @@ static bool body_parse(struct reader *r, struct variable *v)
     r->last = false;
     if (!item_parse(r, &(struct argument){.name = v->name, .kind = ARGUMENT_ANY}, &body))
         return false;
-    v->body = arena_text(r->arena, begin, (size_t)(r->at - begin));
+    v->body = reader_copy(r, begin, (size_t)(r->at - begin));
     if (!reader_ends(r)) {
         reader_place(r, r->at);
         snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
         return problem_error(r->problem, "the text of the function ends before '%s'",
                              names_shown(word, shown));
     }
-    return v->body || problem_error(r->problem, "out of memory");
+    return v->body != NULL;
 }
 
 /* If the definition is only the name of a variable, as in 'let x', returns this variable. Otherwise returns
@@ -206,9 +206,9 @@ bool definition_parse(struct reader *r, struct question *q)
 {
     if ((q->variable = defined_parse(r)) != NULL)
         return true;
-    struct definition *d = q->parsed = arena_take(r->arena, sizeof *d);
+    struct definition *d = q->parsed = reader_memory(r, sizeof *d);
     if (!d)
-        return problem_error(r->problem, "out of memory");
+        return false;
     struct variable *v = &d->variable;
     const char *value = definition_head(r->at, v);
     offer_kind(r, OFFER_VARIABLE);
@@ -231,9 +231,9 @@ bool definition_parse(struct reader *r, struct question *q)
                              v->name, v->name);
     if (v->count > 0)
         return body_parse(r, v);
-    struct argument *a = arena_take(r->arena, sizeof *a);
+    struct argument *a = reader_memory(r, sizeof *a);
     if (!a)
-        return problem_error(r->problem, "out of memory");
+        return false;
     *a = (struct argument){.name = v->name, .kind = ARGUMENT_ANY};
     r->last = true;
     return item_parse(r, a, &d->value);

@@ -243,11 +243,9 @@ static const struct command *name_read(struct reader *r, names_list *offered)
     reader_place(r, begin);
     r->at += length;
     if (!command) {
-        const char *name = arena_text(r->arena, begin, length);
-        if (!name) {
-            problem_error(r->problem, "out of memory");
+        const char *name = reader_copy(r, begin, length);
+        if (!name)
             return NULL;
-        }
         int k = names_find(command_names, NULL, "command", name, message);
         if (k == NAMES_SEVERAL)
             k = reserved_command(name);

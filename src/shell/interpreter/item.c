@@ -4,8 +4,6 @@
 #include <ctype.h>
 #include <string.h>
 
-static const char no_memory[] = "out of memory";
-
 bool is_value_name(const struct state *state, const char *name)
 {
     return names_exact(value_names, state, name) >= 0;
@@ -94,7 +92,7 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     r.unresolved = true;
     r.last = false;
     const struct assignment *with = assignments_parse(&r);
-    struct tree *t = with ? arena_take(p->arena, sizeof *t) : NULL;
+    struct tree *t = with ? reader_memory(&r, sizeof *t) : NULL;
     if (!t)
         return NULL;
     p->end = r.at;
@@ -212,9 +210,9 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
                                  p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
                                  message, p->name, range);
     }
-    struct argument *a = arena_take(r->arena, sizeof *a);
+    struct argument *a = reader_memory(r, sizeof *a);
     if (!a)
-        return problem_error(r->problem, "%s", no_memory);
+        return false;
     *a = (struct argument){.name = name, .kind = ARGUMENT_OF, .of = p->name, .which = i};
     return item_parse(r, a, item);
 }
@@ -239,7 +237,7 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     *item = (struct item){.at = r->at};
     const char *word = item->word = read_word(r, false);
     if (!word)
-        return problem_error(r->problem, "%s", no_memory);
+        return false;
     int k = names_find(a->choices, NULL, a->of, word, message);
     item->number = k;
     if (k >= 0)
@@ -284,10 +282,8 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     reader_place(r, r->at);
     offer_names(r, model_names, NULL);
     char *word = read_word(r, false);
-    if (!word) {
-        problem_error(r->problem, "%s", no_memory);
+    if (!word)
         return NULL;
-    }
     int k = names_find(model_names, NULL, "parameter", word, message);
     if (k >= 0)
         return parameter_find(model_names(NULL, k));
@@ -333,7 +329,7 @@ const struct assignment *assignments_parse(struct reader *r)
     const struct assignment *first = NULL, **last = &first;
     for (int count = 0; !reader_ends(r); count++) {
         const struct parameter *p = parameter_parse(r, form);
-        struct assignment *a = p ? arena_take(r->arena, sizeof *a) : NULL;
+        struct assignment *a = p ? reader_memory(r, sizeof *a) : NULL;
         if (p && count == ASSIGNED_MAX)
             problem_error(r->problem, "'with' takes %d parameters at most", ASSIGNED_MAX);
         if (!a || count == ASSIGNED_MAX)

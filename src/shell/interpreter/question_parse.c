@@ -6,8 +6,6 @@
 #include <limits.h>
 #include <string.h>
 
-static const char no_memory[] = "out of memory";
-
 /* ---- Parameters and topics ---- */
 
 /* Returns true if a word looks like the path of a file rather than the beginning of an expression. */
@@ -62,7 +60,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     if (value->or_file && is_path(r->query->state, word) && names_exact(parameter_words, p, word) < 0) {
         *item = (struct item){.at = r->at};
         item->word = read_file(r);
-        return item->word || problem_error(r->problem, "%s", unclosed);
+        return item->word != NULL;
     }
     /* The word belongs to a later value, so this one gets its usual value. */
     if (word_is_later(p, i, word)) {
@@ -102,7 +100,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     if (*next == '?') /* 'rmax?' asks for help. */
         r->at = next + strspn(next, "?");
     if (!word)
-        return problem_error(r->problem, "%s", no_memory);
+        return false;
     const struct variable *v = variable_find(&r->query->state->variables, word);
     if (v && has_value)
         return problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it", word, word);
@@ -171,14 +169,13 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     case ARGUMENT_UNIT:
         return a->parse(r, q);
     case ARGUMENT_REST:
-        item->word = arena_text(r->arena, r->at, strlen(r->at));
+        item->word = reader_copy(r, r->at, strlen(r->at));
         r->at += strlen(r->at);
-        return item->word || problem_error(r->problem, "%s", no_memory);
+        return item->word != NULL;
     default:
         return item_parse(r, a, item);
     }
-    return item->word ? *item->word || problem_error(r->problem, "%s is missing", a->name)
-                      : problem_error(r->problem, "%s", unclosed);
+    return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
 /* Commands have no options. If '--check' follows a command that decides something, this function reports that
@@ -311,7 +308,7 @@ const char *question_name(struct reader *r, const char *begin, const char *end)
         end--;
     name_copy(begin, (size_t)(end - begin), typed, sizeof typed);
     names_shown(typed, shown);
-    const char *name = arena_text(r->arena, shown, strlen(shown));
+    const char *name = reader_copy(r, shown, strlen(shown));
     return name ? name : "";
 }
 

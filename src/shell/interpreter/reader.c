@@ -6,12 +6,26 @@
 
 #include <readline/tilde.h>
 
-const char unclosed[] = "this '\"' is never closed";
-
 void reader_place(const struct reader *r, const char *at)
 {
     if (r->text)
         r->problem->place = text_column(r->text, at);
+}
+
+/* ---- Memory ---- */
+
+void *reader_memory(struct reader *r, size_t size)
+{
+    void *memory = arena_take(r->arena, size);
+    if (!memory)
+        problem_error(r->problem, "out of memory");
+    return memory;
+}
+
+char *reader_copy(struct reader *r, const char *text, size_t length)
+{
+    char *copy = reader_memory(r, length + 1);
+    return copy ? memcpy(copy, text, length) : NULL;
 }
 
 /* ---- Words ---- */
@@ -25,8 +39,10 @@ static char *word_read(struct reader *r, bool quotes, bool is_typed)
     const char *begin = r->at + is_quoted, *end;
     if (is_quoted) {
         const char *behind = text_quote(r->at);
-        if (!behind)
+        if (!behind) {
+            problem_error(r->problem, "this '\"' is never closed");
             return NULL;
+        }
         end = behind - 1;
         r->at = behind;
     } else {
@@ -37,7 +53,7 @@ static char *word_read(struct reader *r, bool quotes, bool is_typed)
         begin = text_typed(r->text, begin);
         end = text_typed(r->text, end);
     }
-    char *word = arena_text(r->arena, begin, (size_t)(end - begin)), *to = word;
+    char *word = reader_copy(r, begin, (size_t)(end - begin)), *to = word;
     for (const char *c = word; is_quoted && c && *c; c++) {
         *to++ = *c;
         c += *c == '"' && c[1] == '"';
@@ -63,7 +79,7 @@ char *read_file(struct reader *r)
     if (!name || *name != '~')
         return name;
     char *path = tilde_expand_word(name);
-    name = path ? arena_text(r->arena, path, strlen(path)) : NULL;
+    name = path ? reader_copy(r, path, strlen(path)) : NULL;
     free(path);
     return name;
 }

@@ -85,13 +85,17 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the text at the reader is this whole word, skips the word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
+/* Return zeroed memory of the arena, and a copy of a text there. Return NULL with a problem if there is no
+ * memory. */
+void *reader_memory(struct reader *reader, size_t size);
+char *reader_copy(struct reader *reader, const char *text, size_t length);
+
 /*
  * Reads a word, which ends at a blank. If `quotes` is true, the word may also be a text in double quotes, in
- * which '""' stands for one '"'. The result is allocated in the arena. Returns NULL if a '"' is never closed
- * or if there is no memory.
+ * which '""' stands for one '"'. The result is allocated in the arena. Returns NULL with a problem if a '"'
+ * is never closed.
  */
 char *read_word(struct reader *reader, bool quotes);
-extern const char unclosed[];
 
 /* Reads a word or a quoted text as it was typed: Greek letters are not replaced by their names. Otherwise
  * like read_word. */

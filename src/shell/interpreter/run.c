@@ -200,7 +200,7 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     const char *path = read_file(r);
     r->at = skip_blanks(r->at);
     if (!path)
-        return problem_error(problem, "%s", unclosed);
+        return false;
     if (!*path)
         return problem_error(problem, "the file after '>' is missing; for example 'show > FILE'");
     if (!command_ends(r->at))

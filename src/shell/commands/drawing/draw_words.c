@@ -75,17 +75,9 @@ static bool moment_parse(struct reader *r, struct draw_parsed *p)
     return reader_ends(r) || wrong_word(r, true, draw_usage);
 }
 
-static struct draw_parsed *parsed_make(struct reader *r, struct question *q)
-{
-    struct draw_parsed *p = q->parsed = arena_take(r->arena, sizeof *p);
-    if (!p)
-        problem_error(r->problem, "out of memory");
-    return p;
-}
-
 bool draw_parse(struct reader *r, struct question *q)
 {
-    struct draw_parsed *p = parsed_make(r, q);
+    struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     if (!p || reader_takes(r, "at"))
         return p && moment_parse(r, p);
     p->what.tower = reader_takes(r, "tower");
@@ -110,7 +102,7 @@ bool draw_parse(struct reader *r, struct question *q)
 
 bool film_parse(struct reader *r, struct question *q)
 {
-    struct draw_parsed *p = parsed_make(r, q);
+    struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     while (p && !reader_ends(r)) {
         bool counted = p->what.has[DRAW_CYCLES], good = true;
         reader_place(r, r->at);

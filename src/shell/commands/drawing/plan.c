@@ -28,9 +28,9 @@ const struct column plan_columns[] = {
 
 bool plan_parse(struct reader *r, struct question *q)
 {
-    const char **title = q->parsed = arena_take(r->arena, sizeof *title);
+    const char **title = q->parsed = reader_memory(r, sizeof *title);
     if (!title)
-        return problem_error(r->problem, "out of memory");
+        return false;
     if (!reader_takes(r, "title"))
         return reader_ends(r) ||
                problem_error(r->problem, "a title is written as in 'plan title \"The hall\"'");
@@ -38,7 +38,7 @@ bool plan_parse(struct reader *r, struct question *q)
     if (reader_ends(r))
         return problem_error(r->problem, "the title is missing, as in 'plan title \"The hall\"'");
     *title = read_text(r);
-    return *title || problem_error(r->problem, "%s", unclosed);
+    return *title != NULL;
 }
 
 /* ---- The numbers ---- */

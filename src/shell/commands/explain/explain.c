@@ -53,10 +53,10 @@ static bool explain_parse(struct reader *r, struct question *q)
 {
     static const struct argument deep = {.name = "deep", .of = "word", .choices = deep_names};
     const struct explained *e = &explained_list[(int)q->item[0].number];
-    struct explain_parsed *p = q->parsed = arena_take(r->arena, sizeof *p);
+    struct explain_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     struct item word;
     if (!p)
-        return problem_error(r->problem, "out of memory");
+        return false;
     offer_names(r, deep_names, NULL);
     if (e->value && !reader_ends(r) && !word_is_next(r, "deep")) {
         r->last = false;

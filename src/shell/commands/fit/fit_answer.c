@@ -27,7 +27,7 @@ struct fit_given {
 bool fit_parse(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
-    struct fit_given *g = q->parsed = arena_take(r->arena, sizeof *g);
+    struct fit_given *g = q->parsed = reader_memory(r, sizeof *g);
     bool more = g != NULL, usual;
     while (more) {
         reader_place(r, r->at);
@@ -57,7 +57,7 @@ bool fit_parse(struct reader *r, struct question *q)
             return problem_error(r->problem,
                                  "a comma is missing before '%s', as in 'fit friction, push FILE'", name);
     }
-    return g || problem_error(r->problem, "out of memory");
+    return g != NULL;
 }
 
 /* ---- The answer ---- */

@@ -17,11 +17,11 @@ const char *assert_names(const void *context, int k)
 
 bool assert_parse(struct reader *r, struct question *q)
 {
-    struct question *asserted = q->parsed = arena_take(r->arena, sizeof *asserted);
+    struct question *asserted = q->parsed = reader_memory(r, sizeof *asserted);
     const char *begin = r->at, *name;
     char all[128] = "";
     if (!asserted)
-        return problem_error(r->problem, "out of memory");
+        return false;
     asserted->key = -1;
     asserted->command = command_read_inner(r, assert_names);
     if (!asserted->command)

@@ -17,8 +17,8 @@ const struct column sensitivity_columns[] = {
 
 bool sensitivity_parse(struct reader *r, struct question *q)
 {
-    q->parsed = arena_take(r->arena, sizeof(struct question));
-    return q->parsed ? question_parse_any(r, q->parsed, true) : problem_error(r->problem, "out of memory");
+    q->parsed = reader_memory(r, sizeof(struct question));
+    return q->parsed && question_parse_any(r, q->parsed, true);
 }
 
 /* How much the answer changes if a parameter is made smaller or larger by a step. */

@@ -88,9 +88,9 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
     bool usual;
-    struct solve_parsed *s = q->parsed = arena_take(r->arena, sizeof *s);
+    struct solve_parsed *s = q->parsed = reader_memory(r, sizeof *s);
     if (!s)
-        return problem_error(r->problem, "out of memory");
+        return false;
     offer_names(r, solve_names, NULL);
     size_t length = strcspn(r->at, " \t:;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);

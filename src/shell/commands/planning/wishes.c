@@ -111,9 +111,9 @@ static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed 
 
 static bool wishes_parse(struct reader *r, names_list *list, struct question *q)
 {
-    struct wishes_parsed *w = q->parsed = arena_take(r->arena, sizeof *w);
+    struct wishes_parsed *w = q->parsed = reader_memory(r, sizeof *w);
     if (!w)
-        return problem_error(r->problem, "out of memory");
+        return false;
     w->least = usual_wishes.least;
     r->last = false;
     while (!reader_ends(r)) {

@@ -164,10 +164,8 @@ static bool argument_parse(struct reader *r, const struct plot *plot, struct que
 static bool more_parse(struct reader *r, struct question *q)
 {
     const struct plot *plot = &plots[(int)q->item[0].number];
-    struct plot_parsed *p = arena_take(r->arena, sizeof *p);
-    if (!p)
-        return problem_error(r->problem, "out of memory");
-    if (!look_parse(r, &p->look))
+    struct plot_parsed *p = reader_memory(r, sizeof *p);
+    if (!p || !look_parse(r, &p->look))
         return false;
     reader_place(r, r->at);
     p->has_argument = !reader_ends(r);

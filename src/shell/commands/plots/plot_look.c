@@ -124,7 +124,7 @@ static bool word_parse(struct reader *r, struct look_parsed *p, int k)
         return false;
     *text = read_text(r);
     if (!*text)
-        return problem_error(r->problem, "%s", unclosed);
+        return false;
     /* The name of a font goes into a command of gnuplot, where a quote or a comma would end it. */
     const size_t fine = strspn(*text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
     return k != LOOK_FAMILY || ((*text)[fine] == '\0' && fine > 0 && fine < FAMILY_LENGTH) ||

@@ -59,16 +59,15 @@ static bool selected_parse(struct reader *r, struct selected *s)
 
 bool change_parse_dominoes(struct reader *r, struct question *q)
 {
-    struct change_parsed *c = q->parsed = arena_take(r->arena, sizeof *c);
+    struct change_parsed *c = q->parsed = reader_memory(r, sizeof *c);
     if (!c)
-        return problem_error(r->problem, "out of memory");
+        return false;
     r->last = false;
     if (reader_takes(r, "all"))
         return true;
     for (struct selected **last = &c->first;; last = &(*last)->next) {
-        if (!(*last = arena_take(r->arena, sizeof **last)))
-            return problem_error(r->problem, "out of memory");
-        if (!selected_parse(r, *last))
+        *last = reader_memory(r, sizeof **last);
+        if (!*last || !selected_parse(r, *last))
             return false;
         c->count++;
         const char *next = skip_blanks(r->at);

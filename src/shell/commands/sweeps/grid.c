@@ -20,9 +20,9 @@ static bool list_parse(struct reader *r, struct axis_parsed *axis)
 {
     struct value_parsed **last = &axis->first->next;
     for (axis->count = 1; *r->at == ','; axis->count++) {
-        struct value_parsed *value = *last = arena_take(r->arena, sizeof *value);
+        struct value_parsed *value = *last = reader_memory(r, sizeof *value);
         if (!value)
-            return problem_error(r->problem, "out of memory");
+            return false;
         r->at++;
         if (!value_parse(r, axis->parameter, "a value after ','", &value->item))
             return false;
@@ -37,9 +37,8 @@ static bool axis_parse(struct reader *r, struct axis_parsed *axis)
 {
     static const struct argument count = {.name = "N", .kind = ARGUMENT_COUNT};
     const struct parameter *p = axis->parameter;
-    if (!(axis->first = arena_take(r->arena, sizeof *axis->first)))
-        return problem_error(r->problem, "out of memory");
-    if (!value_parse(r, p, p->words_only ? "a value" : "FROM", &axis->first->item))
+    axis->first = reader_memory(r, sizeof *axis->first);
+    if (!axis->first || !value_parse(r, p, p->words_only ? "a value" : "FROM", &axis->first->item))
         return false;
     r->at = skip_blanks(r->at);
     if (*r->at == ',')

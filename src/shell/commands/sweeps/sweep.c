@@ -26,8 +26,8 @@ struct sweep {
 
 bool sweep_parse_grid(struct reader *r, struct question *q)
 {
-    struct sweep_parsed *s = q->parsed = arena_take(r->arena, sizeof *s);
-    return s ? grid_parse(r, &s->grid) : problem_error(r->problem, "out of memory");
+    struct sweep_parsed *s = q->parsed = reader_memory(r, sizeof *s);
+    return s && grid_parse(r, &s->grid);
 }
 
 /* Lists, in the form that names.h expects, the commands that can be swept. */
@@ -68,9 +68,9 @@ static bool list_parse(struct reader *r, struct point_question *s)
             return true;
         r->at = skip_blanks(r->at + 1);
         reader_place(r, r->at);
-        s->next = arena_take(r->arena, sizeof *s);
+        s->next = reader_memory(r, sizeof *s);
         if (!s->next)
-            return problem_error(r->problem, "out of memory");
+            return false;
         s = s->next;
         if (reader_ends(r))
             return problem_error(r->problem,
