@@ -122,14 +122,14 @@ END
     printf 'height (mm), thickness (mm), gap (mm), mas (g)\n48, 7.5, -, 10\n' >typo.csv
     wrong 'effect row typo.csv' "typo.csv:1:40: unknown column 'mas'; did you mean 'mass'\?"
     printf 'height (mm), length (mm), thickness (mm), gap (mm)\n48, 50, 7.5, -\n' >twice.csv
-    wrong 'effect row twice.csv' "'length' is the height, as column 1 is; name one of them otherwise"
+    wrong 'effect row twice.csv' "'length' means the height, which is also in column 1; rename one of these columns"
 }
 
 @test "numbers without units, without names, and with decimal commas are explained" {
     printf 'height, thickness, gap\n48, 7.5, -\n' >bare.csv
     wrong 'effect row bare.csv' "'48' would be 48 m; write 'height \(mm\)' in the first line, or '48 mm' in the cell"
     printf '48, 7.5, 20\n' >nameless.csv
-    wrong 'effect row nameless.csv' "the first line has a number, but it names the columns: write 'height \(mm\), "
+    wrong 'effect row nameless.csv' "the first line has a number, but must name the columns: write 'height \(mm\), "
     printf 'height (mm),thickness (mm),gap (mm)\n48,0,7,5,-\n' >commas.csv
     wrong 'effect row commas.csv' "commas.csv:2:8: too many cells: 5, .*'48,0' is read as the cells 48 and 0: if it is one number, write 48\.0"
     printf 'height (mm)\tthickness (mm)\tgap (mm)\n1,234\t75\t-\n' >thousands.csv

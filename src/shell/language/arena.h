@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An arena: pieces of memory that are freed together. The result of parsing a command lives in an arena until
- * the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
+/* An arena: memory that is allocated in pieces and freed all at once. The result of parsing a command lives
+ * in an arena until the command has run. `struct arena arena = {.block = NULL}` is an empty arena. */
 #ifndef SHELL_ARENA_H
 #define SHELL_ARENA_H
 
 #include <stddef.h>
 
 struct arena {
-    struct arena_block *block; /* a linked list; the block at its head is the one in use */
-    size_t used, size;         /* the number of bytes used in the block in use, and the size of that block */
+    struct arena_block *block; /* a linked list, whose first block is the current one */
+    size_t used, size;         /* the number of bytes used in the current block, and the size of this block */
 };
 
 /* Returns zeroed memory that is aligned for any type, or NULL if there is no memory. */

@@ -25,7 +25,7 @@ const char *csv_separator_name(const struct csv_file *file)
     return file->separator == ';' ? "';'" : file->separator == ',' ? "','" : "tab";
 }
 
-/* Removes a byte order mark, and replaces all line ends by '\n'. */
+/* Removes a byte order mark, and replaces all line endings by '\n'. */
 static void text_unify(char *text)
 {
     char *to = text, before = '\0';
@@ -51,7 +51,7 @@ bool csv_load(struct csv_file *file, FILE *in)
         got = fread(file->text + n, 1, size - 1 - n, in);
         file->text[n + got] = '\0';
         if (ferror(in))
-            return csv_wrong(file, file->at, "cannot read any further: %s", strerror(errno));
+            return csv_wrong(file, file->at, "cannot read the rest of the file: %s", strerror(errno));
         file->cut_short = strlen(file->text + n) < got
                               ? "the line has a NUL byte; a csv file is text in UTF-8"
                           : n + got >= CSV_FILE_MOST - 1 ? "the file is larger than 64 MB"
@@ -86,7 +86,7 @@ static bool at_end(const struct csv_file *file)
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell and the separator after it, or the remainder of the line. Sets *more to true if another cell
+/* Reads a cell and the separator after it, or the rest of the line. Sets *more to true if another cell
  * follows. Returns false with a problem. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
@@ -125,8 +125,9 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 
 /*
  * Finds the separator. A line such as "sep=;" above the first line names the separator, and is skipped.
- * Otherwise the separator is ';' if the first line has one. Otherwise it is a comma if the first line has one
- * and its first tab, if any, does not stand directly between two names. In all other cases it is a tab.
+ * Otherwise the separator is ';' if the first line contains one. Otherwise it is a comma if the first line
+ * contains one, unless the first tab of the line stands directly between two names. In all other cases it is
+ * a tab.
  */
 static void separator_find(struct csv_file *file)
 {
@@ -170,7 +171,7 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-/* A comma between parentheses separates the arguments of a function, and is not a decimal comma. */
+/* A comma between parentheses separates arguments of a function, and is not a decimal comma. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;
@@ -184,9 +185,9 @@ bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
             continue;
         const char *end = c + 1 + after;
         if (before > 0 && (*end == '.' || (*end == ',' && depth == 0)))
-            return csv_wrong(file, at,
-                             "this number has more than one decimal mark; write it without separators of "
-                             "thousands");
+            return csv_wrong(
+                file, at,
+                "this number has more than one decimal mark; write it without thousands separators");
         struct csv_mark *mark = comma ? &file->comma : &file->point;
         bool is_clear =
             before < 1 || before > 3 || *(c - before) == '0' || after != 3 || *end == 'e' || *end == 'E';

@@ -2,14 +2,14 @@
 /*
  * Splits csv files, as people and spreadsheets write them, into lines and cells. csv_table.h interprets the
  * cells. Cells are separated by ',', ';' or tabs. The first line, or a line "sep=;" above it, shows which of
- * these a file uses. A cell between quotes may contain separators and line ends, and '""' stands for a quote
- * there. Lines end with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a cell are skipped.
- * A comment begins with a '#' at the beginning of a line or after a blank.
+ * these separators a file uses. A quoted cell may contain separators and newlines, and '""' in a quoted cell
+ * stands for one quote. Lines end with LF, CRLF or CR. A byte order mark, empty lines, and blanks around a
+ * cell are skipped. A comment begins with a '#' at the beginning of a line or after a blank.
  *
  * Numbers have a decimal point or a decimal comma. "1,234" might also mean 1234. It is read as a decimal
  * number if the cells are separated by ';', if the locale has decimal commas, or if another number in the
- * file can only be read with a decimal comma. Otherwise it is an error. So is "1.234" in a file with decimal
- * commas.
+ * file can only be read with a decimal comma. Otherwise "1,234" is an error. In a file with decimal commas,
+ * "1.234" is an error.
  */
 #ifndef SHELL_CSV_H
 #define SHELL_CSV_H
@@ -18,11 +18,11 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The maximum number of cells in a line, of bytes in a line including its line end, and of bytes in a
+/* The maximum number of cells in a line, of bytes in a line including its line ending, and of bytes in a
  * file. */
 enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
-/* A position in a file: the number of the line, and of the character in that line, both from 1. */
+/* A position in a file: the number of a line, and of a character in this line. Both count from 1. */
 struct csv_place {
     long line;
     int column;
@@ -34,7 +34,7 @@ struct csv_cell {
     bool is_quoted;
 };
 
-/* A line of cells. It spans several lines of the file if a quoted cell contains line ends. */
+/* A line of cells. A record spans several lines of the file if a quoted cell contains newlines. */
 struct csv_record {
     struct csv_cell cell[CSV_CELLS_MOST];
     int cells;
@@ -49,17 +49,17 @@ struct csv_file {
     char *text;
     char *next;            /* the first character of the text that has not been read */
     struct csv_place at;   /* the position of the character at `next` */
-    bool after_blank;      /* the character before `next` is a blank or a line end */
-    const char *cut_short; /* the reason why `text` does not have the whole file; NULL if it does */
+    bool after_blank;      /* the character before `next` is a blank or a newline */
+    const char *cut_short; /* the reason why `text` is not the whole file, or NULL if it is */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
-    /* What the numbers that have been read so far reveal about decimal points and decimal commas. */
+    /* What the numbers that have been read so far reveal about each decimal mark, point and comma. */
     struct csv_mark {
         bool is_used;
-        /* At least one number can be read in only one way, with this mark as its decimal mark. */
+        /* at least one number can only be read with this character as its decimal mark */
         bool is_clear;
-        /* The position of the first number in which the mark might separate thousands. The line is 0 if there
-         * is no such number. */
+        /* The position of the first number in which this character might separate thousands instead. The line
+         * is 0 if there is no such number. */
         struct csv_place at;
         char before[4], after[4]; /* the digits of that number before and after the mark */
     } point, comma;
@@ -78,15 +78,16 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 /* Returns the name that messages use for the separator: "','", "';'" or "tab". */
 const char *csv_separator_name(const struct csv_file *file);
 
-/* Replaces decimal commas in the text of a cell by points, and notes which decimal marks the cell uses. `at`
- * is the position of the cell. Returns false with a problem. */
+/* Replaces decimal commas in the text of a cell by points, and records which decimal marks the cell uses.
+ * `at` is the position of the cell. Returns false with a problem. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Call this after the last number. Returns false, with a problem, if a number can be read in two ways. */
+/* Call this function after the last number. Returns false with a problem if a number in the file can be read
+ * in two ways. */
 bool csv_marks_check(struct csv_file *file);
 
-/* Writes a cell, between quotes if it contains any of the characters in `quoted`. Escapes control characters
- * except line ends and tabs. */
+/* Writes a cell, in quotes if it contains any of the characters in `quoted`. Escapes control characters
+ * except newlines and tabs. */
 void csv_write(FILE *out, const char *text, const char *quoted);
 
 #endif

@@ -30,7 +30,7 @@ static bool unit_copy(const char *text, char unit[UNIT])
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* the sign has two bytes in UTF-8, just as "^3" has */
+    if (cube) { /* "³" has two bytes in UTF-8, just as "^3" has */
         cube[0] = '^';
         cube[1] = '3';
     }
@@ -50,13 +50,14 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
         return csv_wrong(&csv->file, at,
-                         "the first line has another unit of %s than '%s'; delete one of the two", c->name,
-                         shown);
+                         "the first line gives another unit of %s than '%s'; delete one of the two units",
+                         c->name, shown);
     csv->unit[k] = q.value;
     return true;
 }
 
-/* Reads the line below the names. This line may contain the units; otherwise it is the first row. */
+/* Reads the line after the first line. If any of its cells is a unit, the line gives the units of the
+ * columns. Otherwise it is the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -94,8 +95,8 @@ static bool is_among(const char *list, const char *name)
     return false;
 }
 
-/* Splits the text above a column into a name and a unit. The unit follows a bracket or a comma, or is the
- * last word. Copies the name in lower case, and returns the beginning of the unit. */
+/* Splits the heading of a column into a name and a unit. The unit follows a bracket or a comma, or is the
+ * last word. Copies the name in lower case, and returns a pointer to the unit. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
 {
     char last[UNIT];
@@ -123,7 +124,7 @@ static int column_find(const struct csv_kind *kind, const char *name)
     return k;
 }
 
-/* Returns true if the first line names all columns that every file of this kind must have. */
+/* Returns true if the first line names all columns that a file of this kind must have. */
 static bool kind_fits(const struct csv_table *csv, const struct csv_kind *kind)
 {
     bool found[CSV_COLUMNS_MOST + 1] = {false}, fits = true;
@@ -149,7 +150,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     csv->other[i] = k == kind->columns;
     if (isdigit((unsigned char)*text) || *text == '.')
         return csv_wrong(&csv->file, at,
-                         "the first line has a number, but it names the columns: write '%s' above",
+                         "the first line has a number, but must name the columns: write '%s' above it",
                          kind->example);
     if (csv->other[i] && !note && (close = names_closest(column_names, kind, name)) != NULL)
         return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", name, close);
@@ -160,7 +161,8 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     if (csv->other[i])
         return true;
     if (csv->column[k] > 0)
-        return csv_wrong(&csv->file, at, "'%s' is the %s, as column %d is; name one of them otherwise", name,
+        return csv_wrong(&csv->file, at,
+                         "'%s' means the %s, which is also in column %d; rename one of these columns", name,
                          kind->column[k].name, csv->column[k]);
     csv->column[k] = i + 1;
     return *unit == '\0' || unit_read(csv, k, unit, at);
@@ -196,11 +198,12 @@ static bool head_read(struct csv_table *csv)
         others += csv->other[i];
         text_free(&text);
     }
-    if (good && others > CSV_OTHERS_MOST) /* a saved file with these columns could not be read again */
+    /* a file with this many columns could be saved, but not read again */
+    if (good && others > CSV_OTHERS_MOST)
         return csv_wrong(
             &csv->file, csv->head.at,
-            "the file has %d columns that are not used, and at most %d of them can be kept; delete some",
-            others, CSV_OTHERS_MOST);
+            "the file has %d columns that are not used, but the limit is %d; delete some of them", others,
+            CSV_OTHERS_MOST);
     for (int k = 0; k < kind->columns && good; k++)
         if ((kind->column[k].traits & CSV_REQUIRED) && csv->column[k] == 0)
             return csv_wrong(&csv->file, csv->head.at, "the column '%s' is missing; the first line names %s",
@@ -215,7 +218,7 @@ struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bo
         *csv = (struct csv_table){.file = {.at = {1, 1}, .after_blank = true, .locale_comma = locale_comma},
                                   .path = path,
                                   .kind = kind};
-        (void)(csv_load(&csv->file, in) && head_read(csv)); /* csv->file has the problem after an error */
+        (void)(csv_load(&csv->file, in) && head_read(csv)); /* after an error, csv->file holds the problem */
     }
     return csv;
 }
@@ -231,8 +234,8 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Reports that a unit is missing. No unit is assumed, since dominoes measured in mm would otherwise be towers
- * measured in m. Returns false. */
+/* Reports that a unit is missing. No unit is assumed, because dominoes measured in mm would otherwise become
+ * towers of as many metres. Returns false. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -246,7 +249,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
 }
 
 /* Evaluates a text that must be a single expression without names. Returns false after an error, and stores
- * its position in *end. The message is empty if the error is further text after the expression. */
+ * the position of the error in *end. The message is empty if the error is that more text follows the
+ * expression. */
 static bool constant_read(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
                           const char **end)
 {
@@ -261,8 +265,8 @@ static bool constant_read(const char *text, struct quantity *q, char message[EXP
     return good && **end == '\0';
 }
 
-/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k]. Does not check
- * its range. Returns false with a problem. */
+/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without checking
+ * the range. Returns false with a problem. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -293,8 +297,8 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 
 bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    /* A bound such as 1e-9 is not exactly a double, so the value is rounded to a double before the
-     * comparison. */
+    /* A bound such as 1e-9 cannot be stored exactly as a double, so the value is rounded to a double before
+     * it is compared. */
     double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"
@@ -341,8 +345,8 @@ static bool value_read(struct csv_table *csv, int k)
     return good;
 }
 
-/* Reports that the row has more cells than the first line, and suggests a decimal comma as the reason if
- * there may be one. Returns false. */
+/* Reports that the row has more cells than the first line. If an unquoted decimal comma may be the reason,
+ * the message says so. Returns false. */
 static bool cells_many(struct csv_table *csv, int cells)
 {
     const struct csv_record *row = &csv->row;
@@ -386,7 +390,7 @@ bool csv_next(struct csv_table *csv)
         return !*csv->file.problem.text && csv_marks_check(&csv->file) && false;
     }
     if (csv->rows == kind->rows_most)
-        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, and no more can be read",
+        return csv_wrong(&csv->file, csv->row.at, "there are more than %zu %s, which is the maximum",
                          kind->rows_most, kind->items);
     int cells = csv->row.cells;
     while (cells > csv->head.cells && !*csv->row.cell[cells - 1].text) /* spreadsheets append empty cells */

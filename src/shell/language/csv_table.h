@@ -2,9 +2,9 @@
 /*
  * Tables in csv files. The first line names the columns, in any order and in any case, and may give their
  * units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". Alternatively the second
- * line gives the units. A cell is an expression, and a unit in the cell takes precedence over the unit of its
- * column. A cell with '-' is empty. A file means the same in every session: names have no values in a file,
- * and an angle without a unit is in radians.
+ * line gives the units. A cell is an expression. A unit in a cell takes precedence over the unit of the
+ * column. A cell with '-' is empty. A file means the same in every session: it cannot use the variables of
+ * the session, and an angle without a unit is in radians.
  */
 #ifndef SHELL_CSV_TABLE_H
 #define SHELL_CSV_TABLE_H
@@ -12,17 +12,17 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* A row that is saved must be readable again, with all columns of its kind and all other columns of its
- * original file. */
+/* A row of dominoes that has been saved must be readable again, with all columns of its kind and all other
+ * columns of the original file. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
-/* The traits of a column. */
+/* The traits of a column, as bits. */
 enum {
     CSV_REQUIRED = 1,  /* every file must have the column */
     CSV_EMPTY = 2,     /* its cells may be empty */
-    CSV_NOT_FIRST = 4, /* the first row does not use the value, which may be missing or out of range */
+    CSV_NOT_FIRST = 4, /* the cell in the first row is not used, and may be empty or out of range */
     CSV_WHOLE = 8,     /* its values are whole numbers */
-    CSV_BARE = 16,     /* numbers without a unit are in its SI unit */
+    CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
 };
 
 /* A column that a table of some kind may have. */
@@ -45,16 +45,17 @@ struct csv_column {
 /* A kind of table, such as a row of dominoes or a series of measurements. */
 struct csv_kind {
     const struct csv_column *column;
-    int columns;   /* at most CSV_COLUMNS_MOST */
-    bool headless; /* the first line may be missing; the file then has exactly these columns in this order */
+    int columns; /* at most CSV_COLUMNS_MOST */
+    /* the first line may be missing; the file must then have all columns of the kind, in their order */
+    bool headless;
     size_t rows_most; /* the maximum number of rows */
     const char *item,
         /* For messages: what one row and several rows describe, such as "domino" and "dominoes". */
         *items;
     const char *names;   /* for messages: a list of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind that a file may be, or NULL. A file is of the first kind of which it has all required
-     * columns, or else of the first kind of all. */
+    /* Another kind that a file may be, or NULL. The kinds are tried in turn, and the first kind whose
+     * required columns the file has is chosen. If there is none, this kind is chosen. */
     const struct csv_kind *otherwise;
 };
 
@@ -66,22 +67,24 @@ struct csv_table {
     struct csv_file file;
     char *path;             /* the name of the file in messages */
     struct csv_record head; /* the first line */
-    /* The line below the first line if it gives units; otherwise a record with 0 cells. */
+    /* The line below the first line, if it gives units. Otherwise a record without cells. */
     struct csv_record units;
     struct csv_record row; /* the current row */
-    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, not the current one */
+    bool is_read_ahead;    /* `row` has been read ahead, and is the next row instead of the current one */
     size_t rows;           /* the number of rows that have been read */
-    /* The number, from 1, of this column in the file; 0 if the file does not have it. */
+    /* The number, from 1, of each column in the file, or 0 if the file does not have the column. */
     int column[CSV_COLUMNS_MOST];
-    /* The size of the column's unit in SI units; 0 if the file does not give a unit. */
+    /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives no unit for the
+     * column. */
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the value in the current row, in SI units, or NaN */
     bool other[CSV_CELLS_MOST];        /* true for a column of the file that the kind does not have */
-    char unused[200];                  /* the names of the file's columns that are not used, except notes */
+    /* the names of the file's columns that are ignored, except those for notes */
+    char unused[200];
 };
 
-/* Reads a file and parses the first line of its table. Takes ownership of the path unless it returns NULL.
- * The returned table may already have a problem. Returns NULL with errno if there is no memory. */
+/* Reads a file and parses the first line of its table. Takes ownership of the path unless it returns NULL. If
+ * the file is wrong, the returned table has a problem. Returns NULL and sets errno if there is no memory. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */
@@ -90,7 +93,7 @@ void csv_close(struct csv_table *csv);
 /* Reads the next row. Returns false at the end of the table, or with a problem. */
 bool csv_next(struct csv_table *csv);
 
-/* Returns the cell of the current row in column k of the kind. If the row has no such cell, returns an empty
+/* Returns the cell of column k of the kind in the current row. If the row has no such cell, returns an empty
  * cell at the beginning of the row. */
 struct csv_cell csv_cell(const struct csv_table *csv, int k);
 

@@ -33,8 +33,8 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
 
 /* ---- Functions ---- */
 
-/* The kinds of arguments and results of functions. A function of kind KEEPS returns a value with the unit of
- * its arguments; for HALVES, the result has the square root of the argument's unit. */
+/* What a function takes and returns. A function of kind KEEPS returns a value with the unit of its arguments.
+ * The result of a function of kind HALVES has the square root of the argument's unit. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
@@ -178,8 +178,7 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
                                                expression_kind(q, kind, sizeof kind));
 }
 
-/* Evaluates a chain of conditions with 'and' or 'or', from left to right until one of them decides the
- * result. */
+/* Evaluates conditions joined by 'and' or 'or', from left to right, until one of them decides the result. */
 static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct quantity *q)
 {
     bool is_true, decides = t->child->next->op == OPERATOR_OR;
@@ -193,8 +192,8 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Evaluates the operand `value` of the chain t, and combines the result with *q, the value of the chain so
- * far. */
+/* Evaluates `value`, an operand of the chain t, and combines the result with *q, the value of the operands
+ * before it. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;

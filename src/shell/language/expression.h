@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Expressions: 7/48, pi/18, 10 deg, 4.8 cm, 0.9*s, rmax(0.3), ans.margin, if(r > 1.5, 1, 0). The parser makes
- * a tree, which can be evaluated many times, and by several threads, since evaluation does not change the
- * tree. Adjacent operators of the same precedence share one node, a chain. The children of a chain are its
+ * a tree. Evaluation does not change the tree, so the tree can be evaluated many times, and by several
+ * threads. Adjacent operators of the same precedence share one node, a chain. The children of a chain are its
  * operands, and each child except the first stores the operator before it. An expression ends at a blank if
- * the text after the blank cannot continue it: "1 - 2" is one expression, and "1 -2" is two.
+ * the text after the blank cannot continue the expression: "1 - 2" is one expression, and "1 -2" is two.
  */
 #ifndef SHELL_EXPRESSION_H
 #define SHELL_EXPRESSION_H
@@ -14,8 +14,8 @@
 
 enum { EXPRESSION_ARGUMENTS = 4, EXPRESSION_MESSAGE = 256 };
 
-/* The parser makes a TREE_NAME node for each name that is not built in. Before evaluation each such node must
- * be resolved, which changes its kind to TREE_NUMBER or TREE_SYMBOL. */
+/* The parser makes a TREE_NAME node for each name that is not built in. Each such node must be resolved
+ * before evaluation; resolving changes its kind to TREE_NUMBER or TREE_SYMBOL. */
 enum tree_kind {
     TREE_NUMBER,
     TREE_NAME,
@@ -49,16 +49,16 @@ struct function;
 struct tree {
     enum tree_kind kind;
     enum tree_operator op; /* for an operand of a chain: the operator before it */
-    /* The position to report for an error of `op`; for '^', the position of the exponent. */
+    /* The position to report for an error of `op`. For '^', this is the position of the exponent. */
     const char *op_at;
     const char *at;            /* the position to report for an error of this node */
     struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
     bool called;               /* TREE_NAME: arguments in parentheses follow the name */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
-    struct tree *child, *next; /* the first child of this node, and the next child of its parent */
+    struct tree *child, *next; /* the first child of this node, and the next sibling of this node */
     const struct function *function; /* TREE_FUNCTION: the function */
-    int symbol, index; /* TREE_SYMBOL: these and `refers` belong to the code that resolves names */
+    int symbol, index; /* TREE_SYMBOL: `symbol`, `index` and `refers` are for the code that resolves names */
     const void *refers;
 };
 
@@ -67,9 +67,11 @@ struct parse {
     const char *text; /* the beginning of the expression */
     const char *end;  /* the end of the expression, or the position of an error */
     struct arena *arena;
-    const char *no_unit; /* single letters that are names, not units, when they follow a blank; may be NULL */
+    /* single letters that are names instead of units when they follow a blank; may be NULL */
+    const char *no_unit;
     /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses, and returns a tree that
-     * replaces the value. Returns NULL after an error. The pointer is NULL where "with" is not supported. */
+     * replaces the tree of the value. Returns NULL after an error. Set this pointer to NULL if "with" is not
+     * supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the depth of recursion, and the number of open parentheses */
@@ -77,33 +79,35 @@ struct parse {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Parses the longest expression at parse->text. Returns NULL after an error, with parse->message. */
+/* Parses the longest expression that begins at parse->text. After an error, sets parse->message and returns
+ * NULL. */
 struct tree *expression_parse(struct parse *parse);
 
 /* The state of an evaluation. */
 struct evaluation {
-    /* Computes the value of a TREE_SYMBOL. Returns false after an error. The message is then empty if the
+    /* Computes the value of a TREE_SYMBOL. Returns false after an error, with an empty message if this
      * function has reported the problem itself. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context;   /* for `symbol` */
     domq_real angle; /* the session's unit of angles in radians, for angles that are given without a unit */
     const char *at;  /* the position of the error, after an error */
     bool of_value;   /* the error depends on the values of parameters, and may not occur with other values */
-    bool is_named;   /* the message already says in which function of 'let' the error occurred */
+    bool is_named;   /* the message already names the function defined by 'let' in which the error occurred */
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Evaluates a tree. Returns false after an error, with evaluation->message. */
+/* Evaluates a tree. After an error, sets evaluation->message and returns false. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
 
-/* Sets the message of an evaluation. `of_value` is true for an error that depends on values, and false for
- * one that does not. The macros set the message and have the value false. */
+/* Sets the message of an evaluation. `of_value` says whether the error depends on values. The macros set the
+ * message and evaluate to false. */
 void evaluation_message(struct evaluation *evaluation, bool of_value, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 #define evaluation_fail(e, ...)     (evaluation_message(e, false, __VA_ARGS__), false)
 #define evaluation_no_value(e, ...) (evaluation_message(e, true, __VA_ARGS__), false)
 
-/* Returns the built-in function with this name, or NULL. Writes the number of its arguments to *arguments. */
+/* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in
+ * *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
 /* A names_list (see names.h) of the built-in names. */

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How tightly a formula binds. An operand that binds less tightly than its position requires is put between
- * parentheses. */
+/* The binding strengths of operators. An operand is put between parentheses if it binds less tightly than its
+ * position requires. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 
 static enum binding binding(const struct tree *t);
@@ -30,7 +30,7 @@ static enum binding binding(const struct tree *t)
                                                           : BINDS_WORD;
 }
 
-/* Returns how tightly the first operand of a chain must bind. A sign may stand before a product. */
+/* Returns how tightly the first operand of a chain must bind. A minus sign may stand before a product. */
 static enum binding first_binding(const struct tree *chain)
 {
     enum binding own = chain_binding(chain);
@@ -39,7 +39,7 @@ static enum binding first_binding(const struct tree *chain)
                                                                       : own;
 }
 
-/* Writes an operand, between parentheses unless it binds at least this tightly. */
+/* Writes an operand, in parentheses unless it binds at least as tightly as `least`. */
 static void operand(const struct formula *f, const struct tree *t, enum binding least)
 {
     bool parentheses = binding(t) < least;
@@ -62,8 +62,8 @@ void formula_number(const struct formula *f, domq_real number, int digits)
     fprintf(f->out, "%.*s \\cdot 10^{%d}", (int)(power - text), text, atoi(power + 1));
 }
 
-/* Writes the factors of a product that stand above, or below, the line of its fraction. A lone factor between
- * braces needs no parentheses. */
+/* Writes the factors of a product that stand above or below the fraction bar. A single factor in braces needs
+ * no parentheses. */
 static void factors(const struct formula *f, const struct tree *chain, bool below, bool braces)
 {
     int count = 0;
@@ -83,7 +83,7 @@ static void factors(const struct formula *f, const struct tree *chain, bool belo
     }
 }
 
-/* Writes a product with a fraction bar in TeX. */
+/* Writes a product in TeX, with a fraction bar. */
 static void fraction(const struct formula *f, const struct tree *chain)
 {
     bool divides = false;

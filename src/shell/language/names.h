@@ -25,7 +25,7 @@ enum {
 /*
  * Returns the index of the name that equals the text, or of the only name that begins with the text.
  * Otherwise returns one of the results above, and writes a message such as "unknown command 'barier'; did you
- * mean 'barrier'?". `what` is the word for a name in the message, here "command".
+ * mean 'barrier'?". `what` is the noun for the names in the message, here "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);

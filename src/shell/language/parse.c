@@ -63,19 +63,19 @@ static bool is_word(const char *at, const char *word)
 
 /* ---- Values ---- */
 
-/* The levels of precedence. Operators of the first level bind least tightly. */
+/* The levels of precedence. Operators of the first level bind most loosely. */
 enum level { LEVEL_OR, LEVEL_AND, LEVEL_COMPARE, LEVEL_SUM, LEVEL_PRODUCT, LEVEL_POWER };
 
 static struct tree *parse_chain(struct parse *p, enum level least);
 
-/* Parses the unit, if there is one, after a number or a value in parentheses. Returns the value with its
- * unit, or NULL after an error. */
+/* Parses the unit after a number or after a value in parentheses, if there is a unit. Returns the value with
+ * its unit, or NULL after an error. */
 static struct tree *parse_unit(struct parse *p, struct tree *value)
 {
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    /* In a list of names and values, "feet" is the name of the effect. */
+    /* Where names alternate with values, "feet" is the effect of this name. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
     if (*c == '%' && value->kind == TREE_NUMBER && quantity_bare(value->value)) {
@@ -230,8 +230,8 @@ static struct tree *parse_primary(struct parse *p)
 
 /* ---- Operators ---- */
 
-/* An operator comes before its prefixes: "<=" comes before "<". '^' is missing, since parse_factor handles
- * it. */
+/* Longer operators come before their prefixes: "<=" comes before "<". '^' is not in the table, because
+ * parse_factor handles it. */
 static const struct op {
     const char *text;
     enum tree_operator op;
@@ -246,9 +246,9 @@ static const struct op {
 };
 
 /*
- * Returns the operator at `at`, a position after a value and any blanks, or NULL if there is none. Outside of
- * parentheses '>' is not an operator, since it redirects the answer to a file. A sign with a blank before it
- * and none after it begins another value: "1 -2" is two values.
+ * Returns the operator at `at`, a position after a value and any blanks, or NULL if there is none. Outside
+ * parentheses, '>' is not an operator, because it redirects the answer to a file. A sign with a blank before
+ * it and none after it begins another value: "1 -2" is two values.
  */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
@@ -265,7 +265,8 @@ static const struct op *op_at(const struct parse *p, const char *at)
     return is_sign || redirects ? NULL : op;
 }
 
-/* Parses a value with the signs or the 'not' before it and the exponent after it. -2^2 is -(2^2). */
+/* Parses a value together with the signs or the 'not' before the value and the exponent after it. -2^2 is
+ * -(2^2). */
 static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
@@ -295,11 +296,11 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
-/* Parses values joined by operators of the level `least` or of levels that bind more tightly. */
+/* Parses values joined by operators of the level `least` and of levels that bind more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
 {
     struct tree *left = parse_factor(p), *last = NULL;
-    /* The last operator of the chain `left`. NULL if `left` is not a chain yet. */
+    /* the last operator of the chain `left`, or NULL if `left` is not a chain yet */
     const struct op *before = NULL;
     while (left) {
         const char *at = skip_blanks(p->end);

@@ -11,7 +11,7 @@ extern int strfromf128(char *restrict text, size_t size, const char *restrict fo
 extern domq_real strtof128(const char *restrict text, char **restrict end);
 #endif
 
-/* Writes a whole number that is not negative, and returns the number of its digits. */
+/* Writes a non-negative whole number, and returns the number of its digits. */
 static int whole_text(long long number, char *text)
 {
     char digits[WIDE_TEXT], *first = digits + sizeof digits - 1;
@@ -28,7 +28,7 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-    /* Whole numbers are common, and printf takes much longer. */
+    /* A faster way for whole numbers, which are common. */
     if (near >= 1 && near < 1e15 && (domq_real)(long long)near == value &&
         whole_text((long long)near, text) <= digits)
         return text;

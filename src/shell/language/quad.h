@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mathematical functions and text conversion for domq_real, the widest arithmetic: quad(sqrt)(x) is the
- * square root of a domq_real. */
+/* Mathematical functions and text conversion for domq_real, the type of the widest arithmetic. quad(sqrt)(x)
+ * is the square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 
@@ -38,11 +38,11 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
 /* WIDE_DIGITS is enough for an exact round trip, and WIDE_TEXT is the size of a buffer for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number with this many significant digits, as printf does with "%.*g". Returns `text`. */
+/* Writes a number with `digits` significant digits, as printf does with "%.*g". Returns `text`. */
 const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT]);
 
-/* Writes a growth with this many significant digits, or with more if a growth other than 1 would be rounded
- * to 1. Returns `text`. */
+/* Writes a growth with `digits` significant digits, or with more if a growth other than 1 would be rounded to
+ * 1. Returns `text`. */
 const char *quad_growth(domq_real growth, int digits, char text[WIDE_TEXT]);
 
 /* Returns a number as text with 10 significant digits, for messages. A caller uses quad_shown(x).text. */

@@ -53,7 +53,7 @@ bool text_make(struct text *text, const char *typed, size_t length)
         char byte[2];
         const char *plain = plain_form(typed + i, length - i, byte, &taken);
         column += ((unsigned char)typed[i] & 0xc0) != 0x80;
-        do { /* this also copies a NUL byte */
+        do { /* this loop also copies the terminating NUL byte */
             text->origin[n] = (struct origin){column, (int)i};
             text->line[n++] = *plain;
         } while (*plain && *++plain);

@@ -18,7 +18,9 @@ struct text {
     struct origin {
         int column; /* the column of the character in `typed`, from 1 */
         int offset; /* the offset of the character in `typed`, in bytes */
-    } * origin; /* where each byte of `line` and its terminating NUL byte come from; NULL if all are ASCII */
+        /* where each byte of `line`, including its terminating NUL byte, comes from; NULL if all characters
+         * are ASCII */
+    } * origin;
 };
 
 enum { TEXT_MOST = 4 << 20 }; /* the maximum length of a line in bytes */
@@ -29,15 +31,15 @@ bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
 
 /*
- * Reads the next line of a stream, without its line end, into the buffer *line of *size bytes. As with
- * getline, the buffer grows as needed and the caller frees it. Returns the length of the line. Returns -1 at
- * the end of the stream, and -1 with errno after an error or if there is no memory. A line longer than
- * TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If such a line contains a
- * NUL byte, it is not read to its end, since a device may have no end.
+ * Reads the next line of a stream, without its newline, into the buffer *line of *size bytes. As with
+ * getline, the buffer grows as needed and the caller frees it. Returns the length of the line. At the end of
+ * the stream, returns -1. After an error, or if there is no memory, returns -1 and sets errno. A line longer
+ * than TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If such a line contains
+ * a NUL byte, the line is not read to its end, because it may come from a device that never ends.
  */
 ssize_t text_read(char **line, size_t *size, FILE *in);
 
-/* Returns a pointer to the first character from c on that is not a blank. A line end is not a blank. */
+/* Returns a pointer to the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);
 
 /* Returns a pointer to the character after the quote that closes the quote at c, or NULL if there is no
@@ -45,13 +47,13 @@ const char *skip_blanks(const char *c);
 const char *text_quote(const char *c);
 
 /*
- * Returns a pointer to the first character from c on that is one of `ends`, or that is a '#' which begins a
- * comment. Such a '#' is at c itself or follows a blank. Characters between quotes do not count. Returns the
- * end of the text if there is no such character, or if a quote is never closed.
+ * Returns a pointer to the first character at or after c that is in `ends`, or that is a '#' which begins a
+ * comment. Such a '#' is at c itself or follows a blank. Characters in quotes do not count. Returns the end
+ * of the text if there is no such character, or if a quote is never closed.
  */
 const char *text_end(const char *c, const char *ends);
 
-/* Returns true if the line ends with a backslash, and so continues on the next line. Removes the
+/* Returns true if the line ends with a backslash, and so continues on the next line. Removes this
  * backslash. */
 bool text_continues(char *line);
 

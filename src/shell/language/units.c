@@ -36,7 +36,7 @@ static const struct unit units[] = {
     {NULL, {.value = 0}},
 };
 
-/* Words that stand for units. Completion does not offer these words. */
+/* Words that can be typed instead of units. Completion does not offer these words. */
 static const struct word {
     const char *word, *name;
 } words[] = {
@@ -80,8 +80,8 @@ const char *expression_unit_typed(struct quantity q, char *text, size_t size)
     return unit_write(q, "*", text, size);
 }
 
-/* Kinds of quantities, each with its name and an example. The name is NULL if messages should show the unit
- * instead, which is shorter. */
+/* Kinds of quantities, with a name and an example of each kind. If the name is NULL, messages show the unit
+ * instead, because it is shorter. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;
@@ -138,7 +138,7 @@ bool name_copy(const char *text, size_t length, char *name, size_t size)
     return n == length;
 }
 
-/* Returns the unit that a word in its singular or plural form stands for, or NULL. */
+/* Returns the unit for which a word stands, in the singular or plural, or NULL. */
 static const char *word_unit(const char *c, size_t length)
 {
     const size_t one = length > 1 && c[length - 1] == 's' ? length - 1 : length;
@@ -151,7 +151,8 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    if (!first && length == 1 && (*c == 'g' || *c == 't')) /* after the first factor, g is gravity */
+    /* after the first factor, g is the acceleration of gravity */
+    if (!first && length == 1 && (*c == 'g' || *c == 't'))
         return NULL;
     for (const struct unit *u = units; u->name; u++)
         if (*u->name == *c && strlen(u->name) == length && strncmp(u->name, c, length) == 0)

@@ -45,21 +45,21 @@ const char *expression_unit_text(struct quantity quantity, char *text, size_t si
 /* The largest exponent of a unit that can be typed. */
 enum { UNIT_POWER_MOST = 9 };
 
-/* Writes the unit of a quantity in the form in which it can be typed after a number, such as "kg*m^-3".
- * Returns `text`. */
+/* Writes the unit of a quantity in a form that can be typed after a number, such as "kg*m^-3". Returns
+ * `text`. */
 const char *expression_unit_typed(struct quantity quantity, char *text, size_t size);
 
-/* Returns a phrase for the kind of a quantity, for messages, such as "a length", "a time" or "in m^2 s^-1".
- * The phrase is in `text` or in static memory. */
+/* Returns a phrase for messages that says what kind of quantity this is, such as "a length", "a time" or "in
+ * m^2 s^-1". The phrase is in `text` or in static memory. */
 const char *expression_kind(struct quantity quantity, char *text, size_t size);
 
-/* Returns an example of a quantity with this unit, such as "10 g", or NULL if there is no usual example. */
+/* Returns an example of a quantity with this unit, such as "10 g", or NULL if there is none. */
 const char *expression_example(struct quantity quantity);
 
 /* A names_list (see names.h) of the units. */
 const char *expression_units(const void *context, int k);
 
-/* Returns true if a name can begin with the character. A name has letters, digits and '_'. */
+/* Returns true if a name can begin with this character. A name consists of letters, digits and '_'. */
 static inline bool name_start(char c)
 {
     return isalpha((unsigned char)c) || c == '_';
@@ -75,8 +75,8 @@ bool name_copy(const char *text, size_t length, char *name, size_t size);
 /*
  * Scans a unit such as "cm" or "m/s^2" at the beginning of a text, and multiplies *quantity by this unit.
  * Returns the end of the unit, or NULL if there is no unit. The scan stops before a factor that is not a
- * unit: in "4.8 cm/h", the unit is cm. Gram and tonne are units only as the first factor: in "4.8 cm/g", the
- * g is gravity.
+ * unit: in "4.8 cm/h", the unit is cm. Gram and tonne are units only as the first factor: in "4.8 cm/g", g is
+ * the acceleration of gravity.
  */
 const char *unit_scan(const char *text, struct quantity *quantity);
 
