@@ -155,21 +155,15 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
 }
 
 #ifdef DOMQ
-/* Returns r_max in double precision, near which the quad kernel finds the remaining digits. Returns 0 for the
- * other kernels, with effects, and if r_max is not limited by the barrier. */
-static dom_real limit_near(const struct question *q)
+/* Sets *coarse to the question that the double kernel answers first, with all of its digits; the quad kernel
+ * then finds the remaining ones. Returns false for the other kernels. */
+static bool coarse_first(const struct question *q, struct request *coarse)
 {
-    struct request coarse = q->request;
-    struct dom_limit limit;
-    if (q->status != DOM_OK || q->kernel != &kernel_quad ||
-        dynamics_first(coarse.effect) < DOM_DYNAMICS_COUNT)
-        return 0;
-    coarse.precision = DOM_DOUBLE;
-    coarse.errors = false;
-    coarse.tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
-    bool found = kernel_double.limit_rmax(&coarse, &limit) == DOM_OK && limit.ends == DOM_END_BARRIER &&
-                 limit.r_max > 1;
-    return found ? limit.r_max : 0;
+    *coarse = q->request;
+    coarse->precision = DOM_DOUBLE;
+    coarse->errors = false;
+    coarse->tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
+    return q->status == DOM_OK && q->kernel == &kernel_quad;
 }
 #endif
 
@@ -178,7 +172,11 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
 {
     struct question q = question_of_limit(train, compute);
 #ifdef DOMQ
-    q.request.near = limit_near(&q);
+    struct request coarse;
+    struct dom_limit near;
+    if (coarse_first(&q, &coarse) && kernel_double.limit_rmax(&coarse, &near) == DOM_OK &&
+        near.ends == DOM_END_BARRIER && near.r_max > 1)
+        q.request.near = near.r_max;
 #endif
     return FIND(q, limit_rmax, limit->error, limit);
 }
@@ -196,6 +194,14 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     struct dom_train anywhere = *train;
     anywhere.s = 1;
     struct question q = question_of_limit(&anywhere, compute);
+#ifdef DOMQ
+    struct request coarse;
+    struct dom_best near;
+    if (coarse_first(&q, &coarse) && kernel_double.limit_best(&coarse, &near) == DOM_OK) {
+        q.request.s = near.s;
+        q.request.near = near.r_max;
+    }
+#endif
     return FIND(q, limit_best, best->error, best);
 }
 

@@ -76,6 +76,33 @@ TEST(the_best_separation_to_its_digits)
     }
 }
 
+/* Checks that quad precision adds its digits to the best separation that double precision has found, at a
+ * kink and at a smooth top: a search of all separations in quad takes ten times the work. The references are
+ * of such a search. */
+TEST(the_best_separation_in_quad_begins_near)
+{
+    static const struct {
+        int mu, rho;        /* in percent */
+        double first, rest; /* the first 12 digits of s, and what follows them */
+        size_t most;
+    } cases[] = {{20, 0, 538644284488, 7.46838654970e-14, 2000000},
+                 {0, 1, 514185281824, 5.18853554156e-13, 200000}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct asked train = train_of(1, 0, 4, 0, DOM_QUAD);
+        struct dom_work work = {0};
+        struct domq_best best;
+        train.d = domq_train_default().d;
+        train.mu = (domq_real)cases[i].mu / 100;
+        train.rho = (domq_real)cases[i].rho / 100;
+        train.tol = (domq_real)1e-20;
+        train.work = &work;
+        assert_status(ask_limit_best(&train, &best, NULL), DOM_OK);
+        assert_near("last digits of s", (double)(best.s - (domq_real)cases[i].first / 1000000000000),
+                    cases[i].rest, 1e-8);
+        assert_true(work.dominoes <= cases[i].most);
+    }
+}
+
 /* Checks thick dominoes, which grow only above s = 0.9, if at all. */
 TEST(thick_dominoes_grow_at_wide_gaps)
 {

@@ -5,7 +5,8 @@
  * bound (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of
  * these trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
  * BEST_FINEST times s are resolved; in a narrower interval only the midpoint is computed. With friction no
- * bound is available, and only samples are used.
+ * bound is available, and only samples are used. In quad precision none of this is repeated: the search
+ * begins at the best separation that double precision has found.
  */
 #include "growth/limit.h"
 
@@ -252,8 +253,10 @@ static void search_step(struct search *b)
         return;
     real last = margin_slope_by(b->c, s, r, h), K = barrier_most(&b->c->geometry);
     for (real share = 1; share > (real)1e-5 && b->c->status == DOM_OK; share /= 4) {
-        real next = margin_slope_by(b->c, s, r, h * share / 4);
-        real wrong = fabs(next - last) + 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
+        real rounding = 16 * fmax(b->c->geometry.tol, REAL_EPSILON) * K / (h * share);
+        if (rounding >= least)
+            break;
+        real next = margin_slope_by(b->c, s, r, h * share / 4), wrong = fabs(next - last) + rounding;
         if (wrong < least) {
             least = wrong;
             b->finer = share;
@@ -262,9 +265,8 @@ static void search_step(struct search *b)
     }
 }
 
-/* Finds the maximum of r_max near b->s. A smooth maximum is found as a zero of the slope, and a maximum at a
- * kink or a jump by golden section. */
-static enum dom_status search_top(struct search *b, real tol, bool *smooth)
+/* Finds the maximum of r_max near b->s by golden section, to the tolerance tol. */
+static enum dom_status search_golden(struct search *b, real tol)
 {
     struct margin_context *c = b->c;
     const real span = c->geometry.span;
@@ -284,7 +286,6 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
             width /= 2;
         }
     }
-    *smooth = false;
     if (c->status != DOM_OK)
         return c->status;
     real top = s, hi = fmin(s * (1 + width), span);
@@ -293,12 +294,20 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     if (model_status(c->status, solver) != DOM_OK && solver != NUM_NOT_BRACKETED)
         return model_status(c->status, solver);
     search_at(b, top);
+    return c->status;
+}
+
+/* Finds a smooth maximum of r_max near b->s, which is where the slope changes its sign. *smooth is false at a
+ * kink or a jump. The relative error of b->s is much less than `width`. */
+static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
+{
+    struct margin_context *c = b->c;
+    const real span = c->geometry.span;
+    *smooth = false;
     /* The slope of the margin is a difference quotient, and needs all digits of the margin. */
     c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
     search_step(b);
-    /* The values of r_max determine a smooth maximum only to the square root of their noise, so a bracket for
-     * a zero of the slope starts outside that distance. */
-    for (width = 16 * sqrt(fmax(tol, REAL_EPSILON)); c->status == DOM_OK && width < (real)0.02; width *= 4) {
+    for (; c->status == DOM_OK && width < (real)0.02; width *= 4) {
         real lo = b->s * (1 - width), up = b->s * (1 + width), zero;
         real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
@@ -319,6 +328,22 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
         break;
     }
     return c->status;
+}
+
+/* Finds the maximum of r_max near b->s. If *smooth is true before, b->s is close enough to it to look for the
+ * sign change of the slope at once. */
+static enum dom_status search_top(struct search *b, real tol, bool *smooth)
+{
+    /* The values of r_max determine a smooth maximum only to the square root of their noise, so a bracket for
+     * a zero of the slope starts outside that distance. */
+    const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
+    enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
+    if (status == DOM_OK && !*smooth) {
+        status = search_golden(b, tol);
+        if (status == DOM_OK)
+            status = search_smooth(b, width, tol, smooth);
+    }
+    return status;
 }
 
 /* Returns the difference between r_max at s + step and r_max at the maximum. Returns 0 if the difference is
@@ -372,35 +397,99 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     return status != DOM_OK ? status : c->status;
 }
 
-static enum dom_status best_find(struct margin_context *c, struct dom_best *best)
+/* Searches all separations, without the help of a coarser kernel. */
+static enum dom_status search_all(struct search *b, bool *smooth)
 {
-    struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
-    bool smooth;
-    enum dom_status status = search_samples(&b);
+    struct margin_context *c = b->c;
+    const bool bounded = dynamics_bounded(&c->geometry);
+    enum dom_status status = search_samples(b);
     if (status == DOM_OK)
-        status =
-            dynamics_bounded(&c->geometry) ? search_between(&b, BEST_LOWEST, 1, INFINITY) : search_finely(&b);
-    if (status != DOM_OK)
-        return c->status = status;
-    if (!(b.r_max > 1))
-        return c->status = DOM_NO_GROWTH;
+        status = bounded ? search_between(b, BEST_LOWEST, 1, INFINITY) : search_finely(b);
+    if (status == DOM_OK && !(b->r_max > 1))
+        status = DOM_NO_GROWTH;
+    if (status == DOM_OK)
+        status = search_top(b, (real)1e-6, smooth);
     /* Near a jump there may be several maxima, so the neighbourhood of the best one is searched again with
      * narrower intervals. */
     real before = 0;
-    status = search_top(&b, (real)1e-6, &smooth);
-    for (int k = 0;
-         status == DOM_OK && dynamics_bounded(&c->geometry) && !smooth && k < 3 && b.r_max > before; k++) {
-        before = b.r_max;
-        b.finest = BEST_FINEST / 64;
-        status = search_between(&b, b.s * (1 - 4 * BEST_FINEST), b.s * (1 + 4 * BEST_FINEST), (real)INFINITY);
+    for (int k = 0; status == DOM_OK && bounded && !*smooth && k < 3 && b->r_max > before; k++) {
+        before = b->r_max;
+        b->finest = BEST_FINEST / 64;
+        status =
+            search_between(b, b->s * (1 - 4 * BEST_FINEST), b->s * (1 + 4 * BEST_FINEST), (real)INFINITY);
     }
-    if (status == DOM_OK)
-        status = search_top(&b, (real)c->train->tol, &smooth);
-    struct dom_best found = {.s = b.s, .r_max = b.r_max};
+    return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
+}
+
+/* Larger than the relative error of a best separation that the double kernel has found, and so small that its
+ * r_max is still near. */
+#define NEAR_WIDTH ((real)1e-8)
+
+/* A straight line through two points of r_max(s). */
+struct line {
+    real s[2], r[2], slope;
+};
+
+/* Moves the line on to the point at s. */
+static void line_to(struct line *line, struct margin_context *c, real s)
+{
+    line->s[0] = line->s[1];
+    line->r[0] = line->r[1];
+    line->s[1] = s;
+    line->r[1] = rmax_at(s, c);
+    line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
+}
+
+/* Finds the kink of r_max very close to b->s, where an increasing branch and a decreasing one meet: each
+ * branch is continued by the line through its last two points. Returns false if there is no such kink. */
+static bool search_kink(struct search *b, real tol)
+{
+    struct line up = {.slope = 0}, down = up;
+    real s = b->s, aside = NEAR_WIDTH * s, moved = aside;
+    line_to(&up, b->c, s - 2 * aside);
+    line_to(&down, b->c, s + 2 * aside);
+    while (b->c->status == DOM_OK && moved > tol * s) {
+        line_to(&up, b->c, s - aside);
+        line_to(&down, b->c, s + aside);
+        real next =
+            s + ((down.r[1] - down.slope * aside) - (up.r[1] + up.slope * aside)) / (up.slope - down.slope);
+        moved = fabs(next - s);
+        s = next;
+        if (!(up.slope > 0 && down.slope < 0 && moved < aside))
+            return false;
+        aside = fmin(4 * moved, aside / 4);
+    }
+    b->s = s;
+    b->r_max = rmax_at(s, b->c);
+    return b->c->status == DOM_OK;
+}
+
+/* Finds the best separation near c->s, where the double kernel has found it. If it is not *found, c->near is
+ * reset: beyond a jump, the root near the one at c->s is not the first root. */
+static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
+{
+    struct margin_context *c = b->c;
+    const real tol = (real)c->train->tol;
+    b->s = c->s;
+    b->r_max = rmax_at(b->s, c);
+    if (c->status == DOM_OK && search_smooth(b, NEAR_WIDTH, tol, smooth) == DOM_OK)
+        *found = *smooth || search_kink(b, tol);
+    c->near = *found ? c->near : 0;
+    return c->status;
+}
+
+static enum dom_status best_find(struct margin_context *c, struct dom_best *best)
+{
+    struct search b = {.c = c, .finest = BEST_FINEST, .finer = 1};
+    bool smooth = false, found = false;
+    enum dom_status status = c->near > 0 ? best_near(&b, &smooth, &found) : DOM_OK;
+    if (status == DOM_OK && !found)
+        status = search_all(&b, &smooth);
+    struct dom_best answer = {.s = b.s, .r_max = b.r_max};
     if (status == DOM_OK && c->train->errors)
-        status = best_error(&b, smooth, &found.error);
+        status = best_error(&b, smooth, &answer.error);
     if (status == DOM_OK)
-        *best = found;
+        *best = answer;
     return c->status = status;
 }
 

@@ -151,18 +151,28 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * largest relative error that the approximate root may have. */
 #define ROOT_ASIDE ((real)1e-5)
 
+/* Follows the maximum of H near an approximate root to the root. */
+static enum dom_status root_followed(struct margin_context *c, real near, real *root)
+{
+    struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
+                            .hi = fmin(near * (1 + ROOT_ASIDE), c->geometry.span / c->s)};
+    margin_follow_begin(c);
+    return root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
+}
+
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found)
 {
-    struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE), .hi = fmin(near * (1 + ROOT_ASIDE), 1 / c->s)};
-    const real tol = c->geometry.tol;
+    const real tol = c->geometry.tol, aside = ROOT_ASIDE * ROOT_ASIDE;
+    const bool follows = c->geometry.dynamics->conservative;
     /* With a coarser tolerance, the root found here could differ too much from the approximate root, and a
      * complete search would have to follow. */
-    c->geometry.tol = fmin(tol, ROOT_ASIDE * ROOT_ASIDE);
-    margin_follow_begin(c);
-    enum dom_status status = root_search(c, &s, near * (1 - ROOT_ASIDE), near, root);
+    c->geometry.tol = fmin(tol, aside);
+    enum dom_status status =
+        follows ? root_followed(c, near, root)
+                : model_status(c->status, num_root(margin_at, c, near * (1 - aside), near * (1 + aside),
+                                                   c->geometry.tol / 8, root));
     c->geometry.tol = tol;
-    *found =
-        status == DOM_OK && fabs(*root - near) <= ROOT_ASIDE * ROOT_ASIDE * near && margin_highest(c, *root);
+    *found = status == DOM_OK && fabs(*root - near) <= aside * near && (!follows || margin_highest(c, *root));
     if (status != DOM_INTERRUPTED && status != DOM_TOO_LONG)
         status = c->status = DOM_OK;
     return status;

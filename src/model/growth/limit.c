@@ -89,6 +89,13 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 {
     struct edge first = {.r = 1};
     struct geometry geometry = c->geometry;
+    bool known = false;
+    *limit = (struct limit){.ends = DOM_END_BARRIER};
+    /* the coarser kernel has also shown that this root is the first one */
+    if (c->status == DOM_OK && c->near > 0)
+        c->status = root_near(c, c->near, &limit->r_max, &known);
+    if (known)
+        return c->status;
     enum dom_status status = c->status != DOM_OK ? c->status : geometry_set(&geometry, c->s, 1);
     if (status == DOM_OUT_OF_REACH) { /* with rounded edges the reach may be less than 1 */
         *limit = no_limit;
@@ -129,15 +136,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
     struct margin_context c = margin_of_train(train);
     struct limit found;
     limit_begin(&c);
-    enum dom_status status = c.status;
-    bool known = false;
-    /* the coarser kernel has also shown that this root is the first one */
-    if (status == DOM_OK && train->near > 0) {
-        found = (struct limit){.ends = DOM_END_BARRIER};
-        status = root_near(&c, (real)train->near, &found.r_max, &known);
-    }
-    if (!known && status == DOM_OK)
-        status = limit_find(&c, &found);
+    enum dom_status status = limit_find(&c, &found);
     return status == DOM_OK ? limit_public(&c, &found, limit) : status;
 }
 

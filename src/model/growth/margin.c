@@ -97,8 +97,11 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
 
 KERNEL struct margin_context margin_of_train(const struct request *train)
 {
-    struct margin_context c = {
-        .train = train, .s = (real)train->s, .dominoes = CHAIN_ENDLESS, .margin = train_margin};
+    struct margin_context c = {.train = train,
+                               .s = (real)train->s,
+                               .near = (real)train->near,
+                               .dominoes = CHAIN_ENDLESS,
+                               .margin = train_margin};
     c.status = dynamics_read(train, &c.geometry);
     if (c.status == DOM_OK && train->fuel == DOM_FUEL_PAPER && !energy_paper_holds(&c.geometry))
         c.status = DOM_NO_METHOD;

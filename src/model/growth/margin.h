@@ -53,6 +53,7 @@ struct margin_context {
     real followed_value, followed_tol; /* the last margin found by margin_follow, and its tolerance */
     /* If > 0, the width of the narrowest strip, for a scan whose result need only be an upper bound. */
     real coarse;
+    real near;     /* r_max close to s, as found by a coarser kernel, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
     size_t effort; /* work of the whole search, in the unit of geometry.effort */
     enum dom_status status;
