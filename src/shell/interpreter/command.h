@@ -149,6 +149,9 @@ const char *topic_meant(const char *word, int k);
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
+/* Returns true for 'print', the command that an expression stands for. */
+bool command_is_print(const struct command *command);
+
 /* Returns the index of the principal column. The command must have one. */
 int command_principal(const struct command *command);
 

@@ -93,7 +93,7 @@ static bool is_called(struct reader *r, const struct head *h)
     int fewest;
     bool is_empty = h->end[0] == '(' && h->end[1] == ')' && word_ends(h->end + 2);
     if (!h->command || *h->end != '(' || command_values(h->command, &fewest) >= 0 ||
-        (!is_empty && strcmp(h->name, "print") != 0))
+        (!is_empty && !command_is_print(h->command)))
         return false;
     reader_named(r, h->begin, h->end);
     r->at = h->end + (is_empty ? 2 : 0);
@@ -278,7 +278,7 @@ const struct command *command_read_inner(struct reader *r, names_list *offered)
 {
     const char *begin = r->at;
     const struct command *command = shorthand_read(r);
-    if (command && strcmp(command->name, "print") == 0)
+    if (command && command_is_print(command))
         return command;
     r->at = begin;
     return r->problem->kind == PROBLEM_NONE ? name_read(r, offered) : NULL;

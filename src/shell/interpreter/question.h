@@ -7,7 +7,6 @@
 #define SHELL_QUESTION_H
 
 #include "interpreter/item.h"
-#include <string.h>
 
 struct question {
     const struct command *command;
@@ -28,7 +27,7 @@ struct question {
  * expression do not mention 'print', since it was usually not typed. */
 static inline bool question_is_expression(const struct question *question)
 {
-    return strcmp(question->command->name, "print") == 0;
+    return command_is_print(question->command);
 }
 
 /* Parses a command and its arguments at the reader. Returns false with a problem. */

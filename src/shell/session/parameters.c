@@ -77,8 +77,7 @@ bool parameter_hint(const char *word, char *message, size_t size)
     if (!p)
         return false;
     if (p->effect)
-        snprintf(message + used, size - used, "; did you mean 'effect %s'?",
-                 effect_usage(names_exact(effect_names, NULL, p->name), usage));
+        snprintf(message + used, size - used, "; did you mean 'effect %s'?", effect_usage(p->which, usage));
     else
         snprintf(message + used, size - used, "; did you mean '%s'? '%s = VALUE' gives it a value", p->name,
                  p->name);

@@ -3,7 +3,6 @@
  */
 #include "commands/planning/planning.h"
 #include "interpreter/command_read.h"
-#include <string.h>
 
 const char *assert_names(const void *context, int k)
 {
@@ -26,13 +25,14 @@ bool assert_parse(struct reader *r, struct question *q)
     asserted->command = command_read_inner(r, assert_names);
     if (!asserted->command)
         return false;
-    for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)
-        n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", name);
-    if (strcmp(asserted->command->name, "print") != 0 && !asserted->command->holds)
+    if (!asserted->command->holds && !command_is_print(asserted->command)) {
+        for (int k = 0, n = 0; (name = assert_names(NULL, k)) && n < (int)sizeof all; k++)
+            n += snprintf(all + n, sizeof all - (size_t)n, "%s%s", k ? ", " : "", name);
         return problem_error(
             r->problem,
             "'%s' has no verdict; commands that have one: %s; or compare, as in 'assert rmax < 1.7'",
             asserted->command->name, all);
+    }
     bool good = question_parse(r, asserted);
     asserted->name = question_name(r, begin, r->at);
     if (good && !asserted->command->holds && *skip_blanks(r->at) == '>')

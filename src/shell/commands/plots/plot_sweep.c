@@ -64,7 +64,7 @@ static void value_label(const struct query *query, const struct points *p, char 
     const struct column *c = command->columns;
     while (c->key && strcmp(c->key, key) != 0)
         c++;
-    bool angle = c->key && column_is_angle(c), expression = strcmp(command->name, "print") == 0;
+    bool angle = c->key && column_is_angle(c), expression = command_is_print(command);
     const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
     snprintf(label, size, "%s%s%s", expression ? p->shape.typed : key, *unit ? " in " : "", unit);
 }
