@@ -21,6 +21,15 @@ static int columns_in(double width, double font)
     return columns > 16 ? columns : 16;
 }
 
+/* The width of the line before a title in a legend, with the blanks around it, in letters. */
+#define SAMPLE 9
+
+/* Returns how many letters of a title in the legend fit side by side into a picture of `columns` letters. */
+static int legend_columns(const struct chart *c, int columns)
+{
+    return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns - SAMPLE;
+}
+
 /* Returns how many columns the legend has: as many as its longest title allows. */
 static int legend_across(const struct chart *c, int columns, int *longest)
 {
@@ -31,7 +40,7 @@ static int legend_across(const struct chart *c, int columns, int *longest)
     }
     if (c->look.legend != CHART_LEGEND_BELOW)
         return 1;
-    int across = (columns + 4) / (*longest + 9);
+    int across = (columns + 4) / (*longest + SAMPLE);
     return across > 0 ? across : 1;
 }
 
@@ -43,7 +52,7 @@ static int lines_around(const struct chart *c, int columns)
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
     /* Lines for each entry of the legend, which has two if a title is broken. */
-    const int high = longest >= columns ? 2 : 1;
+    const int high = longest > legend_columns(c, columns) ? 2 : 1;
     return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
                         ? 0
                         : high * ((c->curves + across - 1) / across));
@@ -79,13 +88,6 @@ static int ticks_up(const struct chart *c)
     double line = LINE_CM * look.font, high = look.height - line * lines_around(c, columns_of(c));
     int most = (int)(high / (1.8 * line));
     return most < 2 ? 2 : most < 9 ? most : 9;
-}
-
-/* Returns how many letters of a title in the legend fit side by side. */
-static int legend_columns(const struct chart *c)
-{
-    const int columns = columns_of(c);
-    return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns;
 }
 
 /* Returns the width of a letter, as a fraction of the x axis. */
@@ -135,7 +137,7 @@ static void legend_script(const struct chart *c, FILE *out)
     int longest, across = legend_across(c, columns_of(c), &longest), most = 1;
     char title[ROOM];
     for (int k = 0; k < c->curves; k++) {
-        const int lines = lines_make(c, c->curve[k].title, legend_columns(c), title);
+        const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
         most = lines > most ? lines : most;
     }
     /* gnuplot leaves room for only one line of a title. */
@@ -146,7 +148,7 @@ static void legend_script(const struct chart *c, FILE *out)
     else
         fprintf(out,
                 "set key below Left reverse samplen 4 height %g spacing %g noenhanced maxcols %d width %d\n",
-                most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 4 : 0);
+                most > 1 ? 1.4 : 1.2, (double)most, across, longest > 16 ? -longest / 6 : 0);
 }
 
 /*
@@ -273,7 +275,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
         fprintf(out, " dt %d", curve->dash + 1);
     if (styles[curve->kind].size > 0)
         fprintf(out, " pt %d ps %g", points[curve->ink], point * small * styles[curve->kind].size);
-    lines_make(c, curve->title, legend_columns(c), title);
+    lines_make(c, curve->title, legend_columns(c, columns_of(c)), title);
     fprintf(out, " title \"%s\"", title);
 }
 
