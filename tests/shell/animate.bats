@@ -134,6 +134,12 @@ END
     same 'in real time' "$(csv 'effect row 20; animate a.gif speed 1' | wc -l)" \
         "$(awk -v end="$(json 'effect row 20; verdict' | values seconds)" -v begin="$(csv 'effect row 20; animate a.gif' | sed -n '2s/,.*//p')" \
             'BEGIN { n = (end - begin) * 25; print (n == int(n) ? n : int(n) + 1) + 2 }')"
+    # The row of the last count falls towards the tower, whose data are those of the row.
+    "$DOMINO" -e 'count 1 m; animate b.gif tower rate 5' >/dev/null
+    "$BATS_TEST_DIRNAME/gif" b.gif >said
+    same tower "$(csv 'effect row 8; animate a.gif rate 5')" "$(csv 'count 1 m; animate a.gif tower rate 5' | sed 1,2d)"
+    wrong 'animate a.gif tower' "'tower' shows the row of the last answer, if that was a count"
+    wrong 'count 5 m; animate a.gif tower 4' "'4' is one argument too many"
     same 'a short row is shown in real time' "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif')" \
         "$(csv 'set r 1; effect row 12; effect push 6; animate a.gif speed 1')"
 }

@@ -4,6 +4,7 @@
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
 #include "commands/drawing/film.h"
+#include "commands/drawing/tower.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
@@ -26,6 +27,7 @@ struct row_film {
     domq_real *time; /* time of each frame, in s */
     domq_real speed; /* seconds of the row in one second of the film */
     bool follows;
+    size_t towers; /* 1 if a tower stands behind the row, else 0 */
 };
 
 /* Points the view of a frame at the front and at the dominoes that have just fallen. `head` is the number,
@@ -67,7 +69,9 @@ static bool row_frame(const struct domq_moment *m, void *context)
     snprintf(f->row.stage.caption, CAPTION, "%s\n%s%s", moment, more, speed);
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
+    f->row.stage.count += f->towers;
     film_frame(&f->film, &f->row.stage);
+    f->row.stage.count -= f->towers;
     return true;
 }
 
@@ -115,9 +119,11 @@ static bool row_watch(struct film *film)
     return status == DOM_OK || row_status(film->query, film->problem, status);
 }
 
-static bool animate_row(const struct film *film)
+/* Makes a film of the row, which falls towards a tower if the height of the tower is > 0. */
+static bool animate_row(const struct film *film, double tower)
 {
-    struct row_film f = {.film = *film};
+    struct row_film f = {.film = *film, .towers = tower > 0};
+    char verdict[SENTENCE];
     struct stage *stage = &f.row.stage;
     f.film.delay = (int)quad(round)(100 / film->what->value[DRAW_RATE]);
     if (!falling_row_make(film->query, film->problem, script_marks, &f.row))
@@ -126,10 +132,13 @@ static bool animate_row(const struct film *film)
         answer_columns(film->answer, film->answer->columns)[1] =
             (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
-    stage->row = NULL; /* frames have no labels with the sizes of the dominoes */
-    snprintf(stage->caption, CAPTION, "1\n2");
+    stage->row = NULL;                    /* frames have no labels with the sizes of the dominoes */
+    falling_row_verdict(&f.row, verdict); /* the longest second line of a caption */
+    snprintf(stage->caption, CAPTION, "1\n%s", verdict);
+    bool done = !f.towers || tower_film(&f.row, tower) ||
+                problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);
     f.follows = stage->top > FOLLOWED * falling_row_smallest(&f.row);
-    bool done = row_times(&f) && film_make(&f.film, stage, row_watch);
+    done = done && row_times(&f) && film_make(&f.film, stage, row_watch);
     free(f.time);
     falling_row_free(&f.row);
     return done;
@@ -150,7 +159,7 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     struct film film = {
         .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .what = what};
     bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->has[DRAW_CYCLES];
-    if ((what->has[DRAW_SPEED] || what->has[DRAW_RATE]) && !row)
+    if ((what->has[DRAW_SPEED] || what->has[DRAW_RATE]) && !row && !what->tower)
         return problem_error(problem,
                              "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
                              "'effect row 10'");
@@ -159,9 +168,16 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
                                       "after '>'; leave out the '>'");
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
-    if (row || what->train)
+    if (row || what->train || what->tower)
         /* The note says that the answer is about the train: wrong for a row, obvious after 'train'. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
-    return row ? animate_row(&film) : animate_train(&film);
+    if (what->tower) {
+        struct state state;
+        struct query changed;
+        double height;
+        film.query = &changed;
+        return tower_query(query, &state, &changed, &height, problem) && animate_row(&film, height);
+    }
+    return row ? animate_row(&film, 0) : animate_train(&film);
 }

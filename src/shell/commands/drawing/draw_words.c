@@ -23,7 +23,8 @@ static const struct argument arguments[DRAW_VALUES] = {
 static const char draw_usage[] =
     "usage: draw, draw at 2.5 s, draw at domino 8, draw at end, draw train, draw 0.3 forces, draw tower";
 static const char film_usage[] =
-    "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4";
+    "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4, animate quiz.gif "
+    "tower";
 
 /* Returns true if the next word cannot begin a value, so that it was probably meant as a keyword. */
 static bool is_stray(const struct reader *r)
@@ -104,15 +105,17 @@ bool film_parse(struct reader *r, struct question *q)
 {
     struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
     while (p && !reader_ends(r)) {
-        bool counted = p->what.has[DRAW_CYCLES], good = true;
+        bool counted = p->what.has[DRAW_CYCLES] || p->what.tower, good = true;
         reader_place(r, r->at);
         r->last = false;
         if (reader_takes(r, "speed"))
             good = value_parse(r, p, DRAW_SPEED);
         else if (reader_takes(r, "rate"))
             good = value_parse(r, p, DRAW_RATE);
-        else if (!p->what.train && reader_takes(r, "train"))
+        else if (!p->what.train && !p->what.tower && reader_takes(r, "train"))
             p->what.train = true;
+        else if (!p->what.train && !counted && reader_takes(r, "tower"))
+            p->what.tower = true;
         else if (counted || is_stray(r))
             return wrong_word(r, counted, film_usage);
         else {

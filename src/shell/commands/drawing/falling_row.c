@@ -59,10 +59,19 @@ void falling_row_reach(struct falling_row *row, bool lying)
 
 double falling_row_smallest(const struct falling_row *row)
 {
-    double smallest = row->stage.top;
+    double smallest = HUGE_VAL;
     for (size_t k = 0; k < row->stage.count; k++)
         smallest = fmin(smallest, row->stage.domino[k].height);
     return smallest;
+}
+
+/* Returns the height of the tallest domino. */
+static double tallest(const struct falling_row *row)
+{
+    double most = 0;
+    for (size_t k = 0; k < row->stage.count; k++)
+        most = fmax(most, row->stage.domino[k].height);
+    return most;
 }
 
 bool falling_row_make(const struct query *query, struct problem *problem, struct marks marks,
@@ -85,8 +94,7 @@ bool falling_row_make(const struct query *query, struct problem *problem, struct
     }
     falling_row_pose(row, NULL);
     falling_row_reach(row, false);
-    for (size_t k = 0; k < count; k++)
-        row->stage.top = fmax(row->stage.top, row->stage.domino[k].height);
+    row->stage.top = tallest(row);
     return true;
 }
 
@@ -129,7 +137,7 @@ static const char *start_of(const struct falling_row *row)
 void falling_row_summary(const struct falling_row *row, char text[SENTENCE])
 {
     struct measured least = measured((domq_real)falling_row_smallest(row), "m", 3),
-                    most = measured((domq_real)row->stage.top, "m", 3);
+                    most = measured((domq_real)tallest(row), "m", 3);
     bool equal = strcmp(least.text, most.text) == 0;
     snprintf(text, SENTENCE, "%zu domino%s, %.60s%s%.60s tall", row->stage.count,
              row->stage.count == 1 ? "" : "es", least.text, equal ? "" : " to ", equal ? "" : most.text);

@@ -10,7 +10,9 @@
 #define ZOOM_WIDE   0.36  /* largest width of the larger copy, as a fraction of the width of the picture */
 #define ZOOM_HIGH   0.4
 #define ZOOM_ABOVE  0.52 /* height at which the copy stands, as a fraction of the tower's height */
-#define ZOOM_LEAST  2    /* a copy that is less than this many times larger is not drawn */
+#define BEYOND                                                                                               \
+    1.1 /* distance of the tower in a film, in heights of the last domino, which falls towards it */
+#define ZOOM_LEAST 2 /* a copy that is less than this many times larger is not drawn */
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)
@@ -19,8 +21,8 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     const struct ans *ans = query->ans;
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,
-                             "'draw tower' shows the row of the last answer, if that was a count; first "
-                             "enter 'count 112 m'");
+                             "'tower' shows the row of the last answer, if that was a count; first enter "
+                             "'count 112 m'");
     const domq_real dominoes = ans->cells[COUNT_DOMINOES].number,
                     most = domq_effect(DOM_EFFECT_row)->argument[0].highest;
     if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
@@ -73,16 +75,18 @@ static void zoom_add(struct stage *stage, size_t count, double height)
              scale, small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
-bool tower_add(struct falling_row *row, double height)
+/* Puts the tower behind the last domino, `distance` times the height of that domino away, and makes room for
+ * `copies` more dominoes. Does not count the tower among the dominoes. Returns false if there is no memory.
+ */
+static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {
-    struct stage *stage = &row->stage;
     const size_t count = stage->count;
-    struct drawn *more = realloc(stage->domino, (2 * count + 1) * sizeof *more);
+    struct drawn *more = realloc(stage->domino, (count + 1 + copies) * sizeof *more);
     if (!more)
         return false;
     stage->domino = more;
     stage->row = NULL; /* there is no room for labels with the sizes */
-    struct drawn *tower = &more[stage->count++];
+    struct drawn *tower = &more[count];
     const struct drawn *last = tower - 1;
     *tower = *last;
     tower->number = NUMBER_TOWER;
@@ -90,10 +94,27 @@ bool tower_add(struct falling_row *row, double height)
     tower->height = height;
     tower->thickness = TOWER_WIDTH * height;
     tower->radius = tower->theta = 0;
-    tower->foot = last->foot + (last->foot - (last - (count > 1))->foot) * 1.2 + tower->thickness;
+    tower->foot = last->foot + distance * last->height + tower->thickness;
     drawn_stand(tower);
     stage->top = fmax(stage->top, height);
     stage->right = fmax(stage->right, tower->foot);
+    return true;
+}
+
+bool tower_film(struct falling_row *row, double height)
+{
+    return tower_put(&row->stage, height, BEYOND, 0);
+}
+
+bool tower_add(struct falling_row *row, double height)
+{
+    struct stage *stage = &row->stage;
+    const size_t count = stage->count;
+    const struct drawn *last = &stage->domino[count - 1];
+    const double pitch = last->foot - (last - (count > 1))->foot;
+    if (!tower_put(stage, height, 1.2 * pitch / last->height, count))
+        return false;
+    stage->count++;
     size_t at = strlen(stage->caption);
     snprintf(stage->caption + at, CAPTION - at, "\nBehind the last domino: a tower of %s.",
              measured((domq_real)height, "m", 4).text);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 'draw tower': the row of the last 'count', with the silhouette of a tower at its end. */
+/* 'draw tower' and 'animate FILE tower': the row of the last 'count', with the silhouette of a tower at its
+ * end. */
 #ifndef SHELL_TOWER_H
 #define SHELL_TOWER_H
 
@@ -13,5 +14,9 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
 /* Adds the tower behind the last domino and, above the small end of the row, a larger copy of the dominoes
  * that are too small to be seen. Returns false if there is no memory. */
 bool tower_add(struct falling_row *row, double height);
+
+/* Puts the tower behind the place where the last domino will lie, as stage.domino[stage.count]: poses of the
+ * row leave it alone, and a frame shows it if it is counted. Returns false if there is no memory. */
+bool tower_film(struct falling_row *row, double height);
 
 #endif
