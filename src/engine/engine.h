@@ -87,6 +87,8 @@ struct engine_fall {
      * since the box was hit. A row that almost stops has a small ratio. The ratio is 0 if the
      * foremost box was touched in any way other than by the tip of the box behind it on its back face. */
     double slowest;
+    /* true if boxes have touched in any way other than the tip of one on the back face of the next */
+    bool other_contact;
 };
 
 enum engine_status {

@@ -174,8 +174,11 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     const struct chipmunk *cp = w->cp;
     cpVect normal = cp->cpArbiterGetNormal(arbiter), face = cpvforangle(-world_tilt(w, front));
     cpVect axis = cpvperp(cpvforangle(-world_tilt(w, front - 1)));
-    if (fabs(cpvdot(normal, face)) < parallel && fabs(cpvdot(normal, axis)) > parallel && front >= w->head)
-        w->fall->slowest = 0;
+    if (fabs(cpvdot(normal, face)) < parallel && fabs(cpvdot(normal, axis)) > parallel) {
+        w->fall->other_contact = true;
+        if (front >= w->head)
+            w->fall->slowest = 0;
+    }
     for (int c = 0; c < cp->cpArbiterGetCount(arbiter) && front + FOREMOST > w->head; c++) {
         double depth = -cp->cpArbiterGetDepth(arbiter, c) / w->row->box[front - 1].height;
         w->fall->depth = fmax(w->fall->depth, depth);

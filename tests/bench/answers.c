@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The answers whose instructions are counted. Each is one call of answer(), at whose ends callgrind begins
- * and ends a count. Prints their names in that order.
+ * Computes the answers whose instructions `make guard` counts, and prints their names in the same order. Each
+ * answer is one call of answer(), and callgrind counts the instructions of each call.
  *
- * usage: answers                 computes all of them
+ * usage: answers computes all of them
  *        answers NAME            computes this one alone; prints its passes and dominoes
  *        answers NAME SECONDS    prints its time, too, in us: the least of those that so many seconds allow
  */
@@ -15,13 +15,13 @@
 
 enum { ROW = 20, ROWS = 60, POINTS = 12 };
 
-/* Zeros mean the defaults. */
+/* An answer, and the parameters for which it is computed. A parameter that is 0 has its default. */
 struct counted {
     const char *name;
     enum dom_status (*ask)(const struct domq_train *train, const struct domq_compute *compute);
     double s, r, q, mu, rho;
     bool quad, single;
-    bool apart; /* computed by its name alone */
+    bool apart; /* computed only if the program is called with its name */
 };
 
 static enum dom_status ask_rmax(const struct domq_train *train, const struct domq_compute *compute)
@@ -38,7 +38,7 @@ static enum dom_status ask_rmax_bound(const struct domq_train *train, const stru
     return domq_limit_rmax(train, &with, &limit);
 }
 
-/* Asks a curve of s from 0.02 to 0.9 for both q, as the benchmark does. */
+/* Computes r_max for s from 0.02 to 0.9, with both values of q, as the benchmark does. */
 static enum dom_status ask_curve(const struct domq_train *train, const struct domq_compute *compute)
 {
     enum dom_status status = DOM_OK;
@@ -124,8 +124,8 @@ static enum dom_status ask_verdict(const struct domq_train *train, const struct 
 }
 
 /*
- * Asks for the verdict of a random row, as a study of one row. The row without its errors is made once, and
- * the work is that of its own verdict, since a study counts none.
+ * Computes the verdict on a random row, as a study of one row. A study does not count its work, so the work
+ * is counted for the row without errors.
  */
 static enum dom_status ask_random(const struct domq_train *train, const struct domq_compute *compute)
 {
@@ -205,7 +205,8 @@ static const struct counted table[] = {
     {.name = "the same, friction 0.2", .ask = ask_random, .r = 1.3, .mu = 0.2, .apart = true},
 };
 
-/* Answers one question. Callgrind looks for this function: keep its name, and keep it a call. */
+/* Answers one question. Callgrind looks for calls of this function, so it must keep its name and must not be
+ * inlined. */
 __attribute__((noinline)) enum dom_status
 answer(const struct counted *counted, const struct domq_train *train, const struct domq_compute *compute);
 
@@ -222,7 +223,7 @@ static double seconds_now(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Returns the least time of an answer, in batches long enough for the clock. */
+/* Returns the shortest time of an answer, measured in batches that are long enough for the clock. */
 static double seconds_of(const struct counted *counted, const struct domq_train *train, double patience)
 {
     enum { BATCH = 20 };
@@ -254,7 +255,7 @@ int main(int argc, char **argv)
         train.mu = counted->mu;
         train.rho = counted->rho;
         compute.work = argc > 1 ? &work : NULL;
-        if (counted->apart) { /* counts the work, and does now what is done once */
+        if (counted->apart) { /* count the work, and do whatever is done only in the first call */
             (void)counted->ask(&train, &compute);
             compute.work = NULL;
         }

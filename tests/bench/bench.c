@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The report of the benchmark: the programs that are compared, each question with its times and errors, the
- * floor, how time grows, and which goals are met.
+ * Prints the report of the benchmark: the programs that are compared, the times and errors of each question,
+ * the lower bounds of the times, how times grow, and which goals are met.
  *
  * usage: bench BUILD, from the top of the project
  */
@@ -14,22 +14,24 @@
 #define BENCH_FLAGS "unknown flags"
 #endif
 
-/* A quarter of 188 and 131 million bare links, which a study that searched each head for its top took beside
- * this one. */
+/* Goals in million bare links. A study that searches for the top of each head's barrier took 188 and 131
+ * million, and the goals are a quarter of these numbers. */
 enum { BUDGET = 47, PLACEMENT = 32 };
 
 enum { MANY = 178, FEW = 18, POINTS = 10000, SAMPLED = 10, CURVE_REPEATS = 3 };
 
 #define WHO(name)   (1U << (name))
-#define LEAST_GIVEN 1.5 /* times the work of one thread, from all cores */
+#define LEAST_GIVEN 1.5 /* all cores together must do at least this many times the work of one core */
 
 /* ---- Goals ---- */
 
 struct goal {
     const char *text, *unit;
-    double goal, measured; /* NaN: not measured here */
+    double goal, measured; /* NaN if the value cannot be measured on this machine */
     bool at_least;
-    const char *reason; /* where the goal is not met: the floor that forbids it, or that none does; or NULL */
+    /* what to print if the goal is not met: the lower bound that forbids it, or that there is none. May be
+     * NULL. */
+    const char *reason;
 };
 
 static bool goal_met(const struct goal *goal)
@@ -81,8 +83,8 @@ static void machine_print(void)
          "the loosest tolerance (a power of 10) with which they reach it.");
 }
 
-/* Prints the errors of our quad precision, which all other errors are measured against, by tables that were
- * made elsewhere. */
+/* Prints the errors of our quad precision, compared with tables from other programs. All other errors are
+ * measured against quad. */
 static void truth_print(void)
 {
     static const char path[] = "tests/reference/rmax.csv";
@@ -139,7 +141,7 @@ static size_t row_questions(struct question *question)
     return n;
 }
 
-/* Returns the line that the script `operations` prints. */
+/* Returns the output of the script `operations`, which is one line. */
 static const char *operations(const char *build, char *line, int size)
 {
     char command[4200];
@@ -170,7 +172,8 @@ static struct process curve_command(const char *domino, const char *threads)
     return best;
 }
 
-/* The results of a curve that the goals need; efficiencies in percent of what the machine gives. */
+/* The results of a curve for which there are goals. Efficiencies are in percent of the gain that the machine
+ * allows. */
 struct curve_goals {
     double library, efficiency, command_efficiency, megabytes;
 };
@@ -184,10 +187,10 @@ static struct curve_goals curve_print(const char *domino)
     if (one.done)
         all = curve_command(domino, "set threads 0; ");
     else
-        one = curve_command(domino, ""); /* it has no threads */
+        one = curve_command(domino, ""); /* a curve on one thread */
     struct curve_goals goals = {.library = at[0].seconds, .megabytes = fmax(one.megabytes, all.megabytes)};
     double command_all = all.done ? all.seconds : NONE;
-    /* Cores that other programs use give no result. */
+    /* If other programs use the cores, there is no result. */
     double given = at[1].given > LEAST_GIVEN ? at[1].given : NONE;
     goals.efficiency = 100 * at[0].seconds / at[1].seconds / given;
     goals.command_efficiency = 100 * one.seconds / command_all / given;
@@ -206,8 +209,8 @@ static struct curve_goals curve_print(const char *domino)
     return goals;
 }
 
-/* Returns the time of a contender over ours; NaN without either time, or if the contender does not reach the
- * error. */
+/* Returns the time of a contender divided by ours. Returns NaN if one of the two times is missing, or if the
+ * contender does not reach the error. */
 static double ratio(const struct result *result, enum contender contender)
 {
     return result[contender].asked ? result[contender].seconds / result[OURS].seconds : NONE;
@@ -230,7 +233,7 @@ int main(int argc, char **argv)
     rmax_questions(many, MANY, 0.02, 0.9);
     rmax_questions(few, FEW, 0.02, 0.9);
     rmax_questions(points, SAMPLED, 0.02, 0.9);
-    for (size_t i = 0; i < SAMPLED; i++) { /* solid dominoes alone, in the middle of ten parts */
+    for (size_t i = 0; i < SAMPLED; i++) { /* only solid dominoes, at the middles of ten equal intervals */
         points[i].train.q = 4;
         points[i].train.s = 0.02 + 0.88 * ((double)i + 0.5) / SAMPLED;
     }

@@ -6,8 +6,8 @@
 
 enum { QUESTIONS_MAX = 256, DOMINOES_MAX = 64, ROUNDS = 9 };
 
-#define SECONDS_EACH 1.5 /* seconds for the rounds of one contender in one table */
-#define PATIENCE     0.3 /* seconds for the repeats of one question */
+#define SECONDS_EACH 1.5 /* seconds that one contender may take for a table */
+#define PATIENCE     0.3 /* seconds that the repetitions of one question may take */
 
 static const char *const contender_name[CONTENDERS] = {
     [OURS] = "ours",   [GSL] = "GSL, nested", [PAPER] = "paper's recipe", [NEWTON] = "GSL, Newton's laws",
@@ -95,7 +95,7 @@ static bool ask_scipy(const struct question *q, double tol, double *seconds, dou
     return coprocess_ask(&scipy, line, seconds, value);
 }
 
-/* Asks all questions one after the other. Returns the time, and writes the values. */
+/* Asks all questions one after the other. Writes the values and returns the time. */
 static double sweep(enum contender contender, const struct question *q, size_t n, double tol, double *value)
 {
     static const enum dom_method method[CONTENDERS] = {
@@ -120,7 +120,7 @@ static double sweep(enum contender contender, const struct question *q, size_t n
     return contender == SCIPY ? total : seconds_now() - begun;
 }
 
-/* ---- To the same error ---- */
+/* ---- The tolerance at which a contender reaches the error ---- */
 
 /* Finds the largest error within the target, and the questions that are not within the target. */
 static void judge(struct result *result, const struct question *q, size_t n, const double *value,
@@ -141,15 +141,15 @@ static void judge(struct result *result, const struct question *q, size_t n, con
     }
 }
 
-/* Finds the largest tolerance with which a contender reaches the target; ours is asked for the target
- * itself. */
+/* Finds the largest tolerance with which a contender reaches the target. For our own library, this is the
+ * target itself. */
 static void calibrate(enum contender contender, const struct question *q, size_t n, double target,
                       const double *truth, struct result *result)
 {
     double value[QUESTIONS_MAX];
     double finest = (double)domq_arithmetic(DOM_DOUBLE)->tol_floor;
     double loosest = fmin((q->task == RMAX ? 1e2 : 1e6) * target, 1e-2);
-    if (contender == NEWTON) /* its own tolerance, which cannot be set */
+    if (contender == NEWTON) /* the tolerance of this contender cannot be set */
         loosest = 1e-13;
     for (double tol = contender == OURS ? target : loosest;; tol /= 10) {
         struct result now = {.tol = tol, .seconds = sweep(contender, q, n, tol, value)};
@@ -157,7 +157,7 @@ static void calibrate(enum contender contender, const struct question *q, size_t
             return;
         judge(&now, q, n, value, truth, target);
         now.asked = true;
-        /* A question that is missed by far at one tolerance and at the next is missed by the method. */
+        /* If a question is missed by far at two successive tolerances, the method is the cause. */
         bool method = result->asked && now.missed == result->missed && now.worst > 1e3 * target &&
                       now.worst > result->worst / 2;
         if (!result->asked || now.missed < result->missed)
@@ -241,7 +241,8 @@ void rmax_questions(struct question *question, size_t n, double lo, double hi)
 
 void contenders_start(void)
 {
-    static const char *const interpreters[] = {"python3", "/usr/bin/python3"}; /* one may lack the package */
+    /* one of them may lack the package */
+    static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
     const struct question first = {.task = RMAX, .train = asked_default()};
     double seconds, value;
     for (int i = 0; i < 2; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A curve of r_max over s: a loop over the library, with its points given to threads in turn; and the largest
- * gain from threads on this machine. */
+/* Measures a curve of r_max over s, whose points are distributed to threads in turn, and the largest gain
+ * that threads can have on this machine. */
 #include "bench.h"
 #include <pthread.h>
 #include <stdatomic.h>
@@ -28,7 +28,7 @@ static void *curve_run(void *context)
     return NULL;
 }
 
-/* Returns the seconds of f(context) on that many threads together. */
+/* Returns the seconds until f(context) has returned on all of `threads` threads. */
 static double run_threads(void *(*f)(void *), void *context, unsigned threads)
 {
     pthread_t thread[THREADS_MAX];
@@ -72,7 +72,7 @@ double curve_library(size_t points, unsigned threads)
     return curve.failed ? NONE : seconds;
 }
 
-/* Works without memory, locks and shared data. */
+/* Keeps a core busy without memory, locks or shared data. */
 static void *spin(void *context)
 {
     volatile double x = 1;

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The floor of the times. The tilt of a domino follows from the one before: (31; A6) is a chain of dependent
- * operations, and no pass along the train is shorter than their latency.
+ * The lower bound of the times. The tilt of a domino follows from the tilt of the one before it, so (31; A6)
+ * is a chain of dependent operations, and no pass along the train takes less time than their latency.
  */
 #include "bench.h"
 #include <stdlib.h>
 
 enum { DOMINOES = 64, TRAINS = 20000, REPEATS = 7, LANES = 4 };
 
-/* Newton's method from one digit: 2, 4, 8, 16 digits. */
+/* Newton's method doubles the number of digits in each step: 1, 2, 4, 8, 16. */
 enum { NEWTON_STEPS = 4, PASSES_A_STEP = 2 };
 
 struct point {
     double x, y;
 };
 
-/* Returns the next tilt by (12; b8) and (31; A6), and computes nothing else. */
+/* Returns the tilt of the follower by (12; b8) and (31; A6), and computes nothing else. */
 static inline struct point next(struct point p, double r, double L, double d)
 {
     double X = r * (L * p.y - d), Y = sqrt(1 - X * X);
@@ -31,7 +31,7 @@ static double lanes_measure(size_t lanes)
         struct point p[LANES] = {{0, 1}, {0, 1}, {0, 1}, {0, 1}};
         double begun = seconds_now();
         for (int t = 0; t < TRAINS; t++) {
-            /* Each train begins upright, but only when the one before has ended. */
+            /* Each train begins upright, but only after the previous one has ended. */
             for (size_t lane = 0; lane < lanes; lane++)
                 p[lane] = (struct point){0.0 * p[lane].x, 1 + 0.0 * p[lane].y};
             if (lanes == 1)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The front speed of equal dominoes, beside the method of a published program: the "dominoes" of J. Luebke
- * (github.com/jerluebke/dominoes, 2018), after J. M. J. van Leeuwen, "The domino effect" (2004). Written anew
- * from what that program does: it sums the inertia of the ten last dominoes, each of them followed from the
- * head, and integrates the time of a cycle by GSL's qags, to 1.49e-8.
+ * (github.com/jerluebke/dominoes, 2018), after J. M. J. van Leeuwen, "The domino effect" (2004). The method
+ * is written anew here: that program sums the inertia of the last ten dominoes, whose tilts follow from that
+ * of the head, and integrates the time of a cycle with GSL's qags to 1.49e-8.
  *
- * Between two hits its angular velocity follows another equation than the energy balance, so its front has
- * another speed; the table gives both. The unit of time is sqrt(height / g).
+ * Its equation for the angular velocity between two hits is not the energy balance, so its front has a
+ * different speed. The table shows both speeds. The unit of time is sqrt(height / g).
  */
 #include "bench.h"
 #include <gsl/gsl_errno.h>
@@ -14,18 +14,18 @@
 
 enum { FEW = 10, MANY = 100, INTERVALS = 100, REPEATS = 7 };
 
-#define TOLERANCE     1.49e-8 /* absolute and relative, the published program's */
-#define LEAST_SECONDS 2e-3    /* of a batch */
+#define TOLERANCE     1.49e-8 /* the absolute and relative tolerance of the published program */
+#define LEAST_SECONDS 2e-3    /* the shortest time of a batch */
 
 struct front {
     double s, d;
-    int dominoes;       /* that are summed */
+    int dominoes;       /* the number of dominoes in the sums */
     double spin, start; /* squares of the eigenfrequency, and of the angular velocity after a hit */
-    double diagonal;    /* angle of the diagonal: below it a domino comes back */
+    double diagonal;    /* angle of the diagonal; a domino that tilts less falls back */
     gsl_integration_workspace *space;
 };
 
-/* Returns the inertia of the train over that of one domino, with its head at this tilt. */
+/* Returns the inertia of the train when its head has this tilt, divided by the inertia of one domino. */
 static double inertia(const struct front *f, double tilt)
 {
     double sum = 1;
@@ -41,7 +41,7 @@ static double inertia(const struct front *f, double tilt)
     return sum;
 }
 
-/* Returns the energy that one domino sets free up to this tilt, as a square of angular velocity. */
+/* Returns the energy that one domino has released at this tilt, as the square of an angular velocity. */
 static double set_free(const struct front *f, double tilt)
 {
     return 2 * f->spin * (cos(f->diagonal) - cos(tilt - f->diagonal));
@@ -54,7 +54,7 @@ static double slowness(double tilt, void *context)
     return 1 / sqrt((k * f->start + set_free(f, tilt)) / (k - 1));
 }
 
-/* Returns the speed in sqrt(g height). */
+/* Returns the front speed in units of sqrt(g height). */
 static double front_speed(struct front *f)
 {
     double time, error;
@@ -86,7 +86,7 @@ static double speed_of(struct front *f, bool ours)
     return ours ? our_speed(f) : front_speed(f);
 }
 
-/* Returns the speed; *seconds is the least time of several. */
+/* Returns the front speed. *seconds receives the shortest of several times. */
 static double measure(struct front *f, bool ours, double *seconds)
 {
     double begun = seconds_now(), speed = speed_of(f, ours);

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How time grows with the dominoes that matter, with digits, with points of a curve and with threads. */
+/* Shows how time grows with the number of dominoes that matter, with the digits, with the points of a curve
+ * and with the threads. */
 #include "bench.h"
 #include <stdlib.h>
 
-#define LEAST_SECONDS 2e-3 /* of a batch */
+#define LEAST_SECONDS 2e-3 /* the shortest time of a batch */
 
 enum { REPEATS = 5 };
 
-#define PEERS_TOL 1e-12 /* the finest that double precision gives them */
+#define PEERS_TOL 1e-12 /* the finest tolerance that the other programs reach in double precision */
 
-/* Returns the smallest time of one answer, in batches long enough for the clock; NaN without an answer. */
+/* Returns the shortest time of one answer, measured in batches that are long enough for the clock. Returns
+ * NaN if there is no answer. */
 static double time_of(const struct question *q, enum dom_method method, enum dom_precision precision,
                       double tol, int repeats)
 {
@@ -52,12 +54,12 @@ static double energy_seconds(double s, double r, struct dom_work *work)
     return least;
 }
 
-/* Other programs, in their tables, and the least separation that they are asked about: they take seconds
- * below. */
+/* The other programs in these tables, and the smallest separation that they are asked about. Below it they
+ * would take seconds. */
 static const enum contender peers[] = {GSL, SCIPY};
 #define PEERS_FROM 0.02
 
-/* ---- The four tables; each writes the same numbers for the picture ---- */
+/* ---- The four tables, each of which also writes its numbers for the picture ---- */
 
 static void with_dominoes(FILE *data)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How the time of rows grows: with the dominoes of one row, and with the rows of a study. */
+/* Shows how the time for a row grows with the number of dominoes, and the time for a study with the number of
+ * rows. */
 #include "../../src/engine/engine.h"
 #include "../unit/direct.h"
 #include "bench.h"
@@ -8,9 +9,9 @@
 enum { REPEATS = 3, STUDIED = 20, DIRECT_MOST = 50, ENGINE_TIMED = 50, GOAL = 10000 };
 
 #define PUSH     6.0 /* rad/s */
-#define PATIENCE 0.5 /* seconds for the repeats of one number */
+#define PATIENCE 0.5 /* seconds that the repetitions of one measurement may take */
 
-/* A row of equal solid dominoes, of which each method says whether all fall. */
+/* A row of equal solid dominoes. Each method finds whether all of them fall. */
 struct line {
     size_t count;
     struct domq_domino *domino;
@@ -57,7 +58,7 @@ static bool times_fall(const struct line *line)
     return ours_falls(line, true);
 }
 
-/* Runs the row by Newton's laws for all dominoes together, integrated by GSL. */
+/* Integrates Newton's laws for all dominoes of the row with GSL. */
 static bool direct_falls(const struct line *line)
 {
     double height[DIRECT_MOST], thickness[DIRECT_MOST], gap[DIRECT_MOST], mass[DIRECT_MOST];
@@ -99,7 +100,7 @@ static bool engine_falls(const struct line *line)
     return engine_settle(&row, false, NULL, NULL, &settled) == ENGINE_OK && settled.fall.all;
 }
 
-/* Returns the least time of several; NaN where there is no answer, or another one. */
+/* Returns the shortest of several times. Returns NaN if there is no answer, or if the answer is wrong. */
 static double seconds_of(bool falls(const struct line *), const struct line *line)
 {
     double least = NONE, spent = 0;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Many commands on standard input: whole processes that read them from a file. */
+/* Measures processes that read many commands from a file on their standard input. */
 #include "bench.h"
 #include <stdio.h>
 #include <time.h>
 
 enum { MANY = 100000, SOME = 10000, RUNS = 5 };
 
-/* Returns the processor's seconds of a program that reads the file; NaN if it does not run. */
+/* Returns the processor time in s of a program that reads the file, or NaN if the program cannot be run. */
 static double reading_seconds(const char *program, const char *path)
 {
     char command[4200];
@@ -24,8 +24,8 @@ static bool lines_write(const char *path, const char *line, int count)
     return file && fclose(file) == 0;
 }
 
-/* Returns the processor's seconds in which the library finds r_max with both fuels as often as the lines ask.
- */
+/* Returns the processor time in s that the library takes to find r_max with both fuels as often as the lines
+ * ask for it. */
 static double library_seconds(void)
 {
     struct asked train = asked_default();
@@ -57,7 +57,7 @@ struct lines_goals lines_print(const char *build, const char *domino)
         if (!lines_write(path[i], files[i].line, files[i].count))
             perror(path[i]);
     }
-    for (int k = 0; k < RUNS; k++) { /* in turns */
+    for (int k = 0; k < RUNS; k++) { /* the programs take turns */
         for (int i = PRINTS; i <= GROWTHS; i++)
             least[i] = fmin(least[i], reading_seconds(i == SUMS ? "bc" : program, path[i]));
         library = fmin(library, library_seconds());

@@ -32,7 +32,8 @@ void number_print(int width, int digits, double value)
         printf(" %*.*f", width, digits, value);
 }
 
-/* Starts a program with its input and output connected to these files. Returns 0 if it cannot be started. */
+/* Starts a program with its input and output connected to these files. Returns 0 if the program cannot be
+ * started. */
 static pid_t start(const char *const *argv, int in, int out)
 {
     posix_spawn_file_actions_t actions;

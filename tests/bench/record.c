@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Large questions about rows, as a user of the program asks them: whole processes, each on one core. */
+/* Measures large questions about rows as a user asks them: each is a process of the program on one core. */
 #include "bench.h"
 
 enum { RUNS = 3 };
 
-/* The row of examples/record.dom as it is when the example asks for its budget. */
+/* The commands with which examples/record.dom sets up its row before it asks for a budget. */
 #define RECORD                                                                                               \
     "set threads 1; effect row examples/record.csv; effect push 3; effect friction 0.3; place 8 0.75 m; "    \
     "effect placement 5 mm; "
 
-/* Asks several times; the least time counts. */
+/* Runs the commands several times, and returns the fastest run. */
 static struct process least(const char *domino, const char *commands)
 {
     const char *const argv[] = {domino, "-n", "-e", commands, NULL};

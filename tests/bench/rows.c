@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of 20 dominoes with random gaps: rows per second on one core and on all, and the cost of friction. */
+/* Measures rows of 20 dominoes with random gaps: the number of rows per second on one core and on all cores,
+ * and the cost of friction. */
 #include "bench.h"
 
 enum { DOMINOES = 20, ROWS = 2000, REPEATS = 3 };
 
-/* Returns the rows per second; 0 after a failure. */
+/* Returns the number of rows per second, or 0 after a failure. */
 static double rows_a_second(double growth, double mu, unsigned threads)
 {
     struct asked train = asked_default();

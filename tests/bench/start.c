@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole processes, from their start to their end. */
+/* Measures whole processes, from their start to their end. */
 #include "bench.h"
 #include <stdlib.h>
 
 enum { RUNS = 200, SLOW_RUNS = 5 };
 
-#define SLOW 0.02 /* in seconds: processes slower than this are measured less often */
+#define SLOW 0.02 /* processes that take longer than this many seconds are measured less often */
 
 static int ascending(const void *a, const void *b)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Makes allocations of a program fail, loaded before the program: the allocation number FAIL_AT, counted from
- * 1; with FAIL_ON also all later ones. With FAIL_COUNT, writes the number of allocations to the file of that
- * name when the program ends.
+ * A preloaded library that makes allocations of a program fail: allocation number FAIL_AT, counted from 1,
+ * and if FAIL_ON is set, all later ones as well. If FAIL_COUNT is set, the number of allocations is written
+ * to the file of that name when the program ends.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -13,13 +13,13 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Functions of the C library, which it exports. */
+/* The allocation functions that the C library exports under other names. */
 extern void *__libc_malloc(size_t size);
 extern void *__libc_calloc(size_t count, size_t size);
 extern void *__libc_realloc(void *old, size_t size);
 
 static atomic_long made;
-static long at; /* 0: none fails */
+static long at; /* number of the allocation that fails; 0 if none fails */
 static bool on;
 
 __attribute__((constructor)) static void begin(void)

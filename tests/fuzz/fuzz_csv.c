@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Feeds the reader of csv files arbitrary bytes, as a row, and checks that the columns that it keeps are read
- * back as they were.  Some bytes stand for texts that bring heads, rows and lines to their limits.
+ * Feeds arbitrary bytes to the reader of csv files, and checks that the columns that it passes through are
+ * the same when they are written and read again. Some bytes stand for long texts, which bring headers, rows
+ * and lines to their limits.
  */
 #include "io/io.h"
 #include "session/rowfile.h"
@@ -12,7 +13,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* Writes the text of a byte: so many times. */
+/* Writes the text for which a byte stands. */
 static void byte_write(FILE *out, uint8_t byte)
 {
     static const struct {
@@ -35,7 +36,7 @@ static void byte_write(FILE *out, uint8_t byte)
         putc(byte == 0xff ? '\0' : byte, out);
 }
 
-/* Reads a row; returns false if it is wrong, and aborts if nothing says why. */
+/* Reads a row. Returns false if the row is rejected. Aborts if there is no message that says why. */
 static bool row_read(const char *text, size_t size, bool comma, bool headless, struct listed_row *row)
 {
     struct csv_kind kind = rowfile_kind;
@@ -53,7 +54,7 @@ static bool row_read(const char *text, size_t size, bool comma, bool headless, s
     return good;
 }
 
-/* Aborts if the other columns of a row are not the same when they are read back. */
+/* Aborts unless the other columns of a row survive a round trip. */
 static void others_check(const struct listed_row *row)
 {
     char *text;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Grammatical lines of all commands, made from the tables of the program. The bytes choose the command, each
- * argument by its kind, and expressions with any command as a function. Half of the sessions are safe; the
- * others have a scratch folder, in which every file name stays; see 'make fuzz'.
+ * argument by its kind, and expressions with any command as a function. Half of the sessions are safe. The
+ * others run in a scratch folder, which no file name leaves. See 'make fuzz'.
  */
 #include "commands/sweeps/grid.h"
 #include "commands/tables.h"
@@ -17,7 +17,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* The bytes that are left, and the line that is written. */
+/* The remaining bytes, and the line that is being written. */
 struct maker {
     const uint8_t *data;
     size_t size;
@@ -25,8 +25,8 @@ struct maker {
     FILE *line;
 };
 
-/* Returns a number below n, n up to 256; 0 if no bytes are left. The same byte chooses differently at another
- * place, so that a repeated input does not repeat the line. */
+/* Returns a number below n, which is at most 256, or 0 if no bytes are left. The number also depends on the
+ * position of the byte, so that repeated bytes do not repeat the line. */
 static unsigned pick(struct maker *m, unsigned n)
 {
     if (m->size == 0)
@@ -87,7 +87,7 @@ static void put_value(struct maker *m, int depth)
 {
     const char *name;
     switch (pick(m, 8)) {
-    case 0: /* any command, with a key or without */
+    case 0: /* any command, with or without a key */
         name = put_name(m, command_names, NULL);
         if (pick(m, 2))
             put_call(m, depth);
@@ -142,7 +142,7 @@ static void put_expression(struct maker *m, int depth)
 
 /* ---- Arguments ---- */
 
-/* All names stay in the folder: they contain no '/' and no '~'. */
+/* None of these names leads out of the folder, since they contain no '/' and no '~'. */
 static const char *const files[] = {"row.csv",
                                     "\"row.csv\"",
                                     "\"a \"\"b\"\".csv\"",
@@ -201,8 +201,8 @@ static void put_grid(struct maker *m)
     }
 }
 
-/* Writes names of an argument's list with values: wishes of 'design', the parameter of 'solve' and its range.
- */
+/* Writes names with values from the list of an argument, such as the wishes of 'design', or the parameter of
+ * 'solve' with its range. */
 static void put_wishes(struct maker *m, const struct argument *a)
 {
     for (unsigned names = 1 + pick(m, 2); names > 0; names--) {
@@ -295,7 +295,8 @@ static void put_command(struct maker *m, const struct command *c, int depth)
     }
 }
 
-/* Writes a line without a command's name, or a definition: an expression, an assignment, a question. */
+/* Writes a line that does not begin with a command: an expression, an assignment, a definition or a
+ * question. */
 static void put_form(struct maker *m)
 {
     static const char *const heads[] = {"let x = ",
@@ -332,7 +333,7 @@ static void put_line(struct maker *m)
     static const char *const ends[] = {"\n", "\n", "\n", "\n", "\n", "\n",        "\n",   "\n",
                                        "\n", "\n", "\n", "\n", "; ", " # what\n", "\r\n", " \\\n"};
     unsigned way = pick(m, 8);
-    /* Settings that change how later lines are answered occur more often than one in fifty. */
+    /* Settings affect all later lines, so they are more frequent than one line in fifty. */
     if (way == 0) {
         static const char *const settings[] = {"set output json",       "set output csv",
                                                "set output json",       "set precision float",
@@ -355,7 +356,8 @@ static void put_line(struct maker *m)
     put(m, PICK(m, ends));
 }
 
-/* Writes a command as a function. Every session begins with some, so that each command soon occurs. */
+/* Writes a command as a function. Every session begins with a few of these, so that each command soon
+ * occurs. */
 static void put_function(struct maker *m)
 {
     static const unsigned counts[] = {1, 1, 2, 1, 0, 3};
@@ -373,7 +375,7 @@ static void put_function(struct maker *m)
 
 static char scratch[] = "/tmp/domino-fuzz-XXXXXX";
 
-/* Restores the folder to its first state: one csv file. */
+/* Restores the initial state of the folder, which holds one csv file. */
 static void scratch_clean(void)
 {
     DIR *folder = opendir(".");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Feeds the line interpreter arbitrary bytes, as a stream in a safe session; see 'make fuzz'. */
+/* Feeds arbitrary bytes to the line interpreter, as a stream in a safe session. See 'make fuzz'. */
 #include "session.h"
 #include <stdint.h>
 

@@ -18,8 +18,8 @@ static void on_timer(int number)
     enough = 1;
 }
 
-/* Returns the text after a value of json: a string, a number by the rules of json, true, false or null; NULL
- * after an error. */
+/* Returns the text after a json value, which is a string, a number, true, false or null. Returns NULL if the
+ * value is wrong. */
 static const char *json_value(const char *c)
 {
     if (*c == '"') {
@@ -36,7 +36,7 @@ static const char *json_value(const char *c)
     return c + strspn(c, "0123456789.e+-");
 }
 
-/* Checks the keys and values of one line: nothing is nested. */
+/* Checks the keys and values of one line, in which nothing is nested. */
 static bool json_object(const char *c)
 {
     if (*c++ != '{')
@@ -53,7 +53,7 @@ static bool json_object(const char *c)
     }
 }
 
-/* Checks the answers, line by line. */
+/* Checks the output line by line. */
 static void judge(char *out)
 {
     for (char *rest = out, *line; (line = strsep(&rest, "\n")) != NULL;)
@@ -68,7 +68,8 @@ void fuzz_session(const void *text, size_t size, bool safe)
     struct session session;
     char *out = NULL;
     size_t length = 0;
-    /* A long computation, such as a curve of ten million rows, is no fault: it is interrupted, as by ^C. */
+    /* A long computation, such as a curve of ten million rows, is not an error. It is interrupted, as by
+     * ^C. */
     const struct itimerval limit = {.it_value = {.tv_usec = 20000}};
     signal(SIGVTALRM, on_timer);
     FILE *in = fmemopen((void *)(uintptr_t)text, size, "r"), *to = open_memstream(&out, &length);
@@ -84,7 +85,7 @@ void fuzz_session(const void *text, size_t size, bool safe)
     fclose(in);
     session_close(&session);
     fclose(to);
-    if (strlen(out) == length) /* no NUL */
+    if (strlen(out) == length) /* the output contains no NUL */
         judge(out);
     else
         abort();

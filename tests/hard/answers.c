@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The answers of the reference: values, computed when first needed, errors and their scale. */
+/* The answers of the reference: values, which are computed when they are first needed, errors, and the scale
+ * of errors. */
 #include "reference.h"
 
 #include <stdlib.h>
@@ -160,7 +161,7 @@ double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got)
     return error;
 }
 
-/* Returns the size of the terms that the last step subtracts. */
+/* Returns the size of the terms whose difference is the value. */
 static double own_size(struct ref *ref, enum ref_quantity quantity)
 {
     double size = fabs(ref_double(ref, quantity));
@@ -178,7 +179,7 @@ static double own_size(struct ref *ref, enum ref_quantity quantity)
 
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input)
 {
-    mpfr_srcptr here = ref_value(ref, quantity); /* first, since the references nearby follow it */
+    mpfr_srcptr here = ref_value(ref, quantity); /* first, since nearby references start from it */
     struct ref *near = ref_near(ref, input);
     if (!near)
         return 0;

@@ -66,7 +66,7 @@ const struct hard_case hard_cases[] = {
     {"q = 100", "T = 1e-31", 0.4, 2, STANDARD, 100, 0.1,
      .check = {REF_LAUNCH_OMEGASQ, REF_KINETIC, REF_BARRIER, REF_STOP, END}},
 
-    /* A follower detaches; x never exceeds x_f, and the paper's end of the sum is never reached. */
+    /* A follower detaches: x never exceeds x_f, so the sum never meets the paper's condition for its end. */
     {"q = 1/3", "detaching, heavy followers", 0.45, 2, STANDARD, 1 / 3.0, 0.3,
      .check = {REF_DH, REF_J, REF_J0, REF_FUEL_EXACT, REF_KINETIC, REF_MARGIN}},
     {"q = pi", "detaching, real q", 0.4, 2, STANDARD, 3.141592653589793, 0.1,
@@ -88,7 +88,7 @@ const struct hard_case hard_cases[] = {
     {"edge of (A17), thick", "theta_f = theta_inf = theta_leave", 0.01, 1, 49.995, 3, PART_OF_C(0.5),
      .check = {REF_DH, REF_J0, REF_FUEL_EXACT, REF_BARRIER, REF_THETA_F, REF_THETA_INF}},
 
-    /* Thin and thick. */
+    /* Thin and thick dominoes. */
     {"thin", "d = 1e-8: dH = 1e-9", 0.4, 2, 1e-8, 3, 1e-8, .check = {REF_DH, END}},
     {"thin, alone", "d = 1e-8: the barrier is 5e-17", 0.4, 2.3, 1e-8, 30, 1e-8,
      .check = {REF_DH, REF_KINETIC, REF_THETA_M, REF_BARRIER, REF_MARGIN, END}},
@@ -119,7 +119,7 @@ const struct hard_case hard_cases[] = {
     {"margin 1e-9, detaching", "duration diverges", 0.4, 2.06377177, STANDARD, 3, 0.1,
      .check = {REF_DURATION, REF_MARGIN, END}},
 
-    /* At the maximum of H. */
+    /* Difficult maxima of H. */
     {"two maxima", "H falls first, rises later", 0.54, 1.8515, STANDARD, 3, 0.1,
      .check = {REF_THETA_M, REF_BARRIER, REF_MARGIN, REF_DURATION, END}},
     {"two maxima, at rest", "H falls first, rises later", 0.5, 1.999, STANDARD, 3, 0.1,
@@ -138,7 +138,7 @@ const struct hard_case hard_cases[] = {
     {"tilt 1e-15", "H(theta) - H(0)", 0.4, 1.5, STANDARD, 3, 1e-15, .check = {REF_DH, END}},
     {"tilt 1e-30", "H(theta) - H(0)", 0.4, 1.5, STANDARD, 3, 1e-30, .check = {REF_DH, END}},
 
-    /* The first r that stops. */
+    /* The first r at which the train stops. */
     {"r_max, detaching", "x exceeds x_f never", 0.4, 1, STANDARD, 3, 0, .check = {REF_R_MAX, END}},
     {"r_max, near the reach", "the margin falls within 1e-3", 0.5, 1, STANDARD, 3, 0,
      .check = {REF_R_MAX, REF_PAIR, END}},

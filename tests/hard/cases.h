@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hard cases, each with a name for its difficulty. */
+/* Hard cases. The name of a case says what makes it difficult. */
 #ifndef HARD_CASES_H
 #define HARD_CASES_H
 
@@ -7,16 +7,18 @@
 
 enum { CASE_CHECKS = 6 };
 
-/* Marks a tilt as f theta_c, with theta_c from the library. */
+/* Stands for the tilt f theta_c, where theta_c comes from the library. */
 #define PART_OF_C(f) (-(f))
 
 struct hard_case {
     const char *name, *trap;
     double s, r, d, q, tilt;
     bool paper;
-    double units;                         /* allowed error of the library in units; 0: 16 */
-    bool lengthy;                         /* tens of thousands of dominoes: run in double precision only */
-    enum ref_quantity check[CASE_CHECKS]; /* ends with REF_COUNT */
+    /* allowed error of the library in units (reference.h); 0 means 16 */
+    double units;
+    /* true if tens of thousands of dominoes matter; such a case runs only in double precision */
+    bool lengthy;
+    enum ref_quantity check[CASE_CHECKS]; /* quantities to check; REF_COUNT ends the list */
 };
 
 extern const struct hard_case hard_cases[];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Barrier and stop: roots of H' and of H - K in many bits, near the places that the sketch gives. */
+/* The barrier and the stop, as roots of H' and of H - K in many bits. The sketch gives estimates of these
+ * roots. */
 #include "sketch.h"
 
 #include <stdio.h>
@@ -7,7 +8,7 @@
 
 #define N MPFR_RNDN
 
-/* f(tilt), and more about that tilt in sums */
+/* Computes f at a tilt, and the sums at this tilt. */
 typedef void curve(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums, mpfr_t f);
 
 static void slope_of_H(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums, mpfr_t f)
@@ -22,7 +23,7 @@ static void energy_left(struct ref *ref, mpfr_srcptr tilt, struct ref_sums *sums
     mpfr_sub(f, ref_value(ref, REF_KINETIC), sums->dH, N);
 }
 
-/* Returns true if the bracket is as narrow as 2^-(good bits) of its own place. */
+/* Returns true if the bracket is narrow enough for the good bits, relative to its upper end. */
 static bool narrow(const struct ref *ref, mpfr_srcptr lo, mpfr_srcptr hi, mpfr_t t)
 {
     mpfr_sub(t, hi, lo, N);
@@ -30,8 +31,8 @@ static bool narrow(const struct ref *ref, mpfr_srcptr lo, mpfr_srcptr hi, mpfr_t
 }
 
 /*
- * Finds the root of f, between f(lo) > 0 and f(hi) <= 0, and writes it to hi. Regula falsi; the value at an
- * end that stays is halved (Illinois), every fourth step is a bisection.
+ * Finds the root of f, between f(lo) > 0 and f(hi) <= 0, and writes it to hi. The method is regula falsi with
+ * the Illinois rule, which halves the value at an end that does not move. Every fourth step is a bisection.
  */
 static void fall_to_zero(struct ref *ref, curve *f, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
@@ -70,7 +71,7 @@ static void fall_to_zero(struct ref *ref, curve *f, mpfr_t lo, mpfr_t hi, struct
 
 /* ---- Barrier ---- */
 
-/* Compares a candidate for the highest tilt with the best up to now, which is in value. */
+/* Compares a candidate for the maximum of H with the best one so far, which is in ref->value. */
 static void consider(struct ref *ref, mpfr_srcptr tilt, int at_end, struct ref_sums *sums)
 {
     ref_walk(ref, tilt, sums);
@@ -126,7 +127,7 @@ static void consider_maxima(struct ref *ref, struct ref_sums *sums)
     mpfr_clears(lo, hi, (mpfr_ptr)0);
 }
 
-/* Finds the maximum for inputs near those of the centre, by secants. */
+/* Finds the maximum for inputs near those of the central reference, by the secant method. */
 static void follow_maximum(struct ref *ref, struct ref_sums *sums)
 {
     mpfr_t x, y, f_x, f_y, t;
@@ -152,7 +153,7 @@ static void follow_maximum(struct ref *ref, struct ref_sums *sums)
     mpfr_clears(x, y, f_x, f_y, t, (mpfr_ptr)0);
 }
 
-/* Finds how far the rounding of the terms of H' moves theta_m. */
+/* Finds how far rounding errors of the terms of H' move theta_m. */
 static void size_theta_m(struct ref *ref, struct ref_sums *sums)
 {
     mpfr_t x, f;
@@ -193,9 +194,9 @@ void ref_find_barrier(struct ref *ref)
     ref_sums_clear(&sums);
 }
 
-/* ---- Where a train that does not go on comes to rest ---- */
+/* ---- The tilt at which a train that stops comes to rest ---- */
 
-/* Returns true if H - H(0) first reaches K between these tilts. */
+/* Returns true if H - H(0) first reaches K between these two tilts. */
 static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo, mpfr_t hi,
                    struct ref_sums *sums)
 {
@@ -212,7 +213,8 @@ static bool passes(struct ref *ref, long double from, mpfr_srcptr to, mpfr_t lo,
     return found;
 }
 
-/* Finds a bracket of the stop; false if there is none. theta_m is a node, too: H may reach K only near it. */
+/* Finds a bracket of the stop. Returns false if the train does not stop. theta_m is also a node, since H may
+ * reach K only in its neighbourhood. */
 static bool bracket_stop(struct ref *ref, mpfr_t lo, mpfr_t hi, struct ref_sums *sums)
 {
     long double node[SKETCH_NODES];

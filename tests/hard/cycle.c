@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Duration: double-exponential quadrature of 1 / omega, in pieces between its features. */
+/* The duration, by double-exponential quadrature of 1 / omega. The cycle is divided into smooth pieces. */
 #include "sketch.h"
 
 #include <stdlib.h>
@@ -9,10 +9,10 @@
 struct integral {
     struct ref *ref;
     struct ref_sums sums;
-    mpfr_t from, width; /* of the piece */
+    mpfr_t from, width; /* the beginning and the width of the piece */
     mpfr_t e, x, w, t;
     mpfr_t time; /* integral of 1 / omega */
-    mpfr_t size; /* of the same times (K + |dH|) / (K - dH) */
+    mpfr_t size; /* integral of (1 / omega) (K + |dH|) / (K - dH) */
 };
 
 #define INTEGRAL_ALL(k)                                                                                      \
@@ -53,7 +53,8 @@ static void add_node(struct integral *k, double t)
     mpfr_fma(k->size, k->x, k->e, k->size, N);
 }
 
-/* Adds all nodes j h on level 0, the odd nodes on finer levels. Nodes far out weigh less than 2^-digits. */
+/* Adds all nodes j h on level 0, and only the odd nodes on finer levels. Nodes with a weight below 2^-digits
+ * are left out. */
 static void add_level(struct integral *k, mpfr_t *piece, int pieces, double digits, int level)
 {
     const double h = ldexp(0.25, -level);
@@ -67,7 +68,7 @@ static void add_level(struct integral *k, mpfr_t *piece, int pieces, double digi
     }
 }
 
-/* Refines until the digits suffice: every level has twice the digits of the one before. */
+/* Refines until there are enough digits. Every level doubles the number of digits. */
 static void integrate(struct integral *k, mpfr_t *piece, int pieces, double digits)
 {
     double change = 1;
@@ -91,7 +92,7 @@ static void integrate(struct integral *k, mpfr_t *piece, int pieces, double digi
 
 enum { PIECES = 8 };
 
-/* Finds the ends of smooth pieces: where a follower detaches, and maxima of H. */
+/* Finds the ends of the smooth pieces: the tilts where a follower detaches, and the maxima of H. */
 static int cut_into_pieces(struct ref *ref, mpfr_t piece[PIECES + 1])
 {
     long double node[SKETCH_NODES], end[PIECES];

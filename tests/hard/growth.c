@@ -20,8 +20,9 @@ double growth_margin(const struct ref_input *input, bool pair, int digits2, domq
 }
 
 /*
- * Returns dr = M / (dM/dr). The reference changes u = 1 - r s by the same fraction as s, and r at constant r
- * s; here s changes at constant r, and r at constant s.
+ * Returns dr = M / (dM/dr). The derivatives of the reference are with respect to u = 1 - r s, and to r at
+ * constant r s. Here they are converted to derivatives with respect to s at constant r, and to r at constant
+ * s.
  */
 double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale)
 {
@@ -37,7 +38,7 @@ double growth_error(const struct ref_input *input, bool pair, int digits2, domq_
     return error;
 }
 
-/* Returns true if the train goes on; no train goes on beyond the reach. */
+/* Returns true if the train keeps falling. No train keeps falling beyond the reach. */
 static bool margin_is_good(const struct ref_input *input, bool pair, int digits2, domq_real r)
 {
     return r * input->s < 1 && growth_margin(input, pair, digits2, r) >= 0;
@@ -80,7 +81,7 @@ static long double step_of_r(long double s, int step)
     return 1 / s - (1 / s - last) * powl(10, -(long double)(step - STEPS) / 6);
 }
 
-/* Finds a bracket of the first root where the margin falls below 0; false if there is none. */
+/* Finds a bracket of the first root at which the margin falls below 0. Returns false if there is none. */
 static bool bracket_growth(const struct sketch *train, bool pair, long double *lo, long double *hi,
                            bool *grows)
 {

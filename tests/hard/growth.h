@@ -1,33 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The limits of growth in many bits: bracketed from scratch, or checked at a given r. */
+/* The limits of growth in many bits. A limit is either searched from scratch, or checked at a given r. */
 #ifndef HARD_GROWTH_H
 #define HARD_GROWTH_H
 
 #include "reference.h"
 
 struct growth {
-    bool grows;    /* false if r = 1 does not go on */
-    bool by_reach; /* r_max = 1/s */
+    bool grows;    /* false if even a train with r = 1 stops */
+    bool by_reach; /* true if r_max = 1/s */
     domq_real r_max;
-    double scale; /* see reference.h: for the inputs s, d and q, and the terms of the margin */
+    /* scale of the error (reference.h), for the inputs s, d and q and the terms of the margin */
+    double scale;
 };
 
-/* Finds the first r, raised from 1, with margin 0; input->r is not used. pair: for two dominoes. */
+/* Finds the first r, raised from 1, at which the margin is 0. If `pair` is true, finds it for a train of two
+ * dominoes. input->r is not used. */
 struct growth growth_find(const struct ref_input *input, bool pair, int digits2);
 
 /*
- * Returns the error of a claim that the margin is 0 at r (with sign, to first order), and finds the scale.
- * NaN if there is no margin.
+ * Returns the signed error, to first order, of the claim that the margin is 0 at r, and finds its scale.
+ * Returns NaN if there is no margin.
  */
 double growth_error(const struct ref_input *input, bool pair, int digits2, domq_real r, double *scale);
 
 /*
- * Returns |error| where the margin is so curved that first order is wrong: brackets the root in steps of 4
- * from delta on, then bisects.
+ * Returns the absolute error for a margin so curved that the first order is wrong. Brackets the root by
+ * distances from delta on, each 4 times the one before, and then bisects.
  */
 double growth_distance(const struct ref_input *input, bool pair, int digits2, domq_real r, double delta);
 
-/* Returns the margin over K + B: a sign with a size; NaN without fuel. */
+/* Returns the margin divided by K + B, or NaN if there is no fuel. */
 double growth_margin(const struct ref_input *input, bool pair, int digits2, domq_real r);
 
 #endif

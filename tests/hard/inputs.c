@@ -6,10 +6,11 @@
 
 #define N MPFR_RNDN
 
-/* Derivatives are differences over this fraction of an input: far below every feature of the model. */
+/* Difference quotients change an input by this fraction, which is far below the scale of every feature of the
+ * model. */
 static const double nearness = 0x1p-60;
 
-/* Sets a number from doubles: not every MPFR knows __float128, nor does every compiler. */
+/* Converts a number by way of doubles, because not every MPFR and not every compiler has __float128. */
 void ref_set_real(mpfr_t z, domq_real x)
 {
     mpfr_set_d(z, (double)x, N);
@@ -59,9 +60,9 @@ struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut
 }
 
 /*
- * Returns the bits that differences lose: of h(theta) - 1, which is about d theta; of r s -> 1, where
- * theta_leave is close to 0 like the root of (1 - r s) / r^2. A quantity proportional to the tilt needs that
- * many bits more.
+ * Returns the number of bits that are needed, including those that differences lose. h(theta) - 1 is about d
+ * theta. Near r s = 1, theta_leave approaches 0 like the root of (1 - r s) / r^2. A quantity that is
+ * proportional to the tilt needs as many more bits as the tilt is small.
  */
 static mpfr_prec_t bits_for(const struct ref_input *input, int digits2)
 {
@@ -109,7 +110,8 @@ void ref_close(struct ref *ref)
 
 /* ---- Inputs nearby ---- */
 
-/* Returns a reference with one input changed by the fraction e; for s: 1 - r s, or r s if that is smaller. */
+/* Returns a reference with one input changed by the fraction e. For s, the changed number is 1 - r s or r s,
+ * whichever is smaller. */
 static struct ref *changed(const struct ref *ref, int input, double e)
 {
     struct ref *near = ref_new(ref->bits, ref->cut);
@@ -137,14 +139,15 @@ static struct ref *changed(const struct ref *ref, int input, double e)
     return near;
 }
 
-/* Returns a reference nearby; NULL for an input without any effect: 1 - r s at 0, tilt 0. */
+/* Returns a nearby reference. Returns NULL for an input without any effect, that is, for 1 - r s = 0 and for
+ * a tilt of 0. */
 struct ref *ref_near(struct ref *ref, int input)
 {
     bool fixed = (input == REF_S && mpfr_sgn(ref->u) <= 0) || mpfr_zero_p(ref->in[input]);
     if (!ref->near[input] && !fixed) {
         ref->nearby[input] = nearness;
         ref->near[input] = changed(ref, input, nearness);
-        /* Changes the input the other way if followers detach in one of the two references only. */
+        /* Changes the input in the other direction if followers detach in only one of the two references. */
         if (ref->near[input]->detaches != ref->detaches) {
             ref_close(ref->near[input]);
             ref->nearby[input] = -nearness;
@@ -154,7 +157,7 @@ struct ref *ref_near(struct ref *ref, int input)
     return ref->near[input];
 }
 
-/* Clears the values for another tilt. */
+/* Clears the values that depend on the tilt. */
 static void forget_tilt(struct ref *ref)
 {
     close_near(ref);

@@ -72,7 +72,8 @@ void library_link(const struct asked *asked, domq_real tilt, size_t wanted, stru
     NOTE(LINK_WEIGHT, link, weight);
 }
 
-/* What the library answers. Where it writes nothing, every byte is 0xff, and every real NaN. */
+/* The results of the library. Where nothing has been written, every byte is 0xff, so that every number is
+ * NaN. */
 union found {
     struct domq_angles angles;
     struct domq_contact contact;

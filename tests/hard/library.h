@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The library's answers under the names of the reference. */
+/* The results of the library, named as in the reference. */
 #ifndef HARD_LIBRARY_H
 #define HARD_LIBRARY_H
 
 #include "reference.h"
 
 struct answers {
-    enum dom_status status[REF_COUNT]; /* status of the function that gives the value */
-    domq_real value[REF_COUNT];        /* NaN if there is none */
+    enum dom_status status[REF_COUNT]; /* status of the function that computes the value */
+    domq_real value[REF_COUNT];        /* NaN if there is no value */
     domq_real error[REF_COUNT];        /* error bound of the value */
     bool detaches;
-    enum dom_end ends; /* of the last growth */
+    enum dom_end ends; /* what limits the last growth that was found */
     enum dom_status why;
-    size_t link, links; /* number of the link, and of links visited */
+    size_t link, links; /* number of the link, and how many links were visited */
 };
 
 struct asked library_train(const struct ref_input *input, enum dom_precision precision);
@@ -22,10 +22,10 @@ double library_unit(enum dom_precision precision);
 double library_floor(enum dom_precision precision);
 
 void library_nothing(struct answers *answers);
-/* Calls the function that gives this quantity, and stores all quantities of its answer. */
+/* Calls the function that computes this quantity, and stores all quantities of its result. */
 void library_ask(const struct asked *asked, domq_real tilt, enum ref_quantity quantity,
                  struct answers *answers);
-/* Finds LINK_... of the given domino, counted from the end if negative. */
+/* Finds the LINK_... quantities of a domino. */
 void library_link(const struct asked *asked, domq_real tilt, size_t link, struct answers *answers);
 
 #endif

@@ -8,7 +8,7 @@ domq_real point_rounded(domq_real x, enum dom_precision precision)
     return precision == DOM_FLOAT ? (domq_real)(float)x : precision == DOM_DOUBLE ? (domq_real)(double)x : x;
 }
 
-/* Returns a number with random bits to the end of the precision. */
+/* Returns a random number between lo and hi, all of whose bits are random. */
 static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_precision precision)
 {
     double x = random_log(seed, lo, hi);
@@ -16,8 +16,8 @@ static domq_real random_real(uint64_t *seed, double lo, double hi, enum dom_prec
 }
 
 /*
- * Returns a growth, often close to the reach, where 1 - r s is small. Where it is about d^2, followers slow
- * down at the tilt of a thin head's barrier.
+ * Returns a growth, which is often close to the reach, where 1 - r s is small. If 1 - r s is about d^2,
+ * followers slow down at the tilt of the barrier of a thin head.
  */
 static domq_real random_growth(uint64_t *seed, domq_real s, domq_real d, enum dom_precision precision)
 {
@@ -66,8 +66,8 @@ domq_real point_tilt(uint64_t *seed, domq_real theta_c, enum dom_precision preci
     return tilt > theta_c ? theta_c : tilt;
 }
 
-/* Returns true if too many dominoes matter down to 2^-100: most points must be quick, but a few may be
- * long. */
+/* Returns true if too many dominoes contribute more than 2^-100. Most points must be quick, but a few may
+ * take long. */
 static bool too_long(const struct ref_input *input, uint64_t *seed, enum dom_precision precision)
 {
     const double s = (double)input->s, r = (double)input->r, q = (double)input->q;

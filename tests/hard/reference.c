@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Geometry, the train, and sums over it, in many bits. */
+/* The geometry, the train, and sums over its dominoes, in many bits. */
 #include "reference.h"
 
 #include <stdio.h>
@@ -10,8 +10,8 @@
 /* ---- One domino leaning on the next ---- */
 
 struct geometry {
-    mpfr_t theta, sin, cos, h, h_prime; /* of the leader */
-    mpfr_t next, slope, a, b;           /* of the follower */
+    mpfr_t theta, sin, cos, h, h_prime; /* the leader */
+    mpfr_t next, slope, a, b;           /* the follower */
     mpfr_t X, Y, t;
 };
 
@@ -26,8 +26,8 @@ static void lean_at(const struct ref *ref, struct geometry *l)
     mpfr_fms(l->h_prime, ref->in[REF_D], l->cos, l->sin, N);
 }
 
-/* Returns true if the domino has a follower. At the reach a domino at tilt 0 has one, with slope 1: the limit
- * of r s -> 1. */
+/* Returns true if a follower leans on the domino. At the reach, an upright domino has a follower with the
+ * slope 1, which is the limit for r s -> 1. */
 static bool has_follower(const struct ref *ref, mpfr_srcptr theta)
 {
     return !ref->detaches || mpfr_zero_p(theta) || mpfr_less_p(theta, ref->theta_leave);
@@ -69,8 +69,8 @@ static void keep_energy(struct ref *ref, const struct geometry *l)
 }
 
 /*
- * Returns the cut at this place: all following dominoes have cut 1 / (1 - rho) times the motion of the last
- * one, with rho the ratio of two of them.
+ * Returns the cut if the chain ends here. All later dominoes together have 1 / (1 - rho) times the motion of
+ * the last one, where rho is the ratio between the motions of two successive dominoes.
  */
 static double cut_here(const struct ref *ref)
 {
@@ -123,7 +123,7 @@ static void find_train_at_zero(struct ref *ref)
         mpfr_fma(ref->T, t, wr, ref->T, N);
         keep_energy(ref, &l);
     }
-    /* The tilt after the last domino is that of far followers, or theta_f. */
+    /* After the last domino, the tilt is theta_inf or theta_f. */
     mpfr_sub(t, l.h, ref->h_f, N);
     mpfr_fma(ref->fuel_exact, t, w, ref->fuel_exact, N);
     mpfr_clears(w, wr, slope, t, (mpfr_ptr)0);
@@ -142,7 +142,7 @@ void ref_sums_clear(struct ref_sums *sums)
     mpfr_clears(sums->dH, sums->dH_prime, sums->J, sums->dH_prime_size, (mpfr_ptr)0);
 }
 
-/* Keeps the contact of domino 0 and the requested link. */
+/* Stores the contact of domino 0 and the requested link. */
 static void keep_link(struct ref *ref, size_t i, const struct geometry *l, mpfr_t wsv[3], bool leads)
 {
     mpfr_t *v = ref->value;
@@ -166,7 +166,7 @@ static void keep_link(struct ref *ref, size_t i, const struct geometry *l, mpfr_
     }
 }
 
-/* Adds the dominoes from number i on, which have the tilt of one that detached. */
+/* Adds domino i and all later ones, which have the tilt of a domino that has detached. */
 static void add_fallen(const struct ref *ref, size_t i, mpfr_srcptr weight, struct ref_sums *sums)
 {
     mpfr_t w, t;

@@ -1,17 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The model in hundreds of bits (MPFR), by other means than the library: plain angles with asin, sin and cos,
- * plain sums, differences of sums, with so many bits that cancellation does no harm. Inputs are exact.
+ * The model in hundreds of bits (MPFR), computed in other ways than in the library: with angles, asin, sin
+ * and cos, with plain sums and differences of sums, and with so many bits that cancellation does no harm.
+ * Inputs are exact.
  *
- * Units of error. The error of a computed F is compared with |F|, but not more strictly than its inputs
- * allow: with F_p the change of F when the input p changes by a fraction of itself, the scale is
+ * Units of error. The error of a computed F is compared with |F|, but not more strictly than the inputs of F
+ * allow. If F_p is the derivative of F with respect to the input p, the scale is
  *
  *     max(|F|, sum over p of |p F_p|) = |F| max(1, kappa),
  *
- * and an error is counted in units of scale times the unit roundoff. This is defined where F is 0, too. The
- * inputs are s, r, d, q and the tilt, with one exception: r s close to 1 does not excuse a bad 1 - r s, which
- * can be computed exactly (fma); so a fraction of u = 1 - r s is changed instead, and r at constant u. A
- * difference of two large numbers (margin, omegasq) has their size in its scale.
+ * and an error is counted in units of scale times the unit roundoff. This definition also works where F is 0.
+ * The inputs are s, r, d, q and the tilt, with one exception: an r s close to 1 does not excuse an inaccurate
+ * 1 - r s, which an fma computes exactly. So u = 1 - r s takes the place of s, and r is changed at constant
+ * u. The scale of a difference of two large numbers, such as the margin and omegasq, includes the size of
+ * these numbers.
  */
 #ifndef HARD_REFERENCE_H
 #define HARD_REFERENCE_H
@@ -63,68 +65,69 @@ const char *ref_name(enum ref_quantity quantity);
 
 struct ref_input {
     domq_real s, r, d, q, tilt;
-    bool paper; /* which fuel */
+    bool paper; /* true for the paper's fuel */
 };
 
 enum { REF_S, REF_R, REF_D, REF_Q, REF_TILT, REF_INPUTS };
 
 /* Sums over the train at one tilt. */
 struct ref_sums {
-    mpfr_t dH, dH_prime, J; /* dH_prime: derivative by the tilt */
-    mpfr_t dH_prime_size;   /* the same with all terms positive */
+    mpfr_t dH, dH_prime, J; /* dH_prime is the derivative of dH with respect to the tilt */
+    mpfr_t dH_prime_size;   /* the sum of the absolute values of the terms of dH_prime */
 };
 
 struct ref {
     mpfr_prec_t bits;
-    double cut;      /* followers are followed until 2^-cut of the head's motion is left */
-    size_t dominoes; /* the most dominoes; 2 for the pair */
+    double cut;      /* the chain ends where only 2^-cut of the head's motion is left */
+    size_t dominoes; /* the largest number of dominoes; 2 for the pair */
     size_t link;     /* number of the domino for LINK_... */
     mpfr_t in[REF_INPUTS];
     bool paper;
-    /* Geometry, and the train at tilt 0: known from the start. */
+    /* The geometry and the train at tilt 0, which ref_start computes. */
     mpfr_t L, u, rq, theta_c, theta_u, theta_inf, theta_f, theta_leave, h_f;
     mpfr_t T, fuel_exact, fuel_paper;
     bool detaches;
     size_t n;
     mpfr_t *h0; /* n energies */
-    /* The values found up to now. */
+    /* The values found so far. */
     mpfr_t value[REF_COUNT];
     bool known[REF_COUNT];
-    int at_end; /* where the barrier is: -1 at 0, 0 within, 1 at theta_c */
-    /* How far rounding of the terms of H and H', not of the inputs, moves the answer. */
+    int at_end; /* where the barrier is: -1 at the tilt 0, 1 at theta_c, 0 in between */
+    /* How far these values move by rounding errors in the terms of H and H', apart from those in the
+     * inputs. */
     double theta_m_size, stop_size, duration_size;
     struct ref *near[REF_INPUTS];
-    double nearby[REF_INPUTS]; /* the fraction by which their input differs */
-    const struct ref *centre;  /* the reference that this one is near */
+    double nearby[REF_INPUTS]; /* the fraction by which the input of the nearby reference differs */
+    const struct ref *centre;  /* the reference to which this one is near, or NULL */
 };
 
-/* Opens a reference with that many bits in all arithmetic. Aborts if more than ten million dominoes
- * matter. */
+/* Opens a reference that computes with `bits` bits. Aborts if more than ten million dominoes matter. */
 struct ref *ref_open(const struct ref_input *input, mpfr_prec_t bits, double cut);
-/* Opens a reference with enough bits for `digits2` good bits of the answers at these inputs. */
+/* Opens a reference with enough bits for results with `digits2` correct bits. */
 struct ref *ref_open_for(const struct ref_input *input, int digits2);
 /* Opens a reference for a train of two dominoes. */
 struct ref *ref_open_pair(const struct ref_input *input, int digits2);
 void ref_close(struct ref *ref);
-/* Sets another tilt of the same train: cheaper than a new reference. */
+/* Changes the tilt, which costs less than a new reference. */
 void ref_tilt(struct ref *ref, domq_real tilt);
-/* Sets another domino for LINK_.... */
+/* Sets the domino for the LINK_... quantities. */
 void ref_link(struct ref *ref, size_t link);
 
-/* Returns the value; NaN if it does not exist. */
+/* Returns the value of a quantity, or NaN if the value does not exist. */
 mpfr_srcptr ref_value(struct ref *ref, enum ref_quantity quantity);
 double ref_double(struct ref *ref, enum ref_quantity quantity);
 /* Returns |got - value|. */
 double ref_error(struct ref *ref, enum ref_quantity quantity, domq_real got);
-/* Returns the scale: see above. */
+/* Returns the scale that is defined above. */
 double ref_scale(struct ref *ref, enum ref_quantity quantity);
-/* Returns the scale, or something smaller that is still enough: every input costs one more reference. */
+/* Returns the scale, or a lower bound of the scale that is at least `enough`. This saves work, since every
+ * input takes one more reference. */
 double ref_scale_up_to(struct ref *ref, enum ref_quantity quantity, double enough);
 double ref_kappa(struct ref *ref, enum ref_quantity quantity);
 
-/* Finds the geometry and the train at tilt 0, once the inputs are set. */
+/* Finds the geometry and the train at tilt 0. The inputs must be set. */
 void ref_start(struct ref *ref);
-/* Returns NULL for an input without any effect. */
+/* Returns a reference with one input slightly changed, or NULL for an input without any effect. */
 struct ref *ref_near(struct ref *ref, int input);
 void ref_sums_init(struct ref_sums *sums, mpfr_prec_t bits);
 void ref_sums_clear(struct ref_sums *sums);
@@ -135,8 +138,7 @@ void ref_set_real(mpfr_t z, domq_real x);
 void ref_find_barrier(struct ref *ref);
 void ref_find_stop(struct ref *ref);
 void ref_find_duration(struct ref *ref);
-/* Returns |p dF/dp| with its sign: the change of the quantity over the fraction by which the input
- * changes. */
+/* Returns p dF/dp: the change of the quantity F divided by the fraction by which the input p changes. */
 double ref_change(struct ref *ref, enum ref_quantity quantity, int input);
 
 #endif

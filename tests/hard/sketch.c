@@ -28,13 +28,13 @@ struct sketch sketch_of(const struct ref *ref)
                        .paper = ref->paper,
                        .dominoes = ref->dominoes};
     k = sketch_grown(&k, mpfr_get_ld(ref->in[REF_R], MPFR_RNDN));
-    /* Long double has too few bits for 1 - r s of quad precision. */
+    /* Long double has too few bits for the 1 - r s of a train in quad precision. */
     if (k.detaches && ref->detaches)
         k.theta_leave = mpfr_get_ld(ref->theta_leave, MPFR_RNDN);
     return k;
 }
 
-/* Finds the follower of a domino at *theta; false if there is none. */
+/* Replaces a domino at the tilt *theta by its follower. Returns false if there is none. */
 static bool follow(const struct sketch *k, long double *theta, long double *slope)
 {
     if (k->detaches && *theta >= k->theta_leave)
@@ -59,7 +59,7 @@ long double sketch_slope(const struct sketch *k, long double tilt)
     return sum;
 }
 
-/* Returns h(at) - h(from), without the cancellation that hides the barrier of a thin domino. */
+/* Returns h(at) - h(from) without cancellation, which would hide the barrier of a thin domino. */
 static long double energy_gain(const struct sketch *k, long double at, long double from)
 {
     long double half = (at - from) / 2, middle = (at + from) / 2;

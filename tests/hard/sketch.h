@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The model in long double, quick and by plain formulas. It finds where to search (how many maxima H has,
- * near which tilt), never what the answer is.
+ * The model in long double, computed quickly by plain formulas. It only finds where to search, for instance
+ * how many maxima H has and near which tilts, and never supplies a result.
  */
 #ifndef HARD_SKETCH_H
 #define HARD_SKETCH_H
@@ -21,14 +21,15 @@ struct sketch sketch_of(const struct ref *ref);
 long double sketch_slope(const struct sketch *sketch, long double tilt);
 /* Returns H(tilt) - H(0). */
 long double sketch_energy_change(const struct sketch *sketch, long double tilt);
-/* Finds tilts from 0 to theta_c, ascending, dense where H may have features; returns their number. */
+/* Finds tilts from 0 to theta_c in increasing order, which are dense where H may change fast. Returns the
+ * number of these tilts. */
 int sketch_nodes(const struct sketch *sketch, long double node[SKETCH_NODES]);
-/* Returns the tilt at which a follower detaches: of the leader that begins below theta_leave and ends
- * above. */
+/* Returns the tilt of the head at which a follower detaches, because the tilt of its leader passes
+ * theta_leave. */
 long double sketch_leaving(const struct sketch *sketch);
-/* Returns the train with another r. */
+/* Returns the same train with another r. */
 struct sketch sketch_grown(const struct sketch *sketch, long double r);
-/* Finds kinetic energy and barrier; false without fuel. */
+/* Finds the kinetic energy and the barrier. Returns false if there is no fuel. */
 bool sketch_verdict(const struct sketch *sketch, long double *kinetic, long double *barrier);
 
 #endif

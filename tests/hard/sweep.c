@@ -111,8 +111,7 @@ static bool positive(const struct point *point, enum ref_quantity quantity)
     return ref_double(point->ref, quantity) > 0;
 }
 
-/* Compares arms. At the limit where a follower detaches, an answer with arms and one without are both
- * right. */
+/* Compares arms. In the limit where a follower detaches, results with and without arms are both right. */
 static void compare_arms(struct point *point, enum ref_quantity a, struct answers *answers)
 {
     const double own = ref_double(point->ref, a);
@@ -129,7 +128,7 @@ static void compare_arms(struct point *point, enum ref_quantity a, struct answer
 static void check_train(struct point *point, struct answers *answers)
 {
     library_ask(&point->train, 0, REF_THETA_C, answers);
-    /* At the limit of (41; A17) both formulas give the same theta_f. */
+    /* In the limit of (41; A17), both formulas give the same theta_f. */
     if (answers->detaches != point->ref->detaches) {
         double rr = 1 / (double)(point->input.r * point->input.r);
         double room = (double)(point->input.s * (point->input.s + 2 * point->input.d));
@@ -152,7 +151,7 @@ static void check_train(struct point *point, struct answers *answers)
     }
 }
 
-/* Checks omega^2: STOPS is right only if the head stops before this tilt. */
+/* Checks omega^2. DOM_STOPS is right only if the head stops before this tilt. */
 static void check_omegasq(struct point *point, bool look_closer, struct answers *answers)
 {
     library_ask(&point->train, point->input.tilt, REF_OMEGASQ, answers);
@@ -181,7 +180,7 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     library_ask(&point->train, point->input.tilt, REF_DH, answers);
     compare_all(point, REF_DH, REF_J0, answers);
     check_omegasq(point, look_closer, answers);
-    /* Some domino of the train, up to the last that matters. */
+    /* Choose any domino of the train, up to the last one that matters. */
     library_link(&point->train, point->input.tilt, (size_t)random_log(&point->seed, 1, 400), answers);
     if (point->ref->link != answers->link)
         ref_link(point->ref, answers->link);
@@ -190,7 +189,8 @@ static void check_tilt(struct point *point, bool look_closer, struct answers *an
     compare(point, REF_LINK_WEIGHT, answers);
 }
 
-/* Returns true if theta is a maximum as high as theta_m: of two equal maxima either is right. */
+/* Returns true if there is a maximum at theta that is as high as the one at theta_m. Either of two equal
+ * maxima is right. */
 static bool as_high(struct point *point, domq_real theta)
 {
     struct ref_input there = point->input;
@@ -225,7 +225,7 @@ static void check_stop(struct point *point, struct answers *answers)
     if (fuel_vanishes(point) || !positive(point, fuel_of(point)) || margin_vanishes(point))
         return;
     library_ask(&point->train, 0, REF_STOP, answers);
-    /* The kinetic energy, and with it this angle, may be so small that it needs more bits. */
+    /* The kinetic energy and this angle may be so small that more bits are needed. */
     struct ref *ref = point->ref;
     struct ref_input there = point->input;
     there.tilt = isnan((double)answers->value[REF_STOP]) ? 0 : answers->value[REF_STOP];
@@ -238,7 +238,7 @@ static void check_stop(struct point *point, struct answers *answers)
     point->ref = ref;
 }
 
-/* Checks the duration, which need not exist where the margin is 0 to rounding. */
+/* Checks the duration, which need not exist if the margin is 0 to rounding. */
 static void check_duration(struct point *point, struct answers *answers)
 {
     if (fuel_vanishes(point) || margin_vanishes(point) || !positive(point, REF_MARGIN))
@@ -252,7 +252,8 @@ static void check_duration(struct point *point, struct answers *answers)
 
 /* ---- Limits of growth ---- */
 
-/* Returns true if every smaller r goes on (for a pair: every one after the first that does). */
+/* Returns true if the train keeps falling at every smaller r, or the pair at every r from the first at which
+ * it succeeds. */
 static bool is_first(const struct point *point, bool pair, domq_real r_max)
 {
     struct ref *ref = pair ? ref_open_pair(&point->input, 53) : ref_open_for(&point->input, 53);
@@ -329,7 +330,7 @@ static void check_at_tolerance(struct point *point, const struct choice *choice)
         check_growth(point, REF_PAIR, &answers);
 }
 
-/* Checks a growth at the reach: r = 1/s, rounded, counts as the reach; anything beyond does not. */
+/* Checks a growth at the reach. The rounded r = 1/s counts as the reach, and any larger r does not. */
 static bool check_reach(struct point *point, const struct answers *answers)
 {
     bool reaches = mpfr_sgn(point->ref->u) >= 0 ||
@@ -371,7 +372,7 @@ struct share {
     int jobs;
 };
 
-/* Runs a part of the sweep. Every point has its own seed, so that it does not depend on the worker. */
+/* Runs a part of the sweep. Every point has its own seed, so that the points do not depend on the workers. */
 static long sweep_part(int job, void *context)
 {
     const struct share *share = context;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random points over the whole parameter space, dense towards its edges, against the reference. */
+/* Compares the library with the reference at random points of the whole parameter space, which are dense near
+ * its edges. */
 #ifndef HARD_SWEEP_H
 #define HARD_SWEEP_H
 
@@ -7,8 +8,8 @@
 #include <stdint.h>
 
 /*
- * Returns the part of the points to check, from SWEEP_SIZE in the environment, in (0, 1]; 1 without that
- * variable. Ends the program if its value is not such a number.
+ * Returns the share of the points to check: the value of the environment variable SWEEP_SIZE, or 1 if the
+ * variable is not set. Ends the program if the value is not in (0, 1].
  */
 double sweep_size(void);
 
@@ -16,13 +17,13 @@ struct sweep {
     enum dom_precision precision;
     uint64_t seed;
     int points;
-    /* One point in this many also has: */
+    /* The barrier is checked at one point in `barriers`, the duration at one in `durations`, and so on. */
     int barriers, durations, growths, pairs;
 };
 
 /*
- * Fills one tally for each quantity. Returns the number of points, or -1 if a worker failed. Neither the
- * points nor the outcome depend on the number of processors.
+ * Fills one tally for each quantity. Returns the number of points, or -1 if a worker failed. The points and
+ * the outcome do not depend on the number of processors.
  */
 long sweep_run(const struct sweep *sweep, struct tally tally[REF_COUNT]);
 

@@ -61,7 +61,8 @@ static void compare_bound(struct tally *tally, const struct comparison *c, doubl
     tally->bin[bin < 0 ? 0 : bin >= TALLY_BINS ? TALLY_BINS - 1 : bin]++;
 }
 
-/* Compares an error in units. The full scale is computed only for errors that may be the largest. */
+/* Compares an error in units with the largest one so far. The full scale is computed only if the error may be
+ * larger. */
 static void compare_units(struct sample *worst, const struct comparison *c, double error, double allowed,
                           double least)
 {
@@ -125,7 +126,7 @@ double tally_median(const struct tally *tally)
     return (double)NAN;
 }
 
-/* Prints a double, or a sum of doubles, in hex, as in a C source. */
+/* Prints a number as a hexadecimal C constant, or as a sum of such constants. */
 static void print_real(const char *name, domq_real x)
 {
     double part = (double)x;

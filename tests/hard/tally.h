@@ -1,34 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The outcome of many comparisons: the largest error of each quantity, and its place. */
+/* The outcome of many comparisons: the largest error of each quantity, and the input at which it occurs. */
 #ifndef HARD_TALLY_H
 #define HARD_TALLY_H
 
 #include "library.h"
 
-/* Errors of fewer units are not distinguished: the scale costs five more references. */
+/* Errors of fewer than TALLY_UNITS units are not compared with each other, since their scale would take five
+ * more references. */
 enum { TALLY_UNITS = 2, TALLY_BINS = 2048 };
 
 struct sample {
     struct ref_input input;
     size_t link;
     double tol, got, want;
-    double excess; /* error over the allowed error, or in units */
+    double excess; /* the error divided by the allowed error, or the error in units */
 };
 
 struct tally {
     long checked;
-    struct sample units; /* the largest error in units of the scale, see reference.h */
-    struct sample tol;   /* the largest error over what the tolerance allows */
-    struct sample bound; /* the largest error over the library's own bound of it */
-    long without_bound;  /* answers that have a value but no bound */
+    struct sample units; /* the largest error in units (reference.h) */
+    struct sample tol;   /* the largest error divided by what the tolerance allows */
+    struct sample bound; /* the largest error divided by the library's own error bound */
+    long without_bound;  /* number of results with a value but no bound */
     long bounds;
-    long bin[TALLY_BINS];  /* of log2(bound / error), 16 to an octave */
-    long wrong;            /* values or statuses that contradict the reference outright */
-    struct sample mistake; /* the first of these */
+    long bin[TALLY_BINS];  /* a histogram of log2(bound / error), with 16 bins for each factor of 2 */
+    long wrong;            /* number of values or statuses that contradict the reference */
+    struct sample mistake; /* the first value or status that contradicts the reference */
     char what[80];
 };
 
-/* An answer, and the right value: from the reference, or (ref NULL) as given here. */
+/* A result of the library, and the right value, which comes from `ref` or, if `ref` is NULL, is `want`. */
 struct comparison {
     struct ref *ref;
     double want, error, scale;
@@ -36,15 +37,15 @@ struct comparison {
     enum ref_quantity quantity;
     domq_real got, bound;
     double tol, unit;
-    bool sharp; /* tol is the smallest of the precision: units count */
+    bool sharp; /* true if tol is the smallest tolerance of the precision, so that units are compared */
 };
 
 void tally_compare(struct tally *tally, const struct comparison *c);
 void tally_mistake(struct tally *tally, const struct comparison *c, const char *what);
 void tally_merge(struct tally *into, const struct tally *from);
-/* Returns the median of bound over error; NaN if there are none. */
+/* Returns the median of bound / error, or NaN if there are no bounds. */
 double tally_median(const struct tally *tally);
-/* Prints a sample in a form that can be repeated. */
+/* Prints a sample as a command with which it can be repeated. */
 void tally_print(const char *label, enum ref_quantity quantity, const struct sample *sample);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Hard cases, in which naive code is wrong. In each the library must be right within 16 units (reference.h)
- * at its smallest tolerance, which itself, 1e-15, is 9 units. First the file checks the reference.
+ * Hard cases, in which naive code is wrong. In each case the library must be right within 16 units
+ * (reference.h) at its smallest tolerance, 1e-15, which corresponds to 9 units. The first tests check the
+ * reference itself.
  */
 #include "../unit/support.h"
 #include "cases.h"
@@ -84,7 +85,8 @@ TEST(reference_of_points)
         for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
             struct ref *ref = known[k].paper ? paper : exact;
             bool fuel = !isnan(ref_double(ref, REF_KINETIC));
-            /* Without fuel the table continues with the formula: here there is no cycle. */
+            /* Without fuel the table still has the value of the formula, but the reference has none, since
+             * there is no cycle. */
             if (fuel || !isnan(ref_double(ref, known[k].quantity)))
                 assert_digits(csv, known[k].column, ref, known[k].quantity, known[k].bound);
         }
@@ -102,7 +104,7 @@ struct known_growth {
     long double r_max;
 };
 
-/* Checks a growth to 18 digits; 1/s was rounded to a double in the table. */
+/* Checks a growth to 18 digits, except that the table has 1/s rounded to a double. */
 static long check_growth(int number, void *context)
 {
     const struct known_growth *known = (const struct known_growth *)context + number;
@@ -119,7 +121,7 @@ static long check_growth(int number, void *context)
 TEST(reference_of_growth)
 {
     if (sweep_size() < 1)
-        skip(); /* in a part of the tests the reference is taken on trust */
+        skip(); /* a shortened run of the tests relies on the reference */
     static const char *const tables[] = {"tests/reference/rmax.csv", "tests/reference/pair.csv"};
     static struct known_growth known[GROWTHS];
     int rows = 0;
@@ -142,12 +144,12 @@ TEST(reference_of_growth)
 
 /* ---- Cases ---- */
 
-/* Returns the input of a case, with the library's theta_c for the tilt. */
+/* Returns the input of a case. The tilt is computed with the library's theta_c. */
 static struct ref_input input_of(const struct hard_case *c, enum dom_precision precision)
 {
     struct ref_input input = {(domq_real)c->s, (domq_real)c->r, (domq_real)c->d, (domq_real)c->q, 0,
                               c->paper};
-    if (c->r == 1 / c->s) /* the reach of this precision */
+    if (c->r == 1 / c->s) /* 1/s, rounded to this precision */
         input.r = precision == DOM_QUAD ? 1 / input.s : (domq_real)c->r;
     if (c->tilt >= 0) {
         input.tilt = (domq_real)c->tilt;
@@ -172,7 +174,7 @@ static struct verdict judge(const struct hard_case *c, struct ref *ref, enum ref
                             domq_real got)
 {
     struct verdict v = {.want = ref_double(ref, quantity), .error = ref_error(ref, quantity, got)};
-    /* The scale of a lengthy train takes minutes: there the bound of the case is for |F| alone. */
+    /* The scale of a lengthy train would take minutes, so errors are compared with |F| alone. */
     v.scale = c->lengthy ? fabs(v.want) : ref_scale(ref, quantity);
     return v;
 }
@@ -187,7 +189,7 @@ static struct verdict judge_any(const struct hard_case *c, const struct ref_inpu
     if (quantity != REF_STOP)
         return judge(c, ref, quantity, got);
     struct ref_input at = *input;
-    at.tilt = got; /* so that there are enough bits */
+    at.tilt = got; /* the number of bits depends on the tilt */
     ref = ref_open_for(&at, digits2);
     struct verdict v = judge(c, ref, quantity, got);
     ref_close(ref);
@@ -199,7 +201,8 @@ static long check_case(int number, void *context)
 {
     const struct hard_case *c = &hard_cases[number];
     const enum dom_precision precision = *(const enum dom_precision *)context;
-    /* In a part of the tests quad, the same source as double, takes every fourth case. */
+    /* In a shortened run, quad takes only every fourth case, since its source is the same as that of
+     * double. */
     const bool part = sweep_size() < 1 && number % 4 != 0;
     if ((c->lengthy || part) && precision != DOM_DOUBLE)
         return 0;

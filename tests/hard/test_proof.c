@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Proved against computed: of random trains and of the hard cases r_max lies in what is proved, one unit in
- * its ninth digit is refuted, and verdicts agree.
+ * Compares proofs with computed results, for random trains and for the hard cases: r_max is within the proved
+ * bounds, a change of r_max in the ninth digit is refuted, and verdicts agree.
  */
 #include "../unit/support.h"
 #include "cases.h"
@@ -32,13 +32,14 @@ static void say(const char *what, const struct dom_train *t, bool pair, const st
                 t->d, t->q, t->fuel, pair ? " pair" : "", p->low, p->high, r_max);
 }
 
-/* Returns true if r_max is refuted: the train goes on beyond it, or stops before it. */
+/* Returns true if r_max is refuted, because the train keeps falling beyond r_max or stops before it. */
 static bool refutes(const struct dom_proof *p, double r_max)
 {
     return r_max < p->low * (1 - 1e-15) || r_max > p->high * (1 + 1e-15);
 }
 
-/* Compares one limit with its proof, to 1e-10, and to `tol` of what is computed. */
+/* Compares a computed limit with a proof to 1e-10, allowing for a relative error `tol` of the computed
+ * limit. */
 static void compare(const struct asked *asked, bool pair, struct counts *c)
 {
     const struct dom_train train = doubles(asked);
@@ -54,7 +55,7 @@ static void compare(const struct asked *asked, bool pair, struct counts *c)
     c->reaches += proof.ends == DOM_PROVED_REACH;
     c->none += proof.ends == DOM_PROVED_NONE;
     c->partly += proof.ends == DOM_PROVED_PARTLY;
-    /* A limit beside the reach is within rounding of both ends. */
+    /* A limit close to the reach may be on either side of a bound because of rounding. */
     bool beside = (double)limit.r_max * train.s > 1 - 1e-12;
     bool wrong = limit.ends == DOM_END_NONE ? proof.ends != DOM_PROVED_NONE && !isnan(proof.low) && !pair
                                             : proof.ends == DOM_PROVED_NONE || refutes(&proof, limit.r_max);
@@ -68,7 +69,7 @@ static void compare(const struct asked *asked, bool pair, struct counts *c)
         return;
     double unit = pow(10, floor(log10(limit.r_max)) - 8);
     if (proof.high - proof.low > 0.5 * unit)
-        return; /* rounding leaves less than nine digits */
+        return; /* rounding leaves fewer than nine digits */
     if (refutes(&proof, limit.r_max + unit) && refutes(&proof, limit.r_max - unit))
         c->refuted++;
     else if (++c->wrong)
@@ -123,7 +124,7 @@ TEST(limits_of_hard_cases_lie_in_what_is_proved)
     assert_true(c.brackets + c.reaches + c.none > 3 * c.partly);
 }
 
-/* A verdict that is proved is the computed one. */
+/* Checks that a proved verdict agrees with the computed one. */
 TEST(verdicts_agree)
 {
     uint64_t seed = 88;
@@ -143,7 +144,7 @@ TEST(verdicts_agree)
                      (proof.verdict == DOM_PROVED_GOES_ON ? status == DOM_OK
                       : proof.verdict == DOM_PROVED_STOPS ? status == DOM_STOPS
                                                           : status == DOM_NO_FUEL);
-        /* Both enclosures have what is computed to 1e-12 of itself. */
+        /* Both intervals contain the computed value, with a relative error of 1e-12. */
         if (status == DOM_OK && proof.verdict == DOM_PROVED_GOES_ON) {
             double slack = 4e-12 * (b.kinetic + b.barrier);
             agree = agree && b.kinetic >= proof.kinetic.low - slack &&
@@ -159,7 +160,8 @@ TEST(verdicts_agree)
     assert_true(goes > trains / 5 && stops > trains / 5 && open * 50 <= trains);
 }
 
-/* An interrupt is a gap, and no error; wrong parameters are errors; numbers of dominoes are exact. */
+/* Checks that an interrupt is a gap and not an error, that wrong parameters are errors, and that numbers of
+ * dominoes are exact. */
 TEST(gaps_statuses_and_counts)
 {
     const volatile sig_atomic_t raised = 1;
@@ -191,7 +193,7 @@ TEST(gaps_statuses_and_counts)
     assert_true(least == 20 && most == 20);
     assert_status(dom_prove_count(0.048, ldexp(0.048, 12), 2, &least, &most), DOM_OK);
     assert_true(least == 12 && most == 12);
-    /* 1.1^2 and 1.21 are the same decimal, and not the same double. */
+    /* 1.1^2 and 1.21 are equal as decimals, but not as doubles. */
     assert_status(dom_prove_count(1, 1.21, 1.1, &least, &most), DOM_OK);
     assert_true(least == 2 && most == 3);
     assert_status(dom_prove_count(1, 2, 1, &least, &most), DOM_OK);
@@ -200,7 +202,8 @@ TEST(gaps_statuses_and_counts)
     assert_status(dom_prove_count(1, 2, 0.5, &least, &most), DOM_BAD_R);
 }
 
-/* In another rounding mode nothing is proved, wrong parameters are still errors, and the mode stays. */
+/* Checks that in another rounding mode nothing is proved, that wrong parameters are still errors, and that
+ * the mode is not changed. */
 TEST(another_rounding_mode_proves_nothing)
 {
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Properties that do not depend on digits: conservation, self-similarity, order, continuity; and the answers
- * that need no sweep. Where two answers are compared, the library's own bounds are the tolerance.
+ * Properties that do not depend on digits, such as conservation, self-similarity, order and continuity, and
+ * results that need no sweep. Where two results are compared, the library's own error bounds are the
+ * tolerance.
  */
 #include "../unit/support.h"
 #include "growth.h"
@@ -111,7 +112,8 @@ TEST(dominoes_are_in_order)
         library_ask(&train, 0, REF_THETA_C, &a);
         input.tilt = (domq_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
         struct walk walk = {.ordered = true, .theta_f = a.value[REF_THETA_F]};
-        /* A head beyond the tilt whose follower has theta_f has no follower that leans further. */
+        /* If the head has passed the tilt at which its follower has theta_f, no follower leans further than
+         * the head. */
         assert_status(ask_chain_walk(&train, input.tilt, in_order, &walk), DOM_OK);
         assert_close("order", &input, walk.ordered, 1, 0);
         links += walk.links;
@@ -153,8 +155,8 @@ static domq_real growth_of(double s, double q, double d, enum ref_quantity quant
 }
 
 /*
- * Checks that a train at its limit is a chain of marginal pairs, if domino 1 detaches before the head is at
- * its highest.
+ * Checks that a train at its limit is a chain of marginal pairs, if domino 1 detaches before the head reaches
+ * its highest point.
  */
 TEST(pairs_are_trains_where_only_two_touch)
 {
@@ -181,9 +183,9 @@ TEST(pairs_are_trains_where_only_two_touch)
 }
 
 /*
- * Checks that r_max is continuous, and decreases with thickness and with the mass exponent: the head has to
- * climb more, and its followers are lighter. The thinnest, whose margin may increase once more near 1/s, are
- * left out.
+ * Checks that r_max is continuous, and that it decreases with the thickness, because the head has to climb
+ * more, and with the exponent of the mass, because its followers are lighter. The thinnest dominoes are left
+ * out, since their margin may increase again near 1/s.
  */
 TEST(growth_is_continuous_and_falls_with_d_and_q)
 {
@@ -209,7 +211,7 @@ TEST(growth_is_continuous_and_falls_with_d_and_q)
     assert_true(compared > 200);
 }
 
-/* Returns the sum of the margins at s - step, s and s + step, with these weights. */
+/* Returns the weighted sum of the margins at s - step, s and s + step. */
 static double difference(const struct ref_input *best, double step, const int weight[3])
 {
     mpfr_t sum, term;
@@ -228,7 +230,8 @@ static double difference(const struct ref_input *best, double step, const int we
     return value;
 }
 
-/* Returns how far s is from the top of r_max(s), where the margin at this r does not change with s. */
+/* Returns how far s is from the maximum of r_max(s), at which the derivative of the margin with respect to s
+ * is 0. */
 static double distance_from_top(const struct ref_input *best)
 {
     static const int first[] = {-1, 0, 1}, second[] = {1, -2, 1};
@@ -268,8 +271,8 @@ TEST(best_separations)
             const double error_of_s = distance_from_top(&input);
             assert_close("best r_max", &input, (domq_real)error_of_r, 0, a.error[REF_BEST_R]);
             assert_close("best s", &input, (domq_real)error_of_s, 0, a.error[REF_BEST_S]);
-            /* The top is flat: half of the digits of s are enough for r_max, but the library has all of
-             * them. */
+            /* The maximum is flat, so half of the digits of s would be enough for r_max, but the library
+             * finds all of them. */
             assert_close("best r_max", &input, (domq_real)error_of_r, 0,
                          (domq_real)(64 * scale * library_unit(precisions[p])));
             assert_close("best s", &input, (domq_real)error_of_s, 0,

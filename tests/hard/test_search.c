@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The limits against a dense scan that uses no bounds: the margin of random trains at many growths, each with
- * the barrier's own search. A growth below r_max at which the train stops, or one above r_max in the first
- * band, is a miss.
+ * Compares the limits with a dense scan that uses no bounds, but computes the margin of random trains at many
+ * growths, each time with a complete search for the barrier. The library has missed a root if the train stops
+ * at a growth below r_max, or if a pair still succeeds at a growth above r_max in its first band.
  */
 #include "../unit/support.h"
 #include "growth.h"
 #include "library.h"
 #include "sweep.h"
 
-/* A dip, or a band, that is narrower than this in r may be missed (scan.c: 1e-6; here with room for
- * rounding). */
+/* A dip or a band narrower than this in r may be missed. The limit of scan.c is 1e-6, and here rounding is
+ * allowed for. */
 #define RESOLVED 1e-5
 
 /* Returns how many of `all` trains are checked. */
@@ -30,7 +30,7 @@ static struct asked any_train(uint64_t *seed, double mu)
     return train;
 }
 
-/* Returns the margin over its terms; -1 if the train cannot start. */
+/* Returns the margin divided by the sum of its terms, or -1 if the train cannot start. */
 static double share(const struct asked *train, double r)
 {
     struct domq_barrier b;
@@ -43,8 +43,8 @@ static double share(const struct asked *train, double r)
     return (double)(b.margin / (b.kinetic + b.barrier));
 }
 
-/* Returns the first of n growths up to r_max at which the train stops, in equal steps of ln r, with more of
- * them near the end. */
+/* Returns the first growth at which the train stops, among n growths up to r_max. These are evenly spaced in
+ * ln r, with additional ones near the end. */
 static double first_stop(const struct asked *train, double r_max, int n)
 {
     double ln_r = log(r_max);
@@ -80,7 +80,7 @@ TEST(no_train_stops_below_r_max)
     assert_true(missed == 0 && limits > part_of(600));
 }
 
-/* Checks the samples with friction, for which there is no bound: one miss in a hundred is allowed. */
+/* Checks limits with friction, which are found without bounds. One miss in a hundred is allowed. */
 TEST(few_trains_with_friction_stop_below_r_max)
 {
     uint64_t seed = 815;
@@ -109,7 +109,7 @@ static double pair_share(double s, double d, double q, double r)
     for (int i = 1; i <= 400; i++) {
         double theta = last * i / 400, X = r * ((s + d) * cos(theta) - d),
                now = theta + asin(fmax(fmin(X, 1), -1));
-        follower = fmax(follower, now); /* a domino that has detached stays so */
+        follower = fmax(follower, now); /* a domino that has detached does not come back */
         double rise =
             cos(theta) + d * sin(theta) - 1 + pow(r, -q) * (cos(follower) + d * sin(follower) - before);
         most = fmax(most, rise);
@@ -154,7 +154,8 @@ TEST(no_separation_allows_more)
         struct domq_best best;
         struct domq_limit limit;
         enum dom_status status = ask_limit_best(&train, &best, NULL);
-        if (status == DOM_TOO_LONG && ++refused) /* thin, q < 1: the search takes too much work */
+        /* for thin dominoes with q < 1 the search takes too much work */
+        if (status == DOM_TOO_LONG && ++refused)
             continue;
         if (status != DOM_OK && status != DOM_NO_GROWTH)
             fail_msg("d %.17g q %.17g fuel %d: %s", (double)train.d, (double)train.q, train.fuel,

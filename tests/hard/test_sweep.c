@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random trains over the whole parameter space, in every precision. At the smallest tolerance each answer is
- * as good as its inputs allow (reference.h); at any other it is as good as the tolerance; and the library's
- * own error bounds are true, and not much too large. The largest error of each quantity is printed.
+ * Random trains over the whole parameter space, in every precision. At the smallest tolerance, each result is
+ * as accurate as its inputs allow (reference.h), and at any other tolerance as accurate as the tolerance. The
+ * library's own error bounds are true, and not much too large. The largest error of each quantity is printed.
  */
 #include "../unit/support.h"
 #include "sweep.h"
 
-/* The allowed errors in units; the tolerance itself is about 9 units. */
+/* The allowed errors in units. The tolerance corresponds to about 9 units. */
 static const double units_allowed[REF_COUNT] = {
-    [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding */
+    [REF_LINK_THETA] = 24, /* each of hundreds of dominoes adds a rounding error */
 };
 
 /* Half of the bounds are at most this many times the error. */
@@ -27,8 +27,8 @@ static struct outcome sweeps[] = {
     {.sweep = {DOM_QUAD, 3, 1500, .barriers = 6, .durations = 15, .growths = 10, .pairs = 20}},
 };
 
-/* The share of the points that is checked. With fewer points some quantities may not occur, and a median
- * means little. */
+/* The share of the points that are checked. With few points some quantities may not occur, and a median means
+ * little. */
 static double size;
 
 static const char *label(const struct outcome *outcome)
@@ -36,7 +36,8 @@ static const char *label(const struct outcome *outcome)
     return domq_arithmetic(outcome->sweep.precision)->name;
 }
 
-/* Runs a check in each precision of this machine; it returns the number of quantities that violate it. */
+/* Runs a check in each precision of this machine. The check returns the number of quantities that violate
+ * it. */
 static void check_all(int (*violations)(const struct outcome *outcome))
 {
     int failures = 0;
@@ -58,7 +59,7 @@ static void report(const struct outcome *outcome)
     }
 }
 
-/* Every quantity that is not for a whole curve must occur. */
+/* Returns how many quantities have not occurred, apart from those for a whole curve. */
 static int missing(const struct outcome *outcome)
 {
     const long least = (long)(8 * size);
@@ -87,7 +88,8 @@ TEST(all_points_are_checked)
     check_all(missing);
 }
 
-/* Prints a quantity whose worst sample is beyond its limit; returns whether it is. */
+/* Prints a quantity whose worst sample is beyond the limit. Returns 1 if it is beyond the limit, and 0
+ * otherwise. */
 static int beyond(const struct outcome *outcome, int k, const struct sample *worst, const char *what,
                   double allowed)
 {

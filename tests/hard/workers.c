@@ -46,7 +46,7 @@ long workers_run(int jobs, long (*job)(int k, void *context), void *context)
     const int workers = workers_number();
     pid_t child[MOST];
     bool good = true;
-    fflush(NULL); /* otherwise every child would print the buffer once more */
+    fflush(NULL); /* otherwise every child would print the buffered output again */
     for (int k = 0; k < workers; k++)
         if ((child[k] = fork()) == 0) {
             work(board, jobs, job, context);

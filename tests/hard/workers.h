@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Returns memory that all workers share, zeroed; aborts if there is none. */
+/* Returns zeroed memory that all workers share. Aborts if there is not enough memory. */
 void *workers_share(size_t size);
 void workers_unshare(void *memory, size_t size);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The library in a form that is convenient for tests: one struct that holds both the train and how to
- * compute, and error bounds in a struct of the result's own type, so that tables of values and of bounds look
+ * The library in a form that is convenient for tests: one structure holds both the train and how to compute,
+ * and error bounds are in a structure of the same type as the result, so that tests treat values and bounds
  * alike.
  */
 #ifndef TEST_ASK_H
@@ -10,7 +10,8 @@
 #include "domino_quad.h"
 #include <string.h>
 
-/* The members of the library's lists, and initialisers that copy them from *a. */
+/* Define the members in the library's lists of parameters, and initializers that copy these members from
+ * *a. */
 #define ASKED_NUMBER(name, default_, lowest, highest, unit, meaning)      domq_real name;
 #define ASKED_EFFECT(effect, member, status)                              domq_real member;
 #define ASKED_COPY_NUMBER(name, default_, lowest, highest, unit, meaning) .name = a->name,
@@ -56,18 +57,19 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
                                  .interrupt = a->interrupt};
 }
 
-/* The first two arguments of a function of the library, for a call. */
+/* The first two arguments of a call of the library: the train and how to compute. */
 #define ASKED(a, errors)                                                                                     \
     (const struct domq_train[]){asked_train(a)}, (const struct domq_compute[])                               \
     {                                                                                                        \
         asked_compute(a, errors)                                                                             \
     }
 
-/* Copies the bounds of a result, whose first member with a bound is `first`, into a struct of its type. */
+/* Copies the error bounds of a result into a structure of the same type. `first` is the first member that has
+ * a bound. */
 #define ASK_BOUNDS(result, copy, first)                                                                      \
     (void)((copy) ? memcpy(&(copy)->first, &(result)->error, sizeof(result)->error) : NULL)
 
-/* Defines ask_NAME, which calls domq_NAME for a result and, unless error is NULL, for its bounds. */
+/* Defines ask_NAME, which calls domq_NAME for a result and, unless `error` is NULL, for its error bounds. */
 #define ASK(name, type, first, PARAMETER, ARGUMENT)                                                          \
     static inline enum dom_status ask_##name(                                                                \
         const struct asked *asked, PARAMETER struct domq_##type *result, struct domq_##type *error)          \
@@ -77,7 +79,7 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
         return status;                                                                                       \
     }
 
-/* Defines ask_NAME for a function whose result is one number: NaN without an answer. */
+/* Defines ask_NAME for a function whose result is one number, which is NaN if there is no result. */
 #define ASK_NUMBER(name, PARAMETER, ARGUMENT)                                                                \
     static inline enum dom_status ask_##name(const struct asked *asked, PARAMETER domq_real *number,         \
                                              domq_real *error)                                               \
@@ -93,7 +95,7 @@ static inline struct domq_compute asked_compute(const struct asked *a, bool erro
 #define ASK_AT_PARAMETER domq_real theta,
 #define ASK_AT_ARGUMENT  theta,
 
-/* clang-format off: it does not know these as functions. */
+/* clang-format off: these macros do not look like functions. */
 ASK(angles_find, angles, theta_c, , )
 ASK(contact_find, contact, theta_1, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)
 ASK(energy_find, energy, dH, ASK_AT_PARAMETER, ASK_AT_ARGUMENT)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finite rows of dominoes by plain constrained dynamics; see direct.h. The angle and angular velocity of the
- * head are integrated; the others follow from the leaning constraints, so that nothing drifts. Every
- * acceleration and contact force comes from one linear system: Newton's law for each domino and the twice
- * differentiated constraint for each contact. A collision has the same matrix, with impulses instead of
- * forces and velocities instead of accelerations.
+ * Finite rows of dominoes by constrained dynamics (direct.h). Only the angle and the angular velocity of the
+ * head are integrated. The other angles follow from the constraint that each domino leans on the next, so
+ * nothing drifts. All accelerations and contact forces come from one linear system, which consists of
+ * Newton's law for each domino and of the second derivative of each constraint. A collision has the same
+ * matrix, with impulses instead of forces and velocities instead of accelerations.
  */
 #include "direct.h"
 
@@ -16,20 +16,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* the variables of integration: the head, and the work of friction */
+/* the variables of integration: angle and angular velocity of the head, and the work of friction */
 enum { THETA, OMEGA, FRICTION_WORK, DIM };
-enum { REACH, REST, LEAVE };                    /* events; LEAVE + i: contact tail + i opens */
-enum { LEAST_STEPS = 32, MOST_STEPS = 100000 }; /* of one phase */
+enum { REACH, REST, LEAVE };                    /* events; LEAVE + i means that contact tail + i opens */
+enum { LEAST_STEPS = 32, MOST_STEPS = 100000 }; /* limits for the steps of one phase */
 
 static const double eps_rel = 1e-13, eps_abs = 1e-16;
 
-/* Domino j = its index leans on k = j + 1. */
+/* The contact of domino j, which leans on domino k = j + 1. The array of contacts is indexed by j. */
 struct contact {
-    double face;    /* tip of j above the bottom of k's back face; d(constraint)/d(theta_k) */
+    double face;    /* distance of the tip of j from the bottom of k's back face; d(constraint)/d(theta_k) */
     double drop;    /* h_j cos(theta_j - theta_k); d(constraint)/d(theta_j) */
-    double arm_on;  /* torque on k of a unit normal force and its friction */
-    double arm_by;  /* torque against j */
-    double forced;  /* right side of the twice differentiated constraint */
+    double arm_on;  /* torque on k that a unit normal force and its friction exert */
+    double arm_by;  /* torque that the same forces exert against j */
+    double forced;  /* right side of the second derivative of the constraint */
     double sliding; /* speed of the tip down the face */
 };
 
@@ -37,7 +37,7 @@ struct run {
     const struct direct_row *row;
     struct direct_hit *hits;
     struct direct_result *result;
-    size_t tail, head; /* the moving dominoes, from 0 */
+    size_t tail, head; /* first and last moving domino, counted from 0 */
     double began;      /* time at which this phase began */
     double target;     /* angle of the head that ends this phase */
     double *theta, *omega, *alpha, *force;
@@ -50,14 +50,15 @@ struct run {
     gsl_odeiv2_evolve *evolve;
     gsl_odeiv2_control *control;
     gsl_root_fsolver *solver;
-    const double *from; /* start of the step in which an event is searched */
+    const double *from; /* state at the start of the step in which an event is searched */
     size_t event;
 };
 
 static double inertia(const struct direct_row *row, size_t i)
 {
     double h = row->height[i], d = row->thickness[i], t = row->walls, sum = 0, volume = 0;
-    /* Six boards: front and back, below and above, left and right, without the edges that another one has. */
+    /* Six boards: front and back, bottom and top, left and right, of which each leaves out the edges of the
+     * previous ones. */
     const double size[][4] = {
         {t, h, h / 2, d - t}, {d - 2 * t, t, h / 2, h - t}, {d - 2 * t, h - 2 * t, 2 * t, 0}};
 
@@ -65,7 +66,7 @@ static double inertia(const struct direct_row *row, size_t i)
         return row->mass[i] * (h * h + d * d) / 3;
     for (int k = 0; k < 3; k++) {
         const double *s = size[k], own = s[0] * s[1] * s[2], about = (s[0] * s[0] + s[1] * s[1]) / 12;
-        double away = s[3] / 2; /* of the centre of a board from that of the box */
+        double away = s[3] / 2; /* distance from the centre of a board to the centre of the box */
         volume += own * (k < 2 ? 2 : 1);
         sum += own * (k < 2 ? 2 : 1) * (about + away * away);
     }
@@ -87,7 +88,8 @@ static double torque(const struct run *run, size_t i)
            (h * sin(run->theta[i] + row->slope) - d * cos(run->theta[i] + row->slope)) / 2;
 }
 
-/* Finds position and velocity of j from those of k = j + 1, and the terms of their contact in the system. */
+/* Finds the position and the velocity of domino j from those of k = j + 1, and the terms of their contact in
+ * the system. */
 static void geometry(struct run *run, size_t j)
 {
     const struct direct_row *row = run->row;
@@ -95,7 +97,8 @@ static void geometry(struct run *run, size_t j)
     double h = row->height[j], d = row->thickness[k], pitch = row->gap[k] + d;
     double x = sin(run->theta[k]), y = cos(run->theta[k]), half = sin(run->theta[k] / 2);
     double less = 2 * pitch * half * half;
-    double sine = (row->gap[k] - less) / h; /* of theta_j - theta_k; 1 - sine without cancellation */
+    /* sine of theta_j - theta_k; 1 - sine is computed without cancellation */
+    double sine = (row->gap[k] - less) / h;
     double cosine = sqrt((h - row->gap[k] + less) / h * (1 + sine));
     struct contact *c = &run->contact[j];
 
@@ -120,7 +123,8 @@ static void place(struct run *run, double theta, double omega)
         geometry(run, j);
 }
 
-/* Returns a unit of force that keeps the matrix near 1 if the dominoes differ by many decades. */
+/* Returns a unit of force that keeps the elements of the matrix near 1 even if the dominoes differ by many
+ * orders of magnitude. */
 static double unit_of_force(const struct run *run, size_t j)
 {
     return inertia(run->row, j) / run->row->height[j];
@@ -133,9 +137,9 @@ static void put(gsl_matrix *band, size_t line, size_t column, double value)
 }
 
 /*
- * Fills the matrix. The unknowns are in the order: motion of the tail, force between the tail and the next,
- * motion of the next, ..., motion of the head. Line 2i is Newton's law of a domino over its inertia, line 2i
- * + 1 the constraint of a contact over h.
+ * Fills the matrix. The order of the unknowns is: motion of the tail, force between the tail and the next
+ * domino, motion of the next domino, ..., motion of the head. Row 2i is Newton's law of a domino divided by
+ * its inertia, and row 2i + 1 the constraint of a contact divided by h.
  */
 static void fill(struct run *run, gsl_matrix *band)
 {
@@ -158,7 +162,8 @@ static void fill(struct run *run, gsl_matrix *band)
     }
 }
 
-/* Solves for motion (accelerations or velocities) and force (forces or impulses); known is filled in. */
+/* Solves for `motion` (accelerations or velocities) and `force` (forces or impulses). run->known must be
+ * set. */
 static int solve(struct run *run, double *motion)
 {
     size_t movers = run->head - run->tail + 1, size = 2 * movers - 1;
@@ -167,7 +172,7 @@ static int solve(struct run *run, double *motion)
     gsl_vector_view found = gsl_vector_subvector(run->found, 0, size);
     gsl_vector_uint_view pivot = gsl_vector_uint_subvector(run->pivot, 0, size);
 
-    if (movers == 1) { /* nothing to couple */
+    if (movers == 1) { /* a single domino has no contacts */
         motion[run->head] = gsl_vector_get(run->known, 0);
         return GSL_SUCCESS;
     }
@@ -238,7 +243,7 @@ static double potential(const struct run *run)
     return sum;
 }
 
-/* Computes everything at the state y, and keeps the smallest contact force. */
+/* Computes everything at the state y, and updates the smallest contact force. */
 static int look(struct run *run, const double y[])
 {
     struct direct_result *result = run->result;
@@ -255,7 +260,7 @@ static int look(struct run *run, const double y[])
     return status;
 }
 
-/* Returns a value that increases through 0 where the event happens. */
+/* Returns a value that rises through 0 when the event happens. */
 static double event_value(struct run *run, size_t event, const double y[])
 {
     if (event == REACH)
@@ -266,8 +271,8 @@ static double event_value(struct run *run, size_t event, const double y[])
     return -run->contact[run->tail + (event - LEAVE)].face;
 }
 
-/* Makes one step of any length from run->from: a step shorter than an accepted one is at least as
- * accurate. */
+/* Makes one step of the length `span` from run->from. The step needs no error control, since it is shorter
+ * than a step that has been accepted. */
 static int step_to(struct run *run, double span, double y[])
 {
     double error[DIM];
@@ -290,7 +295,8 @@ static double value_after(double span, void *params)
     return event_value(run, run->event, y);
 }
 
-/* Returns how far into a step of length span the event happens; negative if it cannot be found. */
+/* Returns when the event happens, measured from the start of a step of the length `span`. Returns a negative
+ * number if the event cannot be found. */
 static double locate(struct run *run, size_t event, double span)
 {
     gsl_function function = {value_after, run};
@@ -340,7 +346,7 @@ static bool first_event(struct run *run, double y[], double *span, size_t *event
     return any;
 }
 
-/* Sets new error scales, since dominoes and energies may grow by decades along the row. */
+/* Sets new error scales, since sizes and energies may grow by orders of magnitude along the row. */
 static const char *set_control(struct run *run)
 {
     const struct direct_row *row = run->row;
@@ -354,7 +360,8 @@ static const char *set_control(struct run *run)
     return run->control ? 0 : "Out of memory.";
 }
 
-/* Returns the longest step: not too long at first, and short enough for frequent checks of the forces. */
+/* Returns the largest allowed step, which is small at first, and always small enough for frequent checks of
+ * the forces. */
 static double longest_step(const struct run *run, const double y[])
 {
     double swing = sqrt(run->row->height[run->head] / run->row->g);
@@ -362,7 +369,7 @@ static double longest_step(const struct run *run, const double y[])
     return fmin((run->target - lean(run->row, run->head)) / y[OMEGA], swing) / LEAST_STEPS;
 }
 
-/* Makes one step by the integrator, shortened until it succeeds. */
+/* Makes one step of the integrator, which is shortened until it succeeds. */
 static int advance(struct run *run, double *t, double *h, double y[])
 {
     int status = GSL_FAILURE;
@@ -404,8 +411,8 @@ static const char *move(struct run *run, double y[], size_t *event)
     return wrong ? wrong : "The head neither reaches the next domino nor comes to rest.";
 }
 
-/* Makes the head strike the next domino, at rest: finds the impulses of all contacts, which all stay
- * closed. */
+/* Makes the head strike the next domino, which is at rest. Finds the impulses of all contacts, none of which
+ * opens. */
 static const char *collide(struct run *run, double y[])
 {
     const struct direct_row *row = run->row;
@@ -424,7 +431,7 @@ static const char *collide(struct run *run, double y[])
     place(run, lean(row, k), 0);
     if (run->contact[j].face > row->height[k])
         return "The tip passes above the top of the next domino.";
-    if (run->contact[j].arm_on <= 0) /* friction holds the tip, which would slide: the row jams */
+    if (run->contact[j].arm_on <= 0) /* friction prevents the tip from sliding, and the row jams */
         gsl_vector_set_zero(run->known);
     if (solve(run, run->omega) != GSL_SUCCESS)
         return "The collision is singular.";
@@ -437,8 +444,8 @@ static const char *collide(struct run *run, double y[])
     return 0;
 }
 
-/* Returns the angle of domino j where it reaches the next one: the bottom of whose back face is lower by
- * `down` and farther by `off` than of an upright one. */
+/* Returns the angle at which domino j reaches the next one. The bottom of the next domino's back face is
+ * lower by `down` and farther away by `off` than if that domino were upright. */
 static double reach_angle(const struct direct_row *row, size_t j)
 {
     double h = row->height[j], phi = lean(row, j + 1), d = row->thickness[j + 1], off = d * (1 - cos(phi)),
@@ -446,13 +453,14 @@ static double reach_angle(const struct direct_row *row, size_t j)
 
     if (phi == 0)
         return atan2(gap, sqrt((h - gap) * (h + gap)));
-    /* The face is the line x cos(phi) - z sin(phi) = c through that bottom. */
+    /* The back face is the line x cos(phi) - z sin(phi) = c through its bottom. */
     double c = (gap + off) * cos(phi) - d * sin(phi) * sin(phi);
 
     return phi + asin(c / h);
 }
 
-/* Sets the end of the phase: flat, or at the next domino if that is near enough. */
+/* Sets the angle at which the phase ends: at the next domino if that is in reach, and otherwise flat on the
+ * floor. */
 static void set_target(struct run *run)
 {
     const struct direct_row *row = run->row;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finite rows by another method, for the tests alone: constrained rigid bodies, Newton's equations for all
- * angular accelerations and contact forces together, integrated numerically. This file shares no formula with
- * the model. SI units throughout.
+ * Finite rows by another method, used only in tests: Newton's equations for constrained rigid bodies are
+ * solved for all angular accelerations and contact forces together, and integrated numerically. This file
+ * shares no formula with the model. All numbers are in SI units.
  */
 #ifndef DIRECT_H
 #define DIRECT_H
@@ -15,38 +15,44 @@ struct direct_row {
     size_t n;
     const double *height, *thickness, *gap, *mass;
     double mu, g;
-    double omega;       /* angular velocity given to the first domino at time 0 */
-    double slope;       /* rad, by which the floor falls towards the later dominoes */
-    double walls;       /* of boxes half as wide as tall, of one density; 0: solid blocks */
-    const double *lean; /* rad, tilts before the hits; NULL: all are upright */
+    double omega; /* angular velocity given to the first domino at time 0 */
+    double slope; /* angle in rad by which the floor descends towards the later dominoes */
+    /* thickness of the walls of boxes that are half as wide as tall; 0 for solid blocks */
+    double walls;
+    const double *lean; /* tilts in rad before the hits; NULL if all dominoes are upright */
 };
 
 struct direct_hit {
-    double time;           /* when it was hit; 0 for the first */
-    double omega_before;   /* of the hitting domino just before; 0 for the first */
-    double omega;          /* of this domino just after */
-    double kinetic;        /* of all moving dominoes just after */
-    double kinetic_before; /* just before; for the first domino equal to kinetic: no energy is lost there */
-    double potential;      /* of all dominoes that have not detached, including upright ones */
-    double friction_work;  /* lost to sliding friction in the motion since the start */
+    double time; /* time of the hit; 0 for the first domino */
+    /* angular velocity of the hitting domino just before the hit; 0 for the first domino */
+    double omega_before;
+    double omega;   /* angular velocity of this domino just after the hit */
+    double kinetic; /* kinetic energy of all moving dominoes just after the hit */
+    /* kinetic energy just before the hit; for the first domino, which loses none, equal to `kinetic` */
+    double kinetic_before;
+    /* potential energy of all dominoes that have not detached, including upright ones */
+    double potential;
+    double friction_work; /* energy lost to sliding friction since the start */
 };
 
 struct direct_result {
     size_t hit; /* number of dominoes that were hit, including the first */
     bool all_fall;
-    double end_time;    /* the last domino is flat, or the head comes to rest */
+    double end_time;    /* time at which the last domino lies, or at which the head comes to rest */
     double least_force; /* smallest normal force between two dominoes; INFINITY if there was no contact */
-    size_t least_at;    /* ... between dominoes least_at and least_at + 1 (from 1); 0 if none */
-    size_t least_head;  /* ... while domino least_head (from 1) was the foremost one */
-    double stop_theta;  /* of the head at the end; pi/2 and not all_fall: it fell past the next one */
+    /* least_force is between dominoes least_at and least_at + 1, counted from 1; 0 if there is none */
+    size_t least_at;
+    size_t least_head; /* number, from 1, of the foremost domino at the moment of least_force */
+    /* tilt of the head at the end; pi/2 without all_fall if the head fell past the next domino */
+    double stop_theta;
 };
 
 /*
- * Fills hits[0 .. result->hit - 1]. Returns 0, or a sentence about the error; hits before the error stay. A
- * tip that arrives above the top of the next domino is an error: that contact is of another kind. A collision
- * within mu times the thickness of the bottom of the struck face cannot turn that domino: its friction holds
- * tip and face together, and the row stops there, at stop_theta 0. Negative contact forces (the contact then
- * pulls) are no error: check least_force.
+ * Runs a row and fills hits[0 .. result->hit - 1]. Returns NULL, or a sentence about an error, in which case
+ * the hits before the error are still valid. A tip that arrives above the top of the next domino is an error,
+ * since that contact is of another kind. A collision below mu times the thickness of the struck domino cannot
+ * turn it: friction holds the tip and the face together, and the row stops with stop_theta = 0. A negative
+ * contact force, which means that the contact pulls, is not an error, so check least_force.
  */
 const char *direct_run(const struct direct_row *row, struct direct_hit *hits, struct direct_result *result);
 

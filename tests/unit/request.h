@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Functions of the kernel in double, for tests of the parts of the public functions. */
+/* Gives tests access to the internal functions of the kernel in double. */
 #ifndef TEST_REQUEST_H
 #define TEST_REQUEST_H
 

@@ -89,8 +89,8 @@ static void near_newton(const char *what, const struct run *run, size_t k, domq_
 }
 
 /*
- * The integrator keeps 1e-13 in a step, and the row 1e-12. A small margin has the error of the whole kinetic
- * energy, so the bound grows as the margin shrinks.
+ * The integrator has a tolerance of 1e-13 in each step, and the row one of 1e-12. A small margin has the
+ * error of the whole kinetic energy, so the bound increases as the margin decreases.
  */
 static void compare_hits(const struct run *run, const struct newton *n)
 {
@@ -134,7 +134,7 @@ void newton_compare(const struct run *run, const struct newton *n)
     }
     if (end == DOM_ROW_PASSES)
         assert_non_null(n->wrong);
-    if (end == DOM_ROW_PARTS) /* Newton's contacts pull from there on */
+    if (end == DOM_ROW_PARTS) /* from this domino on, contacts pull in Newton's equations */
         assert_true(n->result.least_force < 0);
     compare_hits(run, n);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A finite row and its result, by the library and by Newton's equations (direct.h). */
+/* Runs a finite row in the library and by Newton's equations (direct.h), and compares the results. */
 #ifndef TEST_RUN_H
 #define TEST_RUN_H
 
@@ -19,15 +19,15 @@ struct run {
 /* Runs the row with times. */
 enum dom_status run_whole(struct run *run);
 
-/* Returns how the row ends, from the verdict alone; fails the test if there is no verdict. */
+/* Runs the row without times, and returns how it ends. Fails the test if there is no verdict. */
 enum dom_row_end row_end(struct run *run);
 
-/* Returns the angular velocity that turns a single domino over its edge, in rad/s: half of I omega^2 lifts
- * its centre. */
+/* Returns the angular velocity in rad/s that just turns a single domino over its edge. The energy I omega^2 /
+ * 2 lifts the centre. */
 double push_over(const struct domq_domino *domino);
 
-/* Makes a row of count standard dominoes, each r times the one before, of 10 g at first, pushed three times
- * as hard as push_over. */
+/* Makes a row of `count` standard dominoes, each r times as large as the one before. The first has a mass of
+ * 10 g, and is pushed three times as hard as push_over says. */
 void make_row(struct run *run, size_t count, double s, double r, double mu);
 
 struct newton {
@@ -37,13 +37,13 @@ struct newton {
     const char *wrong;
 };
 
-/* Runs the row by Newton's equations; its domino arrays stay in n. */
+/* Runs the row by Newton's equations. *n holds the arrays that describe the dominoes. */
 void newton_run(const struct run *run, struct newton *n);
 
-/* Returns false if a margin of the row is so small that rounding decides. */
+/* Returns false if a margin of the row is so small that rounding decides the verdict. */
 bool run_is_clear(const struct run *run);
 
-/* Compares each hit and the end of a row with Newton's equations; fails the test where they differ. */
+/* Compares each hit and the end of a row with Newton's equations. Fails the test if they differ. */
 void newton_compare(const struct run *run, const struct newton *n);
 
 #endif

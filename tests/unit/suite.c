@@ -7,7 +7,7 @@ static struct CMUnitTest tests[TESTS_MOST];
 static int lines[TESTS_MOST];
 static size_t count;
 
-/* The compiler may call the constructors of a file in any order, so each test is inserted by its line. */
+/* The constructors of a file may be called in any order, so the tests are sorted by line. */
 void suite_add(const char *name, CMUnitTestFunction test, int line)
 {
     if (count == TESTS_MOST)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A test program: the tests that a file defines with TEST run in the order of the file. */
+/* A test program. It runs the tests that a file defines with TEST, in the order of the file. */
 #ifndef TEST_SUITE_H
 #define TEST_SUITE_H
 
@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-/* Defines a test; the body follows, as that of a function. */
+/* Defines a test. The body of the test follows, as for a function. */
 #define TEST(name)                                                                                           \
     static void name(void **state);                                                                          \
     static __attribute__((constructor)) void add_##name(void)                                                \

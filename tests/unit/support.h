@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tools of every unit test: cmocka, tables of reference digits, and comparisons that name what they
- * compare. */
+/* Tools for unit tests: cmocka, tables of reference values, and comparisons with a name for messages. */
 #ifndef TEST_SUPPORT_H
 #define TEST_SUPPORT_H
 
@@ -10,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Checks |value / expected - 1| <= bound, and exactly 0 if 0 is expected. */
+/* Checks |value / expected - 1| <= bound, or that the value is 0 if 0 is expected. */
 #define assert_near(what, value, expected, bound) near_(what, value, expected, bound, __FILE__, __LINE__)
 
 static inline void near_(const char *what, double value, double expected, double bound, const char *file,
@@ -24,7 +23,7 @@ static inline void near_(const char *what, double value, double expected, double
     _fail(file, line);
 }
 
-/* Checks that the two public headers give the same number to a relative difference; both may be NaN. */
+/* Checks that the numbers of the two public headers agree to a relative difference. Both may be NaN. */
 #define assert_in_both(what, value, wide, bound) same_(what, value, wide, bound, __FILE__, __LINE__)
 
 static inline void same_(const char *what, double value, domq_real wide, double bound, const char *file,
@@ -43,7 +42,7 @@ static inline void same_(const char *what, double value, domq_real wide, double 
 
 enum { CSV_COLUMNS = 32, CSV_LINE = 2048 };
 
-/* One row of a reference table at a time, with fields by the names in the first line of the table. */
+/* A reference table, which is read row by row. Fields are found by the names in the first line. */
 struct csv {
     FILE *file;
     char head[CSV_LINE], row[CSV_LINE];
@@ -89,7 +88,7 @@ static inline const char *csv_text(const struct csv *csv, const char *name)
     return "";
 }
 
-/* Returns the number in a field; NaN if it is empty. */
+/* Returns the number in a field, or NaN if the field is empty. */
 static inline double csv_number(const struct csv *csv, const char *name)
 {
     const char *text = csv_text(csv, name);
@@ -104,7 +103,7 @@ static inline struct asked csv_train(const struct csv *csv)
     return train;
 }
 
-/* Returns the next number of a seeded stream in [0, 1), the same on every machine (SplitMix64). */
+/* Returns the next random number in [0, 1). A seed gives the same numbers on every machine (SplitMix64). */
 static inline double random_unit(uint64_t *seed)
 {
     uint64_t z = *seed += 0x9e3779b97f4a7c15U;
@@ -118,7 +117,7 @@ static inline double random_log(uint64_t *seed, double lo, double hi)
     return lo * pow(hi / lo, random_unit(seed));
 }
 
-/* Returns a random train of the parameter space with r s <= 1, close to the reach one time in four. */
+/* Returns a random train with r s <= 1. One in four is close to the reach. */
 static inline struct asked random_train(uint64_t *seed)
 {
     struct asked train = asked_default();

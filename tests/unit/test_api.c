@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API: <domino.h> and <domino_quad.h> give the same numbers, bounds exist if they are requested,
- * NULL means the default, and the simple functions give the same as the others. test_refusals.c checks
+ * The public API: <domino.h> and <domino_quad.h> give the same numbers, error bounds exist if they are
+ * requested, NULL means the defaults, and the simple functions agree with the others. test_refusals.c checks
  * errors.
  */
 #include "support.h"
@@ -15,7 +15,8 @@ struct both {
     struct domq_compute computeq;
 };
 
-/* Trains that go on, that stop, that have no fuel, at the reach, and with friction: s, r, d, q, mu. */
+/* Trains that keep falling, that stop, that have no fuel, that are at the reach, and that have friction: s,
+ * r, d, q, mu. */
 static const double trains[][5] = {{0.4, 1.5, 0.15, 4, 0},  {0.5, 1.9, 0.15, 3, 0}, {0.3, 2.5, 0.15, 4, 0},
                                    {0.3, 1.1, 1.5, 3, 0},   {0.5, 2, 0.1, 3, 0},    {0.9, 1, 0.02, 5, 0},
                                    {0.4, 1.3, 0.15, 4, 0.2}};
@@ -42,20 +43,20 @@ static struct both both_of(const double p[5], enum dom_precision precision, bool
     return b;
 }
 
-/* The relative difference of numbers that is allowed. */
+/* The largest allowed relative difference. */
 static const double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding);
 
-/* Checks that a member and its bound, if it is requested, are the same; with friction the bound may be
- * unknown. */
+/* Checks that a member is the same in both results, and also its bound if bounds were requested. With
+ * friction, a bound may be unknown. */
 #define SAME_BOUND(member)                                                                                   \
     SAME(member)                                                                                             \
     assert_in_both("the bound of " #member, d.error.member, q.error.member, rounding);                       \
     assert_true(b->compute.errors ? d.error.member >= 0 || isnan(d.member) || b->train.mu > 0                \
                                   : isnan(d.error.member));
 
-/* Calls both functions for a result, and compares the members in a list. */
+/* Calls the function in both headers, and compares all members in a list. */
 #define FIND(name, type, MEMBERS)                                                                            \
     static enum dom_status both_##name(const struct both *b)                                                 \
     {                                                                                                        \
@@ -95,7 +96,7 @@ static const double rounding = DBL_EPSILON;
 #define LIMIT(X) X(r_max) SAME(ends) SAME(why)
 #define BEST(X)  X(s) X(r_max)
 
-/* clang-format off: it does not know these as functions. */
+/* clang-format off: these macros do not look like functions. */
 FIND(angles_find, angles, ANGLES)
 FIND_AT(contact_find, contact, CONTACT)
 FIND_AT(energy_find, energy, ENERGY)
@@ -172,7 +173,8 @@ TEST(growth)
 
 enum { KEPT = 64 };
 
-/* What the visitors of <domino.h> get, which those of <domino_quad.h> compare with what they get. */
+/* What the visitors of <domino.h> have received. The visitors of <domino_quad.h> compare it with what they
+ * receive. */
 struct seen {
     struct dom_link link[KEPT];
     struct dom_state state[KEPT];
@@ -202,7 +204,7 @@ static bool link_same(const struct domq_link *link, void *context)
     SAME(error.theta);
     SAME(error.slope);
     SAME(error.weight);
-    /* Geometry has bounds even with friction. */
+    /* The geometry has error bounds even with friction. */
     assert_true(seen->has_bounds == !isnan(d.error.theta) && seen->has_bounds == !isnan(d.error.weight));
     return seen->compared < KEPT;
 }

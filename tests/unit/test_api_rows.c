@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The public API of rows, counts, scales and effects, in both headers; and the simple functions. */
+/* The public API of rows, counts, scales and effects, in both headers, and the simple functions. */
 #include "support.h"
 #include <float.h>
 
-/* The relative difference of numbers that is allowed: a rounding error, or the effect of those in the sizes
- * of a row. */
+/* The largest allowed relative difference: a rounding error, or the effect of rounding errors in the sizes of
+ * a row. */
 static double rounding = DBL_EPSILON;
 
 #define SAME(member) assert_in_both(#member, d.member, q.member, rounding)
@@ -13,7 +13,7 @@ static double rounding = DBL_EPSILON;
 
 enum { ROW = 6 };
 
-/* One row for both headers: of a train of this growth, pushed or not, with friction or not. */
+/* The same row in both headers: a row of a train, with or without a push, and with or without friction. */
 struct rows {
     struct dom_domino domino[ROW];
     struct domq_domino dominoq[ROW];
@@ -44,7 +44,7 @@ static void rows_make(struct rows *r, double growth, double push, double mu, enu
     r->computeq.tol = r->compute.tol;
 }
 
-/* The falls of a run by <domino.h>, with which those by <domino_quad.h> are compared. */
+/* The falls of a run by <domino.h>, with which the run by <domino_quad.h> is compared. */
 struct fallen {
     struct dom_fall fall[ROW];
     int count, compared;
@@ -102,7 +102,7 @@ TEST(rows)
 
 /* ---- What a row allows ---- */
 
-/* Makes the row of a train of this growth, computed in double for both headers. */
+/* Makes the row of a train with this growth. The sizes are computed in double for both headers. */
 static void row_of_growth(double growth, struct dom_domino *domino, size_t count, void *context)
 {
     const struct dom_scale scale = dom_scale_default();
@@ -226,12 +226,12 @@ TEST(studies)
     assert_memory_equal(without, withoutq, sizeof without);
     assert_memory_equal(&causes, &study, sizeof study);
     assert_memory_equal(all, stops, r.row.count * sizeof *all);
-    /* Without one of its errors the row is that of the other error alone. */
+    /* Without one of its two errors, the row has only the other error. */
     struct dom_placement alone = p;
     alone.error[DOM_ERROR_thickness].size = 0;
     assert_status(dom_placement_study(&r.row, &r.compute, &alone, &causes, NULL), DOM_OK);
     assert_int_equal(causes.fall, without[DOM_ERROR_thickness]);
-    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* an error that is off */
+    assert_int_equal(without[DOM_ERROR_mass], study.fall); /* an error that is switched off */
     study.low = studyq.low = 2;
     assert_status(dom_study_interval(&study), DOM_OK);
     assert_status(domq_study_interval(&studyq), DOM_OK);
@@ -325,8 +325,8 @@ TEST(effects)
     DOM_EFFECTS(NAMED)
 }
 
-/* Checks the law of motion of a train, and the first effect that is on: without effects, and with each effect
- * alone. */
+/* Checks the law of motion of a train, and the first effect that is on, without effects and with each single
+ * effect. */
 TEST(laws)
 {
     struct dom_train t = dom_train_default();
@@ -363,7 +363,8 @@ TEST(simple)
     t.q = 3;
     assert_status(dom_limit_rmax(&t, NULL, &limit), DOM_OK);
     assert_true(dom_rmax(0.3, 0.2, 3) == limit.r_max);
-    assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding); /* to 1e-12 of it below */
+    /* to a relative tolerance of 1e-12 below */
+    assert_in_both("rmax", limit.r_max, domq_rmax(0.3, t.d, 3), rounding);
     assert_true(isnan(dom_rmax(2, 0.2, 3)) && isnan(dom_rmax(0.3, -1, 3)) && isnan(dom_rmax(0.3, 1.5, NAN)));
     assert_true(isnan(dom_rmax(0.3, 1.5, 3))); /* no growth */
     assert_true(dom_dominoes(0.048, 112, 1.5) == 20 && domq_dominoes(0.048, 112, 1.5) == 20);

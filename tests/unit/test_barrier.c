@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The barrier is the global maximum: checked by brute force, and in cases that are difficult for a simpler
- * search. */
+/* The barrier is the global maximum. This is checked by brute force, and in cases that are difficult for a
+ * simpler search. */
 #include "request.h"
 #include "support.h"
 #include <float.h>
 
-/* Returns the highest of many tilts, dense near both ends of [0, theta_c] and near the tilt where a domino
- * detaches. */
+/* Returns the highest energy at many tilts, which are dense near both ends of [0, theta_c] and near the tilt
+ * at which a domino detaches. */
 static double brute_force(const struct geometry *geometry, double theta_c)
 {
     double highest = 0;
@@ -29,10 +29,10 @@ static double brute_force(const struct geometry *geometry, double theta_c)
 }
 
 /*
- * Returns how far the height of a barrier is from H at its tilt, beyond what is allowed. H there is at most
- * H'' step^2 / 2 lower, where step is the possible distance of the tilt from the top (TOP_TOL), and not
- * higher. Rounding errors are those that the sum reports, a few of the height, and those of a tilt on a slope
- * at an end of [0, theta_c].
+ * Returns how much the difference between the height of a barrier and H at its tilt exceeds what is allowed.
+ * H at the tilt must not be higher, and at most H'' step^2 / 2 lower, where step is the possible distance of
+ * the tilt from the top (TOP_TOL). Allowed are also the rounding errors that the sum reports, a few rounding
+ * errors of the height, and those of the tilt if this is at an end of [0, theta_c] where H has a slope.
  */
 static double height_off(const struct geometry *geometry, double theta_c, const struct barrier *barrier)
 {
@@ -80,8 +80,7 @@ TEST(no_tilt_is_higher)
     assert_true(hills > 300);
 }
 
-/* Checks a barrier after a valley: H decreases first and increases later; the paper's search stops at 0
- * there. */
+/* Checks a barrier after a valley: H first decreases and then increases, so the paper's search stops at 0. */
 TEST(barrier_after_a_valley)
 {
     struct asked train = asked_default();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What makes passes short: the far tail in closed form, chains that share a pass, and trains whose barrier
- * has one top. */
+/* The means that make passes short: series for the far tail, chains that share a pass, and trains whose
+ * barrier has a single top. */
 #include "request.h"
 #include "support.h"
 
@@ -20,8 +20,8 @@ static struct geometry random_geometry(uint64_t *seed, double tol, struct tilt *
     return geometry;
 }
 
-/* Checks that two sums agree relative to the absolute values of their terms, r^-(q i) h' theta_i' and so on,
- * which decide where a pass ends. */
+/* Checks that two sums agree, relative to the sum of the absolute values of their terms, which decides where
+ * a pass ends. */
 static void assert_same(const char *what, const struct geometry *geometry, double a, double b, double scale,
                         double bound)
 {
@@ -30,8 +30,8 @@ static void assert_same(const char *what, const struct geometry *geometry, doubl
                  geometry->r, geometry->d, geometry->q, what, a, b, fabs(a - b) / scale, scale);
 }
 
-/* Checks that H2, H3, ... of the far tail are derivatives at theta_inf: the closed form is the whole train to
- * its tolerance. */
+/* Checks that the sums with the series for the far tail agree with the sums over the whole train, to their
+ * tolerance. */
 TEST(the_far_tail_is_the_train)
 {
     uint64_t seed = 31;
@@ -45,7 +45,8 @@ TEST(the_far_tail_is_the_train)
         assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &closed, NULL), DOM_OK);
         assert_status(energy_change_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e),
                       DOM_OK);
-        /* dH may cancel: then a pass is right to the rounding errors of its terms, which e bounds. */
+        /* dH may cancel. In that case a pass is only correct to the rounding errors of its terms, which e
+         * bounds. */
         assert_same("dH", &geometry, closed.dH, whole.dH, fabs(whole.dH) + e.dH / tol, 2 * tol);
         assert_same("H1", &geometry, closed.H1, whole.H1, fabs(whole.H1) + e.H1 / tol, 2 * tol);
         assert_same("J", &geometry, closed.J, whole.J, whole.J, 2 * tol + 1e-14);
@@ -70,8 +71,8 @@ static void assert_rest(const char *what, const struct geometry *geometry, doubl
                  geometry->far.order, z, what, closed, whole, bound);
 }
 
-/* Checks that what the series leave out is within the bounds that decide where a pass ends, and that the
- * bounds are small near theta_inf. */
+/* Checks that the terms that the series leave out are within the bounds that decide where a pass ends, and
+ * that these bounds are small near theta_inf. */
 TEST(the_far_tail_is_within_its_bound)
 {
     int orders = 0;
@@ -116,7 +117,8 @@ TEST(the_far_tail_is_within_its_bound)
     assert_true((orders & 1 << FAR_FIRST) && (orders & 1 << FAR_ORDER) && (orders & 1));
 }
 
-/* Checks that one chain with two uses, and two chains in one pass, give the same as separate passes. */
+/* Checks that a chain that is used twice, and two chains in one pass, give the same results as separate
+ * passes. */
 TEST(shared_passes_are_the_same)
 {
     uint64_t seed = 32;
@@ -143,7 +145,7 @@ TEST(shared_passes_are_the_same)
     assert_true(both > TRAINS / 10);
 }
 
-/* Checks that H2 is the slope of H1, to the accuracy of a difference. */
+/* Checks that H2 is the derivative of H1, to the accuracy of a difference quotient. */
 TEST(H2_is_the_slope_of_H1)
 {
     uint64_t seed = 33;
@@ -158,7 +160,7 @@ TEST(H2_is_the_slope_of_H1)
         assert_status(chain_second_derivative(&geometry, upright, head, &at), DOM_OK);
         assert_status(geometry.law->sum(&geometry, lo, &below), DOM_OK);
         assert_status(geometry.law->sum(&geometry, hi, &above), DOM_OK);
-        if (below.n != above.n && geometry.detaches) /* a domino detaches in between: H'' jumps */
+        if (below.n != above.n && geometry.detaches) /* H'' jumps, since a domino detaches in between */
             continue;
         double noise = 1e-15 * (fabs(at.H1) + geometry.reach) / h;
         assert_same("H2", &geometry, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4,
@@ -168,8 +170,8 @@ TEST(H2_is_the_slope_of_H1)
     assert_true(compared > TRAINS * 9 / 10);
 }
 
-/* Checks that H is concave up to theta_u if one top is enough, and that no barrier is higher than that of one
- * domino. */
+/* Checks that H is concave up to theta_u if barrier_single says that there is one top, and that no barrier is
+ * higher than that of a single domino. */
 TEST(one_top_if_concave)
 {
     uint64_t seed = 34;
@@ -199,7 +201,7 @@ TEST(one_top_if_concave)
     assert_true(single > TRAINS);
 }
 
-/* Counts the passes of a limit: a handful, while a scan of samples took hundreds. */
+/* Checks that a limit takes only a few passes. A scan of samples would take hundreds. */
 TEST(limits_take_few_passes)
 {
     struct dom_work work = {.passes = 0};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Completion offers only what the parser then takes: at every argument of every command. */
+/* Completion offers only words that the parser accepts. This is checked at every argument of every
+ * command. */
 #include "support.h"
 
 #include "commands/tables.h"
@@ -27,13 +28,13 @@ static void keep(const char *word, void *context)
     snprintf(o->word[o->count++], LINE, "%s", word);
 }
 
-/* Returns true if the parser takes the line as it is. */
+/* Returns true if the parser accepts the line as it is. */
 static bool parses(const char *line)
 {
     return line_preview(&session, line, strlen(line), "", NULL) == PREVIEW_WHOLE;
 }
 
-/* Returns true if the parser takes the line with something after it. */
+/* Returns true if the parser accepts the line as the beginning of a longer one. */
 static bool may_go_on(const char *line)
 {
     static const char *const more[] = {"",
@@ -96,7 +97,7 @@ static bool may_go_on(const char *line)
         if (parses(whole))
             return true;
     }
-    /* The words of parameters, as a value, and in a list. */
+    /* The words of parameters, as a value and in a list. */
     for (const struct parameter *p = session_parameters; p->name; p++)
         for (int k = 0; parameter_offered(p, k); k++) {
             static const char *const forms[] = {"%s %s", "%s, %s : rmax", "%s %s, %s : rmax"};
@@ -110,7 +111,7 @@ static bool may_go_on(const char *line)
     return false;
 }
 
-/* Checks all that is offered after a line, and after that. */
+/* Checks all words that are offered after a line, and recursively the words after each of them. */
 static void explore(const char *line, int depth)
 {
     static const char *const numbers[] = {"0.3 "};
@@ -138,7 +139,7 @@ static void explore(const char *line, int depth)
     free(o);
 }
 
-/* Begins a session in which every answer has a value, 'ans' too. */
+/* Begins a session in which every answer has a value, including 'ans'. */
 static void begin(void)
 {
     command_registry(all_commands);

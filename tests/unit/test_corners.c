@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rare answers: dips of the margin, methods, interrupts, memory that runs out. */
+/* Rare situations: dips of the margin, methods that cannot answer, interrupts, and memory that runs out. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <errno.h>
 #include <pthread.h>
 
-/* ---- The first r counts, though larger ones go on again ---- */
+/* ---- The first r counts, even if the train keeps falling again at larger ones ---- */
 
 static struct asked train_of(double s, double d, double q, enum dom_fuel fuel)
 {
@@ -27,9 +27,10 @@ static double margin_at(struct asked t, double r)
 }
 
 /*
- * Checks a margin that falls below 0 and rises above it again within a few percent of r, less than the steps
- * in which r is raised. Below the answer 20,000 samples find no margin < 0, just above the answer there is
- * one, and farther up the train goes on again: a search that misses the dip would end there.
+ * Checks a margin that falls below 0 and rises above 0 again within a few percent of r, less than the steps
+ * in which r is raised. 20,000 samples show no negative margin below the answer. Just above the answer the
+ * margin is negative, and farther up it is positive again, so a search that misses the dip would find a
+ * larger answer.
  */
 TEST(dips_of_the_margin)
 {
@@ -61,7 +62,7 @@ TEST(dips_of_the_margin)
 
 /* ---- Bounds ---- */
 
-/* Checks that with friction there are no bounds. */
+/* Checks that there are no error bounds with friction. */
 TEST(no_bounds_with_friction)
 {
     struct asked t = asked_default();
@@ -86,7 +87,7 @@ TEST(no_bounds_with_friction)
 
 /* ---- Refusals ---- */
 
-/* Checks that the methods to compare with have no bounds, and not every answer. */
+/* Checks that the methods for comparison give no error bounds, and do not answer every question. */
 TEST(methods_refuse)
 {
     static const enum dom_method methods[] = {DOM_METHOD_GSL, DOM_METHOD_PAPER};
@@ -110,7 +111,7 @@ TEST(methods_refuse)
     }
 }
 
-/* Checks that the methods agree if equal dominoes do not go on, and if the growth ends at 1/s. */
+/* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */
 TEST(methods_at_the_ends)
 {
     struct asked t = asked_default();
@@ -139,7 +140,7 @@ TEST(methods_at_the_ends)
         assert_int_equal(limit.ends, DOM_END_REACH);
         assert_near("r_max", (double)limit.r_max, 1 / 0.95, 1e-15);
     }
-    /* The paper's plain sums are infinite at r = 1. */
+    /* The sums of the paper are infinite at r = 1. */
     t.r = 1;
     t.s = 0.4;
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
@@ -165,7 +166,8 @@ TEST(no_such_precision)
     assert_string_equal(dom_status_text((enum dom_status)(DOM_INTERRUPTED + 1)), "unknown status");
 }
 
-/* A number that an enumeration does not have gets a text, or NULL, and reads beyond no table. */
+/* Checks that a number outside an enumeration has a text or NULL, and that no table is read beyond its
+ * end. */
 TEST(numbers_without_a_text)
 {
     static const int number[] = {-1, 8, 12345678};
@@ -191,7 +193,7 @@ TEST(counts_of_equal_dominoes)
     assert_true(isinf((double)count.dominoes) && isnan((double)count.last));
 }
 
-/* Checks that an interrupt gives INTERRUPTED, and that nothing is written. */
+/* Checks that an interrupt gives DOM_INTERRUPTED, and that nothing is written. */
 TEST(interrupted)
 {
     const volatile sig_atomic_t now = 1;
@@ -233,9 +235,9 @@ TEST(interrupted)
     assert_true(study.low == -1 && budget.sigma == -1);
 }
 
-/* ---- Memory and threads that cannot be had: the linker sends the library's calls here ---- */
+/* ---- Failing allocations and threads: the linker redirects the library's calls to these functions ---- */
 
-static long calls_left = -1; /* allocations until one fails; < 0: none fails */
+static long calls_left = -1; /* number of allocations until one fails; negative if none fails */
 static bool no_threads;
 
 void *__real_malloc(size_t size);
@@ -263,8 +265,8 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
     return no_threads ? EAGAIN : __real_pthread_create(thread, attributes, run, context);
 }
 
-/* Lets one allocation after the other fail, until an answer needs no more: each failure is reported, and all
- * memory is freed. */
+/* Makes each allocation of an answer fail in turn. Checks that each failure is reported, and that all memory
+ * is freed. */
 TEST(memory_runs_out)
 {
     struct asked t = asked_default();
@@ -283,7 +285,7 @@ TEST(memory_runs_out)
     enum { RUN, STUDY, BUDGET, QUESTIONS };
     for (int question = RUN; question < QUESTIONS; question++) {
         long failed = 0;
-        no_threads = question == STUDY; /* so that the same allocation fails each time */
+        no_threads = question == STUDY; /* without threads, the order of allocations is always the same */
         for (enum dom_status status = DOM_NO_MEMORY; status != DOM_OK; failed++) {
             calls_left = failed;
             status = question == RUN     ? ask_row_run(&row, true, NULL, NULL, &verdict)
@@ -292,11 +294,12 @@ TEST(memory_runs_out)
             calls_left = -1;
             assert_status(status, failed < 2000 && status != DOM_OK ? DOM_NO_MEMORY : DOM_OK);
             if (question == BUDGET && failed > 8)
-                break; /* a budget has as many studies as it needs */
+                break; /* the number of studies of a budget may vary */
         }
         assert_true(failed > 1);
     }
-    /* The study had no second thread, and the same result; so has a study without a pool. */
+    /* Without a second thread the study has had the same result. A study without a pool must have this
+     * result, too. */
     no_threads = false;
     for (int i = 0; i < 2; i++) {
         assert_status(ask_placement_study(&row, &p, &alone, NULL), DOM_OK);

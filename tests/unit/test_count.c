@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How many dominoes reach a height: known numbers, and heights near powers, in exact arithmetic. */
+/* The number of dominoes that reach a height, for known cases, and in exact arithmetic for heights near
+ * powers. */
 #include "support.h"
 
 static domq_real rounded(domq_real x, enum dom_precision precision)
@@ -8,10 +9,10 @@ static domq_real rounded(domq_real x, enum dom_precision precision)
 }
 
 /*
- * Checks heights near a power. first and r have so few bits that first r^k is exact in the widest type, so a
- * height above it is known exactly. A height above it by more than the rounding of typed numbers, half a unit
- * for each of 4 + k of them, takes one domino more; a height within that, or below, does not. No more than a
- * millionth of a domino is allowed for.
+ * Checks heights near a power. `first` and r have so few bits that first r^k is exact in the widest type, so
+ * the distance of a height from this power is known exactly. A height takes one domino more if it exceeds the
+ * power by more than the rounding of typed numbers, which is half a unit for each of 4 + k numbers, but at
+ * most a millionth of a domino.
  */
 TEST(heights_near_a_power)
 {
@@ -30,7 +31,7 @@ TEST(heights_near_a_power)
         domq_real height = rounded(power * (1 + (domq_real)(units * epsilon)), precision);
         double off = (double)((height - power) / power) / epsilon,
                slack = fmin((4 + k) / 2.0, 1e-6 * log((double)r) / epsilon);
-        if (fabs(off - slack) < 1) /* the bound itself is rounded */
+        if (fabs(off - slack) < 1) /* too close to the bound, which is itself rounded */
             continue;
         struct domq_count count;
         assert_status(ask_count_find(precision, first, height, r, &count, NULL), DOM_OK);
@@ -47,8 +48,8 @@ TEST(heights_near_a_power)
     assert_true(above > 5000 && meet > 2000);
 }
 
-/* Checks that 30 dominoes reach 2^30 m from 1 m; 0.01 mm more takes 31, in double and, typed with more
- * digits, in quad. */
+/* Checks that 30 dominoes lead from 1 m to 2^30 m, and that 31 are needed for 0.01 mm more, in double and,
+ * typed with more digits, in quad. */
 TEST(a_bit_more_than_a_power)
 {
     struct domq_count count;
@@ -77,7 +78,7 @@ TEST(known_numbers)
         assert_near("dominoes", count.dominoes, known[i].n, 0);
         assert_near("the last", count.last, known[i].first * pow(known[i].r, known[i].n), 1e-9);
     }
-    /* 48 mm doubled k times, as a person would type it, with 6 to 17 digits. */
+    /* 48 mm doubled k times, typed with 6 to 17 digits. */
     for (int k = 1; k < 60; k++) {
         for (int digits = 15; digits <= 17; digits++) {
             char text[40];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and what is wrong. */
+/* The reader of csv files: separators, quotes, line ends, units, decimal marks, limits, and errors. */
 #include "suite.h"
 
 #include "language/csv_table.h"
@@ -19,8 +19,8 @@ static const struct csv_kind kind = {
 static const struct csv_kind headless = {columns,  4,           true,        3,   "thing",
                                          "things", "size, gap", "size, gap", NULL};
 
-/* Writes the names of other columns above units, all rows as "size gap count word others; ...", then what is
- * wrong, as "line:column: ...". */
+/* Writes the table: first the names and units of the other columns, then all rows as "size gap count word
+ * others; ...", and then the error, if there is one, as "line:column: ...". */
 static void rows_show(const char *text, size_t length, const struct csv_kind *of, bool comma, char *shown,
                       size_t size)
 {
@@ -47,7 +47,7 @@ static void rows_show(const char *text, size_t length, const struct csv_kind *of
 }
 
 struct reading {
-    const char *text, *shown; /* shown: the beginning of what rows_show writes */
+    const char *text, *shown; /* `shown` is the beginning of the expected output of rows_show */
 };
 
 static void rows_check(const struct reading *cases, size_t count, const struct csv_kind *of, bool comma)
@@ -61,7 +61,7 @@ static void rows_check(const struct reading *cases, size_t count, const struct c
 }
 #define CHECK(cases, of, comma) rows_check(cases, sizeof cases / sizeof *cases, of, comma)
 
-/* The same two rows, as people and spreadsheets write them. */
+/* Checks two rows in the many forms in which people and spreadsheets write them. */
 TEST(one_table)
 {
     static const char *const texts[] = {
@@ -122,7 +122,7 @@ TEST(decimal_marks)
     };
     CHECK(sure, &kind, false);
     CHECK(sure, &kind, true);
-    /* As decimals, and the place of the first number that may have another meaning. */
+    /* Checks decimal marks, and the place of the first ambiguous number. */
 #define EITHER(a, b) "can be read as " a "." b " or as " a b "; write " a "." b "0 or " a b
     static const struct reading doubtful[] = {
         {TABS "1,234\t\t", "1.234 - - ; 2:1: '1,234' " EITHER("1", "234")},
@@ -198,7 +198,8 @@ TEST(names)
     CHECK(without, &headless, false);
 }
 
-/* Heads and rows of as many cells as can be read, one less and one more; lines at the limit; NUL bytes. */
+/* Checks headers and rows with the largest number of cells, one cell less and one more, lines of the largest
+ * length, and NUL bytes. */
 TEST(limits)
 {
     enum { SIZE = CSV_LINE_MOST + 100 };
@@ -206,7 +207,7 @@ TEST(limits)
     assert_non_null(text);
     enum { OTHERS = CSV_OTHERS_MOST, CELLS = CSV_CELLS_MOST };
     static const struct {
-        int head, row; /* cells; two of them are in the table */
+        int head, row; /* number of cells, two of which are columns of the table */
         const char *shown;
     } cases[] = {
         {OTHERS + 1, OTHERS + 1, "1 2 - ,"},
@@ -230,7 +231,7 @@ TEST(limits)
         rows_show(text, (size_t)n, &kind, false, shown, sizeof shown);
         assert_memory_equal(shown, cases[k].shown, strlen(cases[k].shown));
     }
-    for (int more = -1; more <= 1; more++) { /* a line of 65535 bytes and its end is the longest */
+    for (int more = -1; more <= 1; more++) { /* the longest line has 65535 bytes, apart from its end */
         int n = sprintf(text, "size m,gap m,note\n"), length = CSV_LINE_MOST - 1 + more;
         memset(text + n, 'x', (size_t)length);
         memcpy(text + n, "1,2,", 4);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Designed rows, checked by the functions about trains and rows, and against all separations on a grid. */
+/* Designs, checked with the functions for trains and rows, and compared with all separations on a grid. */
 #include "support.h"
 
 static struct domq_wish wish_of(double height, double safety, double hall, enum dom_least least)
@@ -35,7 +35,8 @@ enum { MOST = 200 };
 
 static struct domq_domino domino[MOST];
 
-/* Returns the least ratio of a row after its first domino; 0 where not all fall. */
+/* Returns the smallest kinetic / barrier of the dominoes after the first one, or 0 if not all dominoes
+ * fall. */
 static double row_least(const struct domq_train *train, const struct domq_wish *w, double s, size_t steps,
                         bool times, struct domq_verdict *v)
 {
@@ -52,7 +53,7 @@ static double row_least(const struct domq_train *train, const struct domq_wish *
     return v->end == DOM_ROW_FALLS ? least : 0;
 }
 
-/* Checks a design by the row that it describes. */
+/* Checks a design by running the row that it describes. */
 static void row_holds(const struct domq_train *train, const struct domq_wish *w, const struct domq_design *d)
 {
     struct domq_verdict v;
@@ -67,8 +68,8 @@ static void row_holds(const struct domq_train *train, const struct domq_wish *w,
     assert_near("height", (double)domino[d->steps].height, (double)w->height, 1e-12);
 }
 
-/* Checks that a design has its safety by other functions, and that no separation has that safety with a step
- * less. */
+/* Checks with other functions that a design has the safety, and that no separation has this safety with one
+ * step less. */
 TEST(designs_hold)
 {
     uint64_t seed = 181;
@@ -102,8 +103,8 @@ TEST(designs_hold)
     assert_true(fit >= 12 && limits[DOM_DESIGN_HALL] >= 2);
 }
 
-/* Checks designs with friction and rounded edges, where the sums of some trains do not settle to every
- * tolerance: there is a row, and it has its safety at a rough one. */
+/* Checks designs with friction and rounded edges, where the sums of some trains do not converge to every
+ * tolerance. There must be a row that has the safety at a rough tolerance. */
 TEST(friction_with_edges)
 {
     uint64_t seed = 7;
@@ -137,7 +138,7 @@ TEST(friction_with_edges)
     }
 }
 
-/* An engine in which rows with a growth up to `most` fall, of 10 s; or that cannot decide. */
+/* An engine in which rows fall in 10 s if their growth is at most `most`, or which cannot decide. */
 struct fake {
     double most;
     bool decides;
@@ -154,7 +155,7 @@ static enum dom_status fake_run(const struct domq_row *row, const struct domq_co
     return own->decides ? DOM_OK : DOM_NOT_CONVERGED;
 }
 
-/* Checks that a row must also fall in the engine of the wish, with as many dominoes more as that takes. */
+/* Checks that the row also falls in the engine of the wish, and that dominoes are added until it does. */
 TEST(engine_decides)
 {
     struct domq_train train = domq_train_default();
@@ -182,7 +183,7 @@ TEST(engine_decides)
     }
 }
 
-/* Checks that the number that an impossible wish needs makes it possible, and that a little less does not. */
+/* Checks that `needs` makes an impossible wish possible, and that a slightly smaller number does not. */
 TEST(needs_are_enough)
 {
     struct domq_train train = domq_train_default();
@@ -222,7 +223,7 @@ TEST(needs_are_enough)
     assert_true(isnan((double)d.s) && d.steps == 0);
 }
 
-/* Checks that every possible row is as long as the shortest one, or longer. */
+/* Checks that no possible row is shorter than the shortest one that is found. */
 TEST(shortest_is_shortest)
 {
     struct domq_train train = domq_train_default();

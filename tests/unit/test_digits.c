@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The digits that the shell writes, against those of printf and strtod, character by character. */
+/* Compares the digits that the shell writes with those of printf and strtod, character by character. */
 #include "support.h"
 
 #include "answer/cell.h"
@@ -15,7 +15,7 @@ static uint64_t random_bits(void)
     return state ^= state << 17;
 }
 
-/* Returns a number between 1e-13 and 1e17: of all bits, of few, or a decimal of few digits. */
+/* Returns a number between 1e-13 and 1e17 that has all bits or few bits, or is a decimal with few digits. */
 static double random_double(int k)
 {
     double fraction = (double)(random_bits() >> 11) * 0x1p-53, size = (double)(random_bits() % 30) - 13;
@@ -38,7 +38,7 @@ static void one_text(double value)
 static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17},
                                  in_float = {.precision = DOM_FLOAT, .all_digits = 9};
 
-/* Checks that csv and json write the fewest digits of 15, 16 and 17, or 7, 8 and 9, that read back. */
+/* Checks that csv and json write the fewest digits that round-trip: 15, 16 or 17, or for floats 7, 8 or 9. */
 static void one_shortest(double value)
 {
     char text[CELL_TEXT], printed[64];
@@ -65,7 +65,8 @@ TEST(random_numbers)
     }
 }
 
-/* Checks ties, ends of the range, powers of two and ten with their neighbours, and all nines. */
+/* Checks ties, the ends of the range, powers of two and ten with their neighbours, and numbers that consist
+ * of nines. */
 TEST(hard_numbers)
 {
     static const double hard[] = {0,        -0.0,   0.5,        1.5,     2.5,      0.125,     0.375,
@@ -107,7 +108,7 @@ static void print_quad(char *text, size_t size, int digits, domq_real value)
 }
 #endif
 
-/* Checks wider numbers in few digits, also those too close to a tie for a double. */
+/* Checks wider numbers with few digits, including those that a double would round to a tie. */
 TEST(quad_numbers)
 {
     char text[WIDE_TEXT], printed[64];
@@ -126,7 +127,7 @@ TEST(quad_numbers)
     }
 }
 
-/* Checks that what csv and json write reads back to the same number. */
+/* Checks that numbers in csv and json survive a round trip. */
 TEST(cells_return)
 {
     char text[CELL_TEXT];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where there is no answer: beyond the reach, without fuel, beyond the arithmetic; and the texts of statuses.
- */
+/* Cases without an answer: beyond the reach, without fuel and beyond the arithmetic. Also the texts of
+ * statuses. */
 #include "support.h"
 
 TEST(head_must_reach_the_next)
@@ -11,7 +11,7 @@ TEST(head_must_reach_the_next)
     assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
     assert_status(ask_angles_find(&train, &angles, NULL), DOM_OUT_OF_REACH);
     assert_true(angles.theta_c == -1);
-    /* 1/s, rounded to a double, is the reach for every s; one unit more is not. */
+    /* For every s, the rounded 1/s counts as the reach, and a number one unit larger does not. */
     for (double s = 0.011; s < 1; s += 0.007) {
         train.s = s;
         train.r = 1 / s;
@@ -21,7 +21,7 @@ TEST(head_must_reach_the_next)
     }
 }
 
-/* Checks two limits: (1) more than two million dominoes matter, (2) energies below the range of doubles. */
+/* Checks two limits: more than two million dominoes that matter, and energies below the range of doubles. */
 TEST(beyond_the_arithmetic)
 {
     struct asked train = asked_default();
@@ -37,7 +37,7 @@ TEST(beyond_the_arithmetic)
     assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_UNDERFLOW);
 }
 
-/* Checks a thick train, and one just below the separation at which falling sets energy free. */
+/* Checks a thick train, and one just below the separation at which a fall releases energy. */
 TEST(no_cycle_without_fuel)
 {
     static const double trains[][4] = {{0.3, 1.1, 1.5, 3}, {0.00633775, 1, 7.0 / 48, 3}};

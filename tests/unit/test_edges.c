@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction, rows and studies in difficult cases: thin dominoes, r s = 1, dominoes that detach on the way, few
- * rows. */
+/* Friction, rows and studies in difficult cases: thin dominoes, r s = 1, dominoes that detach during the
+ * motion, and few rows. */
 #include "run.h"
 #include "support.h"
 
@@ -23,8 +23,8 @@ static struct asked friction_train(double s, double r, double d, double q, doubl
 }
 
 /*
- * Checks the barrier of a thin domino, d^2 high at theta ~ d, after which u changes by 1: double against
- * quad, whose digits show it in any case.
+ * Checks the barrier of a thin domino against quad, which has enough digits in any case. The barrier is d^2
+ * high at theta ~ d, and later u changes by 1.
  */
 TEST(thin_dominoes_with_friction)
 {
@@ -55,8 +55,7 @@ TEST(thin_dominoes_with_friction)
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
 }
 
-/* Checks every tolerance for a follower with hardly any motion that still rubs, and for a small remaining
- * C. */
+/* Checks every tolerance for a follower that hardly moves but has friction, and for a small remaining C. */
 TEST(small_tolerances)
 {
     struct asked t =
@@ -83,8 +82,8 @@ static void alike(struct run *seen, size_t count)
 }
 
 /*
- * Checks r s = 1, where the followers detach with the hit and carry no energy away: the motion is as just
- * before the hit, up to changes within sqrt(1 - r s) = 1e-7 of the motion, over a barrier of 1e-2.
+ * Checks r s = 1, where the followers detach in the collision and carry no energy away. The motion is the
+ * same as for an r s just below 1, up to changes of the order sqrt(1 - r s) = 1e-7.
  */
 TEST(reached_with_the_last_tip)
 {
@@ -104,7 +103,7 @@ TEST(reached_with_the_last_tip)
     }
 }
 
-/* Checks touching dominoes, which hit at once; without friction nothing locks. */
+/* Checks dominoes that touch, so that they hit each other at once. Without friction nothing locks. */
 TEST(touching)
 {
     static struct run at, near;
@@ -123,8 +122,8 @@ TEST(touching)
 }
 
 /*
- * Checks that a row of a train tends to the train even if followers detach on the way; with friction the
- * smallest margin is then an energy at the launch.
+ * Checks that a row of a train converges to the train even if followers detach during the motion. With
+ * friction, the smallest margin is an energy at the launch in that case.
  */
 TEST(dominoes_detach_on_the_way)
 {
@@ -150,8 +149,8 @@ TEST(dominoes_detach_on_the_way)
 }
 
 /*
- * Checks a domino that detaches while one after it has already detached: against Newton's equations, at gaps
- * near the one where the search for the barrier once met both.
+ * Checks, against Newton's equations, a domino that detaches when a domino after it has already detached. The
+ * gaps are near one at which a search for the barrier once met both events.
  */
 TEST(one_detaches_after_another)
 {
@@ -199,7 +198,7 @@ TEST(ends)
     assert_status(run_whole(&seen), DOM_OK);
     assert_int_equal(seen.verdict.end, DOM_ROW_STOPS);
     assert_true(seen.verdict.seconds == seen.fall[3].time);
-    /* Without a push the first domino falls from its edge, and needs the friction of the floor from there
+    /* Without a push the first domino falls from its edge, and needs friction of the floor only from then
      * on. */
     alike(&seen, 2);
     seen.row.push = DOMQ_NAN;
@@ -212,7 +211,7 @@ TEST(ends)
     seen.row.floor = true;
     assert_status(run_whole(&seen), DOM_OK);
     assert_true((double)seen.fall[0].floor_motion > 1); /* a rod needs any friction at cos theta = 1/3 */
-    /* Parts: the weakest of the dominoes that go on has no negative margin. */
+    /* DOM_ROW_PARTS: none of the dominoes that keep falling has a negative margin. */
     alike(&seen, 6);
     seen.domino[1].gap = 0;
     seen.domino[3].gap = 0.048;
@@ -231,7 +230,7 @@ TEST(floor_at_the_reach)
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
-/* Runs studies until as many have run as the pool says, and is interrupted then. */
+/* Runs as many studies as the pool says, and then reports an interrupt. */
 static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
 {
     int *left = pool;
@@ -242,7 +241,8 @@ static enum dom_status few_studies(size_t count, dom_task *task, void *context, 
     return DOM_OK;
 }
 
-/* Checks that an interrupted search keeps what is known of the answer, closer with each study. */
+/* Checks that an interrupted search returns the bounds that are known, which become closer with each
+ * study. */
 TEST(budget_interrupted)
 {
     struct domq_domino domino[6];
@@ -273,7 +273,7 @@ TEST(budget_interrupted)
     assert_true(known >= 5 && bounded >= 3);
 }
 
-/* Checks budgets of too few rows, and of rows that cannot be placed well enough. */
+/* Checks budgets with too few rows, and for a row that stops even without errors. */
 TEST(budgets)
 {
     static struct run seen;
@@ -284,13 +284,13 @@ TEST(budgets)
     assert_true(budget.low == 0 && budget.sigma < budget.high);
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
     assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
-    /* The same rows at that sigma. */
+    /* Run the same rows with the sigma that was found. */
     struct domq_study study;
     p.error[DOM_ERROR_gap].size = budget.sigma;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_true(study.fall >= 160 && study.fall <= 161);
-    /* Of 200 rows of which 19 in 20 fall, at most 183 or at least 197 do so in less than 2.5 % of all
-     * cases. */
+    /* If rows fall with a probability of 0.95, then of 200 rows at most 183 fall with a probability below 2.5
+     * %, and at least 197 as well. */
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.95, &budget), DOM_OK);
     p.error[DOM_ERROR_gap].size = budget.low;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
@@ -299,19 +299,19 @@ TEST(budgets)
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     assert_in_range(study.fall, 183, 184);
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 1.5, &budget), DOM_BAD_PROBABILITY);
-    seen.row.push = 2; /* the domino does not tip over its edge */
+    seen.row.push = 2; /* too weak a push to tip the domino over its edge */
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.5, &budget), DOM_STOPS);
 }
 
-/* Checks that gaps are normally distributed with the given sigma: the share of rows with one gap exactly so
- * wide is known. */
+/* Checks that gaps are normally distributed with the given sigma, in rows for which the share that falls is
+ * known. */
 TEST(errors_are_normal)
 {
     static struct run seen;
     struct domq_study study;
     struct domq_placement p = {.error[DOM_ERROR_gap].size = 0.001, .seed = 9, .rows = 20000};
     alike(&seen, 2);
-    /* The domino falls short if the gap is more than the height: one standard deviation away. */
+    /* The domino misses the next one if the gap exceeds its height, which is one standard deviation away. */
     seen.domino[1].gap = 0.047;
     seen.row.push = 12;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
@@ -321,9 +321,10 @@ TEST(errors_are_normal)
     assert_true(study.low < share && share < study.high);
 }
 
-/* ---- Loose tolerances, and answers that nearly vanish: where a short cut once gave a wrong one ---- */
+/* ---- Loose tolerances, and results close to 0, for which a shortcut was once wrong ---- */
 
-/* Checks that the tolerance is that of the fuel, not of the terms that cancel in it: the verdict is right. */
+/* Checks that the tolerance is relative to the fuel, and not to the terms that cancel in it, so that the
+ * verdict is right. */
 TEST(nearly_no_fuel)
 {
     struct asked train = train_of(1.237420463355369e-05, 1, 0.018356095505984882, 3, 1e-3);
@@ -349,8 +350,8 @@ TEST(rubbing_limits_keep_their_tolerance)
     assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
 }
 
-/* Checks the durations of thin dominoes, whose slowness is a peak at 0 on a wide range: two rules once agreed
- * on it by chance. */
+/* Checks the durations of thin dominoes, whose slowness has a narrow peak at 0. Two levels of an integration
+ * rule once agreed by chance. */
 TEST(durations_of_thin_dominoes)
 {
     struct asked train =
@@ -364,7 +365,8 @@ TEST(durations_of_thin_dominoes)
     assert_near("duration", duration, 13.0849188, 1e-8);
 }
 
-/* Checks that the time of a short distance is its length over omega(0), however far away the top is. */
+/* Checks that the time for a short distance is its length divided by omega(0), however far away the top
+ * is. */
 TEST(times_of_short_ways)
 {
     for (double theta = 1e-3; theta > 1e-18; theta /= 10) {
@@ -386,7 +388,7 @@ TEST(the_reason_is_the_first)
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
-/* Runs the last task first, and leaves out a given number: a dom_parallel. */
+/* A dom_parallel that runs the last task first, and leaves out a given number of tasks. */
 static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
 {
     const size_t *left_out = pool;
@@ -395,8 +397,8 @@ static enum dom_status backwards(size_t count, dom_task *task, void *context, vo
     return DOM_OK;
 }
 
-/* Checks that the order of the batches changes no count, and that a study without some of them
- * has the counts of the others. */
+/* Checks that counts do not depend on the order of the batches, and that a study in which some batches were
+ * left out has the counts of the others. */
 TEST(any_order)
 {
     static struct run seen;
@@ -416,8 +418,8 @@ TEST(any_order)
     assert_true(other.rows < study.rows && other.fall <= study.fall);
 }
 
-/* Checks rows by their numbers, where they stop, which of them the model cannot decide, and the interval of
- * all. */
+/* Checks that studies of parts add up: how many rows fall, at which dominoes they stop, how many the model
+ * cannot decide, and the interval. */
 TEST(studies_add_up)
 {
     static struct run seen;
@@ -442,7 +444,7 @@ TEST(studies_add_up)
     p.seed = 6;
     assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
     assert_true(part[0].fall != part[1].fall);
-    /* Without errors every row is the row itself: in this row the third domino cannot reach the next. */
+    /* Without errors all rows are alike. In this row the third domino cannot reach the next one. */
     p = (struct domq_placement){.rows = 50};
     seen.domino[3].gap = 0.05;
     assert_status(run_whole(&seen), DOM_OK);
@@ -450,7 +452,7 @@ TEST(studies_add_up)
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
     assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
-    /* In this row its tip passes above the next. */
+    /* In this row the tip of a domino passes above the next one. */
     alike(&seen, 10);
     seen.domino[3].height *= 0.8;
     assert_status(run_whole(&seen), DOM_OK);
@@ -463,7 +465,7 @@ TEST(studies_add_up)
     assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
 }
 
-/* Checks that heights are normally distributed like gaps, and that a higher domino is heavier in
+/* Checks that heights are normally distributed, as gaps are, and that a taller domino is heavier in
  * proportion. */
 TEST(heights_are_normal)
 {
@@ -472,13 +474,15 @@ TEST(heights_are_normal)
     struct domq_study study;
     struct domq_placement p = {.error[DOM_ERROR_height].size = 0.01, .seed = 9, .rows = ROWS};
     alike(&seen, 2);
-    /* The first falls short if it is lower than the gap: one standard deviation away. */
+    /* The first domino misses the next one if it is shorter than the gap, which is one standard deviation
+     * away. */
     seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;
     seen.row.push = 12;
     assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
     double share = (double)study.fall / ROWS, expected = 0.5 * erfc(-1 / sqrt(2));
     assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / ROWS));
-    /* The same rows by normals of another kind (Box and Muller), where the push suffices for about half. */
+    /* The same row with normal numbers from another generator (Box and Muller). The push is strong enough for
+     * about half of the rows. */
     uint64_t seed = 10;
     size_t falls = 0;
     p.error[DOM_ERROR_height].size = 0.6;

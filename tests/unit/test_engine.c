@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The rigid-body engine against the library where both can answer, against published and known values where
- * only the engine can, and how it ends; and how the library asks an engine of a caller.
+ * The rigid-body engine: compared with the library where both can answer, and with published and known values
+ * where only the engine can; how its runs end; and how the library calls the engine of a caller.
  */
 #include "engine/engine.h"
 #include "support.h"
@@ -92,7 +92,8 @@ TEST(engine_and_library_agree)
     same_hits(0.3, 1.4, 0, 0.02);
 }
 
-/* ---- The largest growth, as known: the row falls a little below it, and stops a little above ---- */
+/* ---- Known largest growths: the row falls at a slightly smaller growth, and stops at a slightly larger one
+ * ---- */
 
 struct known {
     double s, mu, feet, bounce, slope, radius, r, push, off;
@@ -122,11 +123,11 @@ TEST(growths_are_known)
         {0.2, 0.2, hinge, 0, 0, 0, 1.4847, 8, 0.003},
         {0.3, 0, hinge, 0, degree, 0, 1.9307, 8, 0.003},
         {0.3, 0, hinge, 0, 0, 0.01, 1.9358, 8, 0.005},
-        /* Feet that slip: the floor stops what hinges let fall. */
+        /* Feet that slip: the row stops at a growth at which it falls on hinges. */
         {0.3, 0, 0.4, 0, 0, 0, 1.638, 8, 0.01},
         {0.4, 0, 0.5, 0, 0, 0, 1.917, 8, 0.01},
         {0.3, 0.2, 0.3, 0, 0, 0, 1.626, 8, 0.01},
-        /* With friction between dominoes such a floor does no harm. */
+        /* With friction between dominoes, such a floor has no effect. */
         {0.3, 0.2, 0.5, 0, 0, 0, 1.679, 8, 0.01},
         {0.2, 0, hinge, 0.5, 0, 0, 1.407, 8, 0.01},
         {0.3, 0, hinge, 0.5, 0, 0, 1.716, 8, 0.01},
@@ -136,7 +137,7 @@ TEST(growths_are_known)
         between(&known[i]);
 }
 
-/* ---- How it runs ---- */
+/* ---- How the engine runs ---- */
 
 TEST(a_run_gives_the_same_bytes)
 {
@@ -147,7 +148,7 @@ TEST(a_run_gives_the_same_bytes)
     again = first;
     again.row.box = again.box;
     boxes_fall(&first);
-    void *between_them = malloc(12345); /* so that bodies have other addresses */
+    void *between_them = malloc(12345); /* shifts the addresses of the bodies */
     boxes_fall(&again);
     free(between_them);
     assert_int_equal(first.fall.hits, again.fall.hits);
@@ -157,10 +158,11 @@ TEST(a_run_gives_the_same_bytes)
 TEST(a_floor_without_friction_lets_feet_slide)
 {
     struct boxes b;
-    boxes_make(&b, 0.4, 1, 1, 0.6); /* a push above sqrt(2) would lift it at once */
+    boxes_make(&b, 0.4, 1, 1, 0.6); /* a push above sqrt(2) would lift the domino at once */
     b.row.feet = 0;
     assert_true(boxes_fall(&b));
-    /* No force acts along the floor: the centre keeps its speed, and ends half a height before the foot. */
+    /* No force acts along the floor, so the centre keeps its speed. In the end the centre is half a height in
+     * front of the foot. */
     double centre = b.row.push / 2 * b.fall.seconds - THICK / 2;
     assert_near("slid", b.hit[0].slid, centre - 0.5, 0.01);
     b.row.feet = 10;
@@ -177,13 +179,13 @@ TEST(settled_steps_no_longer_matter)
     assert_int_equal(engine_settle(&b.row, true, NULL, b.hit, &settled), ENGINE_OK);
     assert_true(settled.same && settled.fall.all && settled.change < ENGINE_AGREES);
     assert_true(settled.grain.steps >= 2 * engine_coarsest.steps);
-    /* The clock of a box that tips over its edge starts with the first hit. */
+    /* If the first box tips over its edge, times are measured from the first hit. */
     assert_true(isnan(b.hit[0].time));
     assert_true(b.hit[1].time == 0 && b.hit[2].time > 0);
 }
 
-/* Checks that a verdict of coarse runs, which end as soon as it is certain, is that of a fine run to the end.
- */
+/* Checks that the verdict of coarse runs, which end as soon as it is certain, is the verdict of a fine run to
+ * the end. */
 TEST(verdicts_of_coarse_steps)
 {
     static const struct engine_grain fine = {800, 1e-4};
@@ -220,7 +222,7 @@ TEST(rows_end)
     assert_false(boxes_fall(&b));
     assert_int_equal(b.fall.hits, 2);
     assert_true(b.fall.lies);
-    boxes_make(&b, 0.05, 1, 4, (double)NAN); /* touches the next before it tips over */
+    boxes_make(&b, 0.05, 1, 4, (double)NAN); /* touches the next box before it tips over */
     assert_false(boxes_fall(&b));
     assert_true(b.fall.leans);
     const volatile sig_atomic_t raised = 1;
@@ -228,9 +230,9 @@ TEST(rows_end)
     assert_int_equal(engine_run(&b.row, &grain, &raised, NULL, NULL, NULL, &b.fall), ENGINE_INTERRUPTED);
 }
 
-/* ---- An engine of a caller ---- */
+/* ---- The engine of a caller ---- */
 
-/* Says that rows fall up to a growth. */
+/* An engine in which rows fall up to some growth. */
 static enum dom_status up_to(const struct dom_row *row, const struct dom_compute *compute, bool times,
                              dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
@@ -266,7 +268,8 @@ TEST(the_library_asks_an_engine)
     const struct dom_placement placement = {
         .error = {[DOM_ERROR_gap].size = 0, [DOM_ERROR_height].size = 0.1}, .seed = 1, .rows = 200};
     assert_status(dom_placement_study(&row, NULL, &placement, &study, NULL), DOM_OK);
-    assert_true(study.fall > 20 && study.fall < 180); /* the ratio of two heights is above or below */
+    /* the random ratio of two heights is above or below that growth */
+    assert_true(study.fall > 20 && study.fall < 180);
     const double now = 0;
     assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Long rows of equal dominoes, whose heads repeat each other: the same row, with gaps that differ in their
- * last digits so that no head repeats another, must fall alike.
+ * Long rows of equal dominoes, in which each head repeats the motion of the previous one. A row whose gaps
+ * differ in their last digits, so that no head repeats another, must give the same results.
  */
 #include "ask.h"
 #include "support.h"
@@ -26,7 +26,7 @@ static bool keep(const struct domq_fall *fall, void *context)
 struct kind {
     const char *name;
     double gap, mu, push;
-    size_t other; /* this domino is heavier; 0: none */
+    size_t other; /* the domino that is heavier; 0 for none */
     bool floor;
 };
 
@@ -40,7 +40,7 @@ static const struct kind KIND[] = {
     {.name = "floor", .gap = 0.02, .floor = true},
 };
 
-/* Runs the row; off: gaps differ by so much, in turn. */
+/* Runs the row. `off` is how much the gaps differ, in alternation. */
 static void run(const struct kind *k, double off, struct falls *f)
 {
     const struct domq_row row = {.domino = f->domino,
@@ -61,7 +61,7 @@ static void run(const struct kind *k, double off, struct falls *f)
     assert_status(domq_row_run(&row, &compute, true, keep, f, &f->verdict), DOM_OK);
 }
 
-/* Checks that two values agree; both may be infinite, 0, or none at all. */
+/* Checks that two values agree. Both may be infinite, 0 or NaN. */
 static void same(const char *name, domq_real a, domq_real b)
 {
     if (a == b || (isnan((double)a) && isnan((double)b)))

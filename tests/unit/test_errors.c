@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Bounds of errors against quad: random trains with a slope, friction and rounded edges, in float and double.
- * Each number that has a bound is within that bound of the same number in quad, and the bounds of a quantity
- * are not much wider than its errors.
+ * Error bounds compared with quad, for random trains with a slope, friction and rounded edges, in float and
+ * double. Each number that has an error bound differs from the number in quad by no more than the bound, and
+ * the bounds of a quantity are not much wider than its errors.
  */
 #include "support.h"
 
 enum { SCENES = 160, LINKS = 24, MEMBERS = 10 };
 
-/* Half of the bounds of a quantity are at most this many times the error, or this many units, or the
- * tolerance. */
+/* Half of the bounds of a quantity must be at most this many times the error or the unit roundoff, or at most
+ * the tolerance. */
 static const double wide = 100;
 
 enum result {
@@ -33,7 +33,7 @@ static const char *const result_name[] = {"angles",   "contact", "chain", "energ
                                           "launch",   "barrier", "state", "omegasq", "stop",
                                           "duration", "rmax",    "pair"};
 
-/* How many bounds a quantity has, and how many of them are too wide. */
+/* The number of bounds of a quantity, and the number of those that are too wide. */
 static struct tally {
     long bounds, wide;
 } tally[RESULTS][MEMBERS];
@@ -77,7 +77,7 @@ static void scene(int k)
     train.rho = rounded(rho);
 }
 
-/* Compares the members of a result with those in quad. */
+/* Compares the members of a result with the same result in quad. */
 static void compare(enum result result, const domq_real *got, const domq_real *want, const domq_real *error,
                     size_t size)
 {
@@ -102,7 +102,7 @@ static void compare(enum result result, const domq_real *got, const domq_real *w
     }
 }
 
-/* Compares the answers of a call with its answers in quad. The call reads `how` and writes to `answer`. */
+/* Compares the result of a call with its result in quad. The call reads `how` and writes to `answer`. */
 #define COMPARE(result, type, first, call)                                                                   \
     do {                                                                                                     \
         struct domq_##type got, want, *answer = &got;                                                        \

@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The friction that the floor needs, on a fine grid, for a domino that falls alone, whose motion is known in
- * closed form. */
+/* The friction that the floor needs, compared with values on a fine grid, for a domino that falls alone and
+ * whose motion is known in closed form. */
 #include "support.h"
 
 enum { GRID = 4000 };
 
 static const double g = 9.81;
 
-/* Returns |R_x| / R_z of a block with the angular velocity `push` when upright, at a tilt; infinite if it is
- * lifted. */
+/* Returns |R_x| / R_z at a tilt, for a block that had the angular velocity `push` when it was upright.
+ * Returns infinity if the block is lifted. */
 static double needed(double h, double d, double push, double theta)
 {
-    double x = sin(theta), y = cos(theta), inertia = (h * h + d * d) / 3; /* over the mass */
+    /* moment of inertia divided by the mass */
+    double x = sin(theta), y = cos(theta), inertia = (h * h + d * d) / 3;
     double across = (h * x - d * y) / 2, up = (h * y + d * x) / 2;
     double omegasq = push * push + 2 * g * (h / 2 - up) / inertia, alpha = g * across / inertia;
     double force_x = up * alpha - across * omegasq, force_z = g - across * alpha - up * omegasq;
     return force_z > 0 ? fabs(force_x) / force_z : (double)INFINITY;
 }
 
-/* Returns the largest value up to a tilt; between grid points a parabola through three tilts gives the
- * top. */
+/* Returns the largest value up to a tilt. Between grid points, maxima are found by a parabola through three
+ * values. */
 static double most_needed(double h, double d, double push, double end, int *tops)
 {
     double most = 0, before[2] = {0, 0};
@@ -45,8 +46,8 @@ static bool fall_seen(const struct domq_fall *fall, void *context)
 }
 
 /*
- * Checks the first of two dominoes; rows in which it comes to rest before it hits the second are left out. A
- * smooth maximum is right to a millionth.
+ * Checks the first of two dominoes. Rows in which it comes to rest before it hits the second are left out. A
+ * smooth maximum must be right to a millionth.
  */
 TEST(two_tops)
 {
@@ -76,7 +77,7 @@ TEST(two_tops)
             continue;
         double most = most_needed(h, d, push, asin(gap / h), &tops),
                bound = row.precision == DOM_FLOAT ? 1e-3 : 2e-6;
-        if (isinf(most) || most > 1e3) { /* where the domino is nearly lifted, few digits are right */
+        if (isinf(most) || most > 1e3) { /* if the domino is nearly lifted, few digits are right */
             assert_true(fall.floor_motion > 500);
             continue;
         }

@@ -12,7 +12,7 @@ static struct asked friction_train(double s, double r, double mu)
     return train;
 }
 
-/* Returns a random train with friction that may go on; r s <= 1. */
+/* Returns a random train with friction and r s <= 1, which may keep falling or stop. */
 static struct asked random_friction_train(uint64_t *seed, double s_least, double mu_most)
 {
     double s = random_log(seed, s_least, 1);
@@ -33,15 +33,16 @@ static _Noreturn void fail_train(const char *what, const struct asked *t, double
 /* ---- Digits ---- */
 
 /*
- * Compares with tests/reference/friction.csv: (A/2) w' + B w = C in 32-digit arithmetic (mpmath), A, B, C
- * summed domino by domino in angles with trigonometric functions until 1e-30; integrated over the pieces
- * between the tilts where a follower detaches by Gauss collocation with 10 stages (order 20), W and G
- * together, 90 steps for the points and 7 for r_max; the duration by the same nodes; r_max as the zero
- * (secant, to 1e-20) of the smallest w, at the zeros of C and at theta_c, of the cycle that repeats. With 60
- * and 4 steps no number changed by more than 3e-15, most by less than 1e-19. At tol = 1e-13 the flow is right
- * to tol / 8 and has about 64 rounding errors in each sum: 1e-12. r_max is where the margin, about kinetic ~
- * 1e-2 ... 1e-3 in size, changes sign with a slope of the order of the kinetic energy: 1e-11 leaves a factor
- * of ten.
+ * Compares with tests/reference/friction.csv, which was computed as follows. (A/2) w' + B w = C is solved in
+ * 32-digit arithmetic (mpmath). A, B and C are summed domino by domino to 1e-30, with angles and
+ * trigonometric functions. The equation is integrated for W and G together by Gauss collocation with 10
+ * stages (order 20), piece by piece between the tilts at which a follower detaches, in 90 steps for the
+ * points and in 7 for r_max. The duration comes from the same nodes. r_max is the zero, found by the secant
+ * method to 1e-20, of the smallest w of the repeating cycle, which is at a zero of C or at theta_c. With 60
+ * and 4 steps no number changed by more than 3e-15, and most changed by less than 1e-19. At tol = 1e-13, the
+ * flow is right to tol / 8 and each sum has about 64 rounding errors, so the points are compared to 1e-12. At
+ * r_max the margin changes its sign with a slope of the order of the kinetic energy, so that 1e-11 leaves a
+ * factor of ten.
  */
 TEST(digits)
 {
@@ -71,7 +72,7 @@ TEST(digits)
     assert_int_equal(rows, 26);
 }
 
-/* Compares with van Leeuwen 2010, equal dominoes, to the printed digits. */
+/* Compares equal dominoes with van Leeuwen 2010, to the printed digits. */
 TEST(front_speeds)
 {
     static const double speed[][2] = {{0, 1.28427}, {0.1, 1.11545}, {0.2, 0.98392}, {0.5, 0.71678}};
@@ -117,9 +118,10 @@ static const double some_trains[][4] = {
 };
 
 /*
- * Checks that (X(mu) - X(0)) / mu tends to a constant: from decade to decade its steps become ten times
- * smaller. In quad, at tol = 1e-24, the noise of the last quotient is 1e-16 of X, and its step is about 1e-8.
- * Only the first three trains are checked for r_max, at tol = 1e-20, since it takes long.
+ * Checks that (X(mu) - X(0)) / mu tends to a constant as mu decreases by factors of 10: each change is ten
+ * times smaller than the previous one. In quad, with tol = 1e-24, the noise of the last quotient is 1e-16 of
+ * X, and its last change is about 1e-8. r_max takes long, so only three trains are checked for it, with tol =
+ * 1e-20.
  */
 TEST(no_friction_is_the_limit)
 {
@@ -155,7 +157,8 @@ TEST(no_friction_is_the_limit)
     }
 }
 
-/* Checks that mu = 0 and mu = -0.0 are equal and enter no code of friction, and that friction is counted. */
+/* Checks that mu = 0 and mu = -0.0 give equal results without running code of friction, and that runs of this
+ * code are counted. */
 TEST(no_friction_is_never_entered)
 {
     for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
@@ -184,7 +187,7 @@ TEST(no_friction_is_never_entered)
 
 enum { CHAIN_MOST = 4096 };
 
-/* A moving train at one tilt, from the public functions. */
+/* A moving train at one tilt, as the public functions describe it. */
 struct chain {
     size_t n, forces;
     double theta[CHAIN_MOST], slope[CHAIN_MOST], weight[CHAIN_MOST], force[CHAIN_MOST], impulse[CHAIN_MOST];
@@ -214,9 +217,10 @@ static void chain_at(const struct asked *train, double theta, struct chain *c)
 }
 
 /*
- * Returns the work of friction per angle of the head, in m g h / 2 of the head: mu times the contact force
- * times the speed of the tip on the leader's face, where the tip is p = h_follower cos(theta' - theta) -
- * L_leader sin theta from the hinge.
+ * Returns the derivative of the work of friction with respect to the tilt of the head, in m g h / 2 of the
+ * head. It is the sum over the contacts of mu times the contact force times dp/dtheta, where p = h_follower
+ * cos(theta' - theta) - L_leader sin theta is the distance of the follower's tip from the hinge of its
+ * leader.
  */
 static double friction_work_at(const struct asked *train, double theta)
 {
@@ -231,7 +235,7 @@ static double friction_work_at(const struct asked *train, double theta)
     return 2 * (double)train->mu * sum;
 }
 
-/* Integrates by Gauss's ten points on `parts` equal parts. */
+/* Integrates by Gauss's ten-point rule on `parts` equal parts. */
 static double integral(const struct asked *train, double lo, double hi, int parts)
 {
     static const double place[] = {0.14887433898163121, 0.43339539412924719, 0.67940956829902441,
@@ -248,9 +252,9 @@ static double integral(const struct asked *train, double lo, double hi, int part
 }
 
 /*
- * Checks that friction_work is the work of friction. Where a follower detaches, the integrand has a kink, so
- * the integral goes from event to event. Its error, by ten points on four parts and by forces that are
- * accelerations times small masses, is below 1e-9. Forces at a stop are ill-conditioned, and not checked.
+ * Checks that friction_work is the work of friction. The integrand has a kink where a follower detaches, so
+ * it is integrated from event to event. The error of the integral is below 1e-9. Forces at a stop are
+ * ill-conditioned and are not checked.
  */
 TEST(friction_takes_its_work)
 {
@@ -276,7 +280,7 @@ TEST(friction_takes_its_work)
             falls += events[k].kind == DOM_EVENT_FALL;
             checked++;
         }
-        /* The hitting train is this train at theta_c, made smaller by r^-q. */
+        /* The hitting train is the same train at theta_c, with energies smaller by r^-q. */
         assert_near("before", s.before, pow(train.r, -train.q) * s.kinetic, 1e-9);
     }
     assert_true(checked > 100 && falls > 10);
@@ -285,8 +289,8 @@ TEST(friction_takes_its_work)
 /* ---- Precision and tolerance ---- */
 
 /*
- * Compares float at 1e-5 and double at 1e-12 with quad. A margin that is a small difference, or flat in r,
- * costs digits: two in kinetic, four in r_max.
+ * Compares float at 1e-5 and double at 1e-12 with quad. Kinetic energies have lost two digits and r_max four
+ * if the margin is a small difference, or changes slowly with r.
  */
 TEST(precisions_agree)
 {
@@ -296,7 +300,7 @@ TEST(precisions_agree)
         struct asked train = asked_default();
         struct domq_limit limit[3];
         struct domq_launch launch[3];
-        train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* numbers that a float has exactly */
+        train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* numbers that a float represents exactly */
         train.d = (float)(0.05 + 0.1 * random_unit(&seed));
         train.q = (float)(3 + random_unit(&seed));
         train.mu = (float)random_log(&seed, 1e-3, 1);
@@ -319,8 +323,8 @@ TEST(precisions_agree)
     assert_true(met > 4);
 }
 
-/* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums; the scan for r_max gets
- * there. */
+/* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums, and which the scan for
+ * r_max passes. */
 TEST(float_near_the_reach)
 {
     struct asked train = friction_train((double)0.54788214F, 1, (double)0.0312876888F);
@@ -337,8 +341,8 @@ TEST(float_near_the_reach)
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
 }
 
-/* Checks that errors are within ten times the tolerance, which covers what launch and margin make of an error
- * in the flow. */
+/* Checks that errors are within ten times the tolerance, since the launch and the margin amplify errors of
+ * the flow. */
 TEST(tolerance_is_kept)
 {
     static const double tols[] = {1e-3, 1e-5, 1e-7, 1e-9};
@@ -352,7 +356,8 @@ TEST(tolerance_is_kept)
         for (int k = 0; k < 4; k++) {
             train.tol = tols[k];
             assert_status(ask_launch_find(&train, &rough, NULL), DOM_OK);
-            /* An error of G counts by the part of a cycle's energy that carries over to the next. */
+            /* An error of G is weighted with the part of a cycle's energy that carries over to the next
+             * cycle. */
             double errs = fabs((double)(rough.kinetic / exact.kinetic) - 1);
             if (!(errs <= 10 * tols[k] * (double)train.r))
                 fail_train("kinetic at a tolerance", &train, rough.kinetic, exact.kinetic);
@@ -362,8 +367,8 @@ TEST(tolerance_is_kept)
     assert_true(checked > 100);
 }
 
-/* Checks that tol = 1e-15, which is allowed, has an answer with friction too: series never get below their
- * rounding errors. */
+/* Checks that there is an answer with friction for the smallest tolerance, 1e-15, although no series can be
+ * more accurate than its rounding errors. */
 TEST(smallest_tolerance)
 {
     struct asked train = friction_train(0.4, 1.3, 0.1);
@@ -374,7 +379,8 @@ TEST(smallest_tolerance)
     assert_near("kinetic", finest.kinetic, launch.kinetic, 1e-12);
 }
 
-/* Checks that J(0) is complete: it needs more dominoes than the sums with S_i, which decrease faster. */
+/* Checks that J(0) is complete. It needs more dominoes than the sums with S_i, whose terms decrease
+ * faster. */
 TEST(inertia_is_whole)
 {
     uint64_t seed = 55;
@@ -417,12 +423,13 @@ TEST(refusals)
         assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     }
     train.method = DOM_METHOD_OURS;
-    /* The train locks, even where the sums after such a hit would be infinite. */
+    /* The train locks, even if the sums after such a hit would be infinite. */
     train = friction_train(0.10240983347041695, 2.2984965160834889, 11.465967489938446);
     train.d = 0.61451534241036898;
     train.q = 2.9636499594514638;
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
-    /* The struck domino is hit at Y / r, and pulled down at mu d: the train locks where the two are equal. */
+    /* The arm of the contact force is Y / r and that of the friction is mu d. The train locks if the two are
+     * equal. */
     train = friction_train(0.5, 1, 1);
     train.d = 0.1;
     double edge = sqrt(1 / (0.01 + 0.25)); /* sqrt(1 - r^2 s^2) / r = mu d */
@@ -433,7 +440,7 @@ TEST(refusals)
     train.r = edge * (1 + 1e-6);
     assert_status(ask_launch_find(&train, &launch, NULL), DOM_LOCKS);
     assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_LOCKS);
-    /* Equal dominoes that lock have no growth. */
+    /* If equal dominoes lock, there is no largest growth. */
     train = friction_train(0.25, 1, 100);
     train.d = 0.0167772;
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
@@ -441,7 +448,7 @@ TEST(refusals)
     assert_status(limit.why, DOM_LOCKS);
 }
 
-/* Checks trains of small separation in which friction takes all fuel, also by ask_limit_rmax. */
+/* Checks trains with small separations in which friction uses up all fuel, also in ask_limit_rmax. */
 TEST(friction_takes_the_fuel)
 {
     struct asked train = friction_train(0.01, 1, 1);
@@ -457,7 +464,8 @@ TEST(friction_takes_the_fuel)
 }
 
 /*
- * Checks random trains: never NaN with OK; only statuses with a meaning; the same verdict from each function.
+ * Checks random trains: DOM_OK never comes with NaN, only meaningful statuses occur, and all functions give
+ * the same verdict.
  */
 TEST(anywhere)
 {
@@ -487,8 +495,8 @@ TEST(anywhere)
     assert_true(met[DOM_OK] > 100 && met[DOM_STOPS] > 100 && met[DOM_LOCKS] > 5);
 }
 
-/* Checks that r_max decreases with mu, is never the reach, and separates trains that go on from trains that
- * stop by 1e-6 of r. */
+/* Checks that r_max decreases with mu and is never the reach, and that trains keep falling just below r_max
+ * and stop just above, at a distance of 1e-6. */
 TEST(growth_falls_with_friction)
 {
     uint64_t seed = 57;
@@ -520,7 +528,7 @@ TEST(growth_falls_with_friction)
     assert_true(met > 60 && none > 5);
 }
 
-/* Checks that within 1e-9 of r_max, where the margin is tiny, there is a verdict as without friction. */
+/* Checks that there is a verdict within 1e-9 of r_max, where the margin is tiny, as without friction. */
 TEST(verdicts_at_the_limit)
 {
     for (int i = 0; i < 4; i++) {
@@ -542,15 +550,16 @@ static double needed(double x, double z)
     return z > 0 ? fabs(x) / z : (double)INFINITY;
 }
 
-/* Finds the force on the hinge by Newton's law for the centre of block i: mass times the acceleration from
- * `motion`, minus contacts and weight. */
+/* Returns the friction that the hinge of block i needs. The force of the hinge is mass times acceleration of
+ * the centre, as `motion` gives it, minus contact forces and weight. */
 static double hinge_needs(const struct asked *train, const struct chain *c, size_t i, const double *push,
                           double x, double z, double weight)
 {
     double size = pow(train->r, -(double)i), mass = c->weight[i] / size, d = train->d, mu = train->mu,
            tausq = (1 + d * d) / 3;
     double X = mass * x / tausq, Z = mass * (z / tausq + weight);
-    for (size_t k = i > 0 ? i - 1 : 0; k <= i; k++) { /* the block pushes its leader, and is pushed */
+    /* the contact with the leader, and the contact with the follower */
+    for (size_t k = i > 0 ? i - 1 : 0; k <= i; k++) {
         double N = isnan(push[k]) ? 0
                    : k == i       ? push[k]
                                   : -push[k],
@@ -567,8 +576,8 @@ static double centre(const struct asked *train, const struct chain *c, size_t i,
     return size * (up ? y + d * x : x - d * y) / 2;
 }
 
-/* Returns the most that a hinge needs at a tilt: accelerations of the centres by differences of their
- * places. */
+/* Returns the largest friction that a hinge needs at a tilt. Accelerations of the centres are second
+ * differences of their positions. */
 static double floor_at(const struct asked *train, double theta, double h)
 {
     static struct chain at, below, above;
@@ -591,8 +600,8 @@ static double floor_at(const struct asked *train, double theta, double h)
     return most;
 }
 
-/* Returns the most that a hinge needs of impulses, from the angular velocities of all dominoes before and
- * after. */
+/* Returns the largest friction that a hinge needs in the collision, from the angular velocities of all
+ * dominoes before and after it. */
 static double floor_hit(const struct asked *train, double theta_c)
 {
     static struct chain at, old;
@@ -602,7 +611,7 @@ static double floor_hit(const struct asked *train, double theta_c)
     chain_at(train, theta_c, &old);
     assert_status(ask_cycle_omegasq(train, 0, &w_0, NULL), DOM_OK);
     assert_status(ask_cycle_omegasq(train, theta_c, &w_c, NULL), DOM_OK);
-    /* The model ends with the first domino that has less than a thousandth of the head's motion. */
+    /* The model leaves out dominoes with less than a thousandth of the head's motion. */
     for (size_t i = 0; i < at.n && i < at.forces && i <= old.n && (i == 0 || at.slope[i - 1] > 1e-3); i++) {
         double change = at.slope[i] * sqrt((double)w_0) -
                         (i == 0 ? 0 : old.slope[i - 1] * sqrt((double)(train->r * w_c)));
@@ -612,7 +621,8 @@ static double floor_hit(const struct asked *train, double theta_c)
     return most;
 }
 
-/* Compares with Newton's law at a few hundred tilts: the error is the square of the distance of two tilts. */
+/* Compares with Newton's law at a few hundred tilts. The error is the square of the distance between two
+ * tilts. */
 TEST(floor_holds)
 {
     uint64_t seed = 58;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The row that most likely falls: never worse than the row that is given, and within its limits, also when
- * the search is interrupted. And a common error is a mixture of rows with fixed values. */
+/* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
+ * interrupt. Also: a common error is a mixture of rows with fixed values. */
 #include "support.h"
 #include <string.h>
 
@@ -22,7 +22,8 @@ static double length_of(const struct dom_domino *d)
     return length;
 }
 
-/* A row that often stops at its third domino: the gap before it is almost as wide as the second is tall. */
+/* Makes a row that often stops at its second domino, since the gap after it is almost as wide as the domino
+ * is tall. */
 static void scene_begin(void)
 {
     struct dom_train train = dom_train_default();
@@ -59,7 +60,7 @@ static enum dom_status improve(void)
     return dom_row_improve(&row, &compute, &placement, &limits, step_seen, NULL, found, study);
 }
 
-/* Counts how many rows fall, without the function that is tested. */
+/* Counts how many rows fall, independently of the tested function. */
 static size_t falls(const struct dom_domino *domino)
 {
     struct dom_row other = row;
@@ -185,8 +186,8 @@ TEST(nothing_to_improve)
     assert_int_equal(improve(), DOM_BAD_Q);
 }
 
-/* The share that falls with an unknown friction, all of whose values are equally likely, is the mean of the
- * shares with fixed frictions. */
+/* Checks that the share of rows that fall with a uniformly distributed friction is the mean of the shares
+ * with fixed frictions. */
 TEST(common_error_is_a_mixture)
 {
     enum { FIXED = 20, EACH = 50 };

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The intervals of studies, of any size, against tails of the binomial distribution, summed term by term. */
+/* The intervals of studies of any size, compared with tails of the binomial distribution that are summed term
+ * by term. */
 #include "support.h"
 
-/* Returns ln n! by Stirling's series, whose first omitted term is below 1e-20 from 40 on; lgammal has fewer
+/* Returns ln n! by Stirling's series, whose first omitted term is below 1e-20 for n >= 40. lgammal has fewer
  * digits. */
 static long double log_factorial(size_t count)
 {
@@ -16,7 +17,8 @@ static long double log_factorial(size_t count)
     return (n + 0.5L) * logl(n) - n + logl(2 * 3.14159265358979323846L) / 2 + sum;
 }
 
-/* Returns the probability of at most k of n, or if `more`, of at least k; each has the probability p. */
+/* Returns the probability that at most k of n independent events of probability p occur or, if `more` is
+ * true, at least k. */
 static long double tail(size_t k, size_t n, long double p, bool more)
 {
     long double of_k = log_factorial(n) - log_factorial(k) - log_factorial(n - k) + (long double)k * logl(p) +
@@ -33,9 +35,9 @@ static long double tail(size_t k, size_t n, long double p, bool more)
 }
 
 /*
- * Checks that the tail is 2.5 % at both ends of the interval. The logarithms lose the digits of their size,
- * 5e-20 times 4e8 for twenty million rows; the ends keep 1e-15, which changes the tail by at most ten times
- * the number of rows times that.
+ * Checks that the tail is 2.5 % at both ends of the interval. For twenty million rows, the logarithms are
+ * about 4e8 and have errors of 5e-20 times as much. The ends of the interval are right to 1e-15, which
+ * changes the tail by at most 1e-14 times the number of rows.
  */
 static void check_interval(size_t rows, size_t fall, size_t unknown)
 {
@@ -76,7 +78,7 @@ TEST(any_size)
     }
 }
 
-/* Checks that all or none give the ends 0.025^(1/n), and 1 minus that. */
+/* Checks the ends if all rows fall or none does, which are 0.025^(1/n) and 1 - 0.025^(1/n). */
 TEST(all_or_none)
 {
     for (size_t rows = 1; rows < 1000000000; rows *= 10) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dominoes that are not plumb: against Newton's equations (direct.h), and in their limits. */
+/* Dominoes that are not plumb, compared with Newton's equations (direct.h), and in limits. */
 #include "run.h"
 #include "support.h"
 #include <float.h>
@@ -10,7 +10,8 @@ static double tips_at(const struct domq_domino *d)
     return atan((double)(d->thickness / d->height));
 }
 
-/* Makes a row that is equal, growing or uneven, with leans up to a part of what each domino bears. */
+/* Makes a row of equal, growing or uneven dominoes, whose leans are up to a part of the largest possible
+ * lean. */
 static void leaning_row(struct run *run, uint64_t *seed, int kind)
 {
     static const double mus[] = {0, 0.1, 0.4}, pushes[] = {1.1, 1.5, 4, 15}, most[] = {0.02, 0.4, 0.9};
@@ -80,7 +81,7 @@ TEST(continuous)
     }
 }
 
-/* Checks by hand the first domino, tipped: its edge on the next one, which leans. */
+/* Compares a tipped first domino, whose edge meets a next domino that leans, with a calculation by hand. */
 TEST(touches)
 {
     static struct run run;
@@ -93,7 +94,7 @@ TEST(touches)
         run.domino[0].lean = -0.08;
         assert_status(run_whole(&run), DOM_OK);
         double theta = (double)run.fall[0].theta;
-        /* The tip is on the line of the back face through its bottom. */
+        /* The tip is on the line of the back face. */
         double x = h * sin(theta), z = h * cos(theta), bottom_x = gap + d - d * cos(phi),
                bottom_z = d * sin(phi);
         assert_near("on the face", (x - bottom_x) * cos(phi) + h, (z - bottom_z) * sin(phi) + h, 1e-14);
@@ -102,7 +103,7 @@ TEST(touches)
     }
 }
 
-/* Checks that a domino falls more easily the more it leans forwards, by the energy that it needs. */
+/* Checks that a domino needs less energy the more it leans forwards. */
 TEST(easier_forwards)
 {
     static struct run run;
@@ -116,7 +117,7 @@ TEST(easier_forwards)
     }
 }
 
-/* Checks dominoes that lean backwards and then have only a tiny way to go beyond upright. */
+/* Checks dominoes that lean backwards and pass the upright position only by a tiny angle. */
 TEST(tiny_gaps)
 {
     static struct run run;
@@ -137,7 +138,8 @@ TEST(tiny_gaps)
 TEST(ends)
 {
     static struct run run;
-    make_row(&run, 3, 0.02, 1, 0); /* 0.96 mm: 48 mm lean by that much at 0.02 */
+    /* the gap is 0.96 mm: the tip of a 48 mm domino is displaced by this much at a lean of 0.02 */
+    make_row(&run, 3, 0.02, 1, 0);
     run.domino[1].lean = -0.03;
     assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
     assert_int_equal(run.verdict.domino, 1);
@@ -153,7 +155,8 @@ TEST(ends)
     run.domino[2].lean = -0.03;
     assert_int_equal(row_end(&run), DOM_ROW_MISSES);
     double seconds[2];
-    for (int i = 0; i < 2; i++) { /* a domino that misses the next one falls alike, however that one stands */
+    /* a domino that misses the next one falls in the same way, however the next one leans */
+    for (int i = 0; i < 2; i++) {
         make_row(&run, 3, 0.4, 1, 0);
         run.domino[2].gap = 1.5 * run.domino[1].height;
         run.domino[2].lean = -0.03 * i;
@@ -162,7 +165,7 @@ TEST(ends)
         seconds[i] = (double)run.fall[1].duration;
     }
     assert_near("seconds", seconds[1], seconds[0], 1e-12);
-    make_row(&run, 3, 0.4, 1, 0); /* the foot of the next is above the edge that would hit it */
+    make_row(&run, 3, 0.4, 1, 0); /* the foot of the next domino is above the edge that would hit it */
     run.domino[2].gap = run.domino[1].height * 0.999;
     run.domino[2].lean = 0.14;
     assert_int_equal(row_end(&run), DOM_ROW_SKEWED);
@@ -173,7 +176,7 @@ TEST(refusals)
     static struct run run;
     const double theta_u = atan(7.0 / 48);
     make_row(&run, 4, 0.4, 1, 0);
-    for (int i = 0; i < 6; i++) { /* to both sides, on a level floor and on two slopes */
+    for (int i = 0; i < 6; i++) { /* leans to both sides, on a level floor and on two slopes */
         domq_real limit[2], alpha = (i / 2 - 1) * 0.05;
         domq_lean_limits(&run.domino[2], alpha, 0, limit);
         assert_near("limit", limit[i % 2], (i % 2 ? theta_u : -theta_u) - (double)alpha, 1e-15);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shortcuts on the way of a line: each gives what the long way gives, which is the C library's. */
+/* Fast paths for reading and writing lines. Each must give the same result as the general path, or as the C
+ * library. */
 #include "support.h"
 
 #include "answer/answer.h"
@@ -17,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Returns pseudo-random bits, the same in every run. */
+/* Returns a pseudo-random number, from a sequence that is the same in every run. */
 static unsigned bits(unsigned most)
 {
     static unsigned long state = 1;
@@ -63,7 +64,8 @@ TEST(whole_numbers_are_written_as_by_the_c_library)
     assert_string_equal(quad_text((domq_real)-0.0, 6, text), "-0");
 }
 
-/* Makes the text with a Greek letter before it, too: that one has columns of its own. */
+/* Checks that a text of ASCII characters has as many columns as characters, also after a Greek letter, which
+ * takes the general path. */
 TEST(a_line_in_ascii_has_the_columns_of_its_letters)
 {
     static const char typed[] = "rmax 0.4; print theta # and so on, until this line is longer than a short "
@@ -85,7 +87,7 @@ TEST(a_line_in_ascii_has_the_columns_of_its_letters)
     }
 }
 
-/* Returns what write_wrapped writes, which the caller frees. */
+/* Returns the output of write_wrapped, which the caller frees. */
 static char *wrapped(const char *text, int right)
 {
     char *written = NULL;
@@ -109,7 +111,7 @@ TEST(a_text_without_a_right_end_is_one_line)
         assert_string_equal(one, far);
         free(one);
         free(far);
-        /* What escape_copy has room for, escape_text cuts. */
+        /* A text that fits is not truncated. */
         escape_text(text, wide, sizeof wide);
         const char *shown = escape_text(text, cut, sizeof cut);
         if (strlen(wide) < sizeof cut)
@@ -120,7 +122,7 @@ TEST(a_text_without_a_right_end_is_one_line)
     }
 }
 
-/* Finds the end as its definition says, letter by letter. */
+/* Finds the end letter by letter, following the definition. */
 static const char *end_of(const char *c, const char *ends)
 {
     for (bool blank = true, quoted = false; *c; c++) {
@@ -148,7 +150,8 @@ TEST(a_command_ends_where_its_letters_say)
     assert_true(inside > 10000);
 }
 
-/* Reads the command at the beginning of a line; *at is where its arguments begin, -1 after an error. */
+/* Reads the command at the beginning of a line. *at receives the position of its arguments, or -1 after an
+ * error. */
 static const struct command *command_of(struct session *session, const char *line, int *at, int *column)
 {
     struct text text;
@@ -165,7 +168,7 @@ static const struct command *command_of(struct session *session, const char *lin
     return c;
 }
 
-/* No form begins with a name, a blank and a digit, so that the name alone says what the line is. */
+/* Checks that a name, a blank and a digit always begin a command, so that the name alone decides. */
 TEST(a_command_before_a_number_is_that_command)
 {
     static const char *const more[] = {"ans", "ans2", "_", "__", "x", "pi", "sin", "m", "prin", "to", "let"};
@@ -182,7 +185,7 @@ TEST(a_command_before_a_number_is_that_command)
         if (!name)
             name = more[n++];
         snprintf(number, sizeof number, "%s 2", name);
-        snprintf(value, sizeof value, "%s .2", name); /* the long way, which is the same */
+        snprintf(value, sizeof value, "%s .2", name); /* the general path, with the same value */
         const struct command *c = command_of(&session, number, &at, &column);
         assert_ptr_equal(c, command_of(&session, value, &value_at, &value_column));
         assert_int_equal(at, value_at);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What saves a row that does not fall: gaps and pushes, compared with the verdicts near them and with a plain
- * search. */
+/* Gaps and pushes that mend a row, compared with verdicts for nearby values and with a plain search. */
 #include "run.h"
 #include "support.h"
 
@@ -30,8 +29,8 @@ static bool falls_pushed(const struct run *run, double push)
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
-/* Checks a gap wider than the domino before it is tall: a gap as wide as that height saves the row, and so do
- * narrower ones, down to where the row stops again. */
+/* Checks a gap wider than the height of the domino before it. A gap as wide as this height mends the row, and
+ * so do narrower gaps down to one at which the row stops again. */
 TEST(a_gap_too_wide)
 {
     static struct run run;
@@ -49,7 +48,7 @@ TEST(a_gap_too_wide)
     assert_true(mends[0].until == 0 || !falls_with(&run, 4, (double)mends[0].until - 2e-8));
 }
 
-/* Checks that a row that falls has no changes, and that one domino has no gap. */
+/* Checks that a row that falls needs no change, and that a single domino has no gap. */
 TEST(nothing_to_mend)
 {
     static struct run run;
@@ -62,7 +61,7 @@ TEST(nothing_to_mend)
     assert_int_equal(mend(&run), 0);
 }
 
-/* Makes a row of random sizes with one gap that is too wide or too narrow; most of these do not fall. */
+/* Makes a row of random sizes with one gap that is too wide or too narrow. Most such rows do not fall. */
 static void random_row(struct run *run, uint64_t *seed)
 {
     size_t count = 3 + (size_t)(6 * random_unit(seed)),
@@ -79,8 +78,8 @@ static void random_row(struct run *run, uint64_t *seed)
 }
 
 /*
- * Checks that all fall with each named gap, also a third of the way to the gap where they no longer do; and
- * that they do not two units of the seventh digit nearer to the old gap.
+ * Checks that all dominoes fall with each gap that is found, and with a gap a third of the way from `to` to
+ * `until`, but not with a gap two units of the seventh digit closer to the present gap.
  */
 TEST(mended_rows_fall)
 {
@@ -119,8 +118,8 @@ TEST(mended_rows_fall)
     assert_true(mended > 40 && lost > 5 && ended > 5);
 }
 
-/* Tries every gap of the row in 500 steps up and down: none saves the row with a smaller change than the
- * first named one. */
+/* Tries every gap of the row in 500 steps up and down. None of them mends the row with a smaller change than
+ * the first one that was found. */
 TEST(no_smaller_change)
 {
     enum { FINE = 500 };
@@ -153,7 +152,7 @@ static void progress_seen(size_t done, size_t of, void *context)
     *before = done == of ? 1000 : done;
 }
 
-/* Checks a long row, in which only the gap after the last domino that is hit, and 30 before that one, are
+/* Checks a long row, in which only the gap after the last domino that is hit and the 30 gaps before it are
  * tried. */
 TEST(a_long_row)
 {
@@ -173,7 +172,7 @@ TEST(a_long_row)
 
 /* ---- A push ---- */
 
-/* Checks that one domino falls with the push that turns it over its edge. */
+/* Checks that a single domino falls with the push that turns it over its edge. */
 TEST(over_its_edge)
 {
     static struct run run;
@@ -195,8 +194,8 @@ TEST(over_its_edge)
     assert_true(isnan((double)push));
 }
 
-/* Checks that all fall with the weakest push, and not with 0.2 % less; also in a row that leans on the second
- * domino before it is over its edge. */
+/* Checks that all dominoes fall with the weakest push and not with 0.2 % less, also if the first domino
+ * touches the second before it tips over its edge. */
 TEST(the_weakest_push)
 {
     static struct run run;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All tilts of a row at a time: at hits, between hits by energy and by their own derivative, and at the
- * end. */
+/* The tilts of all dominoes of a row at given times: at hits, between hits by the energy and by difference
+ * quotients, and at the end. */
 #include "run.h"
 #include "support.h"
 
@@ -11,7 +11,7 @@ struct seen {
     size_t count, dominoes;
     double time[FRAMES], tilt[FRAMES][DOMINOES], omega[FRAMES][DOMINOES];
     size_t head[FRAMES], moving[FRAMES];
-    size_t most; /* visits before the visitor ends the run */
+    size_t most; /* number of visits after which the visitor ends the run */
 };
 
 static bool moment_seen(const struct domq_moment *m, void *context)
@@ -50,8 +50,8 @@ static double energy(const struct run *run, const double *tilt, const double *om
     return sum;
 }
 
-/* Returns the free height between the tip of domino k and the face of its leader, 0 if it leans on the
- * leader. */
+/* Returns the distance of the tip of domino k from the face of its leader, which is 0 if the domino leans on
+ * the leader. */
 static double clearance(const struct run *run, const double *tilt, size_t k)
 {
     const struct domq_domino *own = &run->domino[k], *leader = &run->domino[k + 1];
@@ -61,8 +61,8 @@ static double clearance(const struct run *run, const double *tilt, size_t k)
 
 enum { ROWS = 8, PLUMB = 5 };
 
-/* Makes rows that fall and rows that stop, with uneven dominoes, some of which detach; in those from PLUMB on
- * dominoes lean to either side. */
+/* Makes row number i. Rows fall or stop, and have uneven dominoes, some of which detach. From number PLUMB
+ * on, dominoes lean to either side. */
 static void rows(struct run *run, int i)
 {
     static const double s[ROWS] = {0.3, 0.4, 0.55, 0.4, 0.6, 0.3, 0.45, 0.5},
@@ -89,7 +89,7 @@ TEST(agrees_with_hits)
         for (size_t k = 0; k < run.falls; k++) {
             assert_near("time", seen.time[k], (double)times[k], 0);
             assert_int_equal(seen.head[k], k + 1);
-            /* One may detach at that moment. */
+            /* A domino may detach at that moment. */
             assert_true(seen.moving[k] <= run.fall[k].moving && seen.moving[k] + 1 >= run.fall[k].moving);
             assert_near("a domino that is just hit", seen.tilt[k][k], (double)run.domino[k].lean, 1e-7);
             assert_near("its omega", seen.omega[k][k], (double)run.fall[k].omega, 1e-9);
@@ -124,7 +124,7 @@ TEST(keeps_the_laws_between)
             for (size_t j = head + 1 - seen.moving[k]; j < head; j++) {
                 assert_true(fabs(clearance(&run, tilt, j)) < 1e-11 * (double)run.domino[j].height);
                 double h = seen.time[k] - seen.time[k - 1], rise = tilt[j] - before[j];
-                /* The mean of both ends, to the third order of a step. */
+                /* The mean of both ends, correct to the third order in the step. */
                 if (same)
                     assert_true(fabs(rise - h * (seen.omega[k][j] + seen.omega[k - 1][j]) / 2) <
                                 1e-7 + 0.1 * rise);
@@ -167,7 +167,8 @@ TEST(ends)
     }
 }
 
-/* Checks a stop by Newton's second law near it: the remaining distance is half the deceleration times t^2. */
+/* Checks a stop by Newton's second law: close to the stop, the remaining distance is half the deceleration
+ * times t^2. */
 TEST(comes_to_rest)
 {
     static struct run run;
@@ -203,7 +204,7 @@ TEST(tips_before_the_first_hit)
     assert_near("omega", rise / h, (seen.omega[2][0] + seen.omega[3][0]) / 2, 1e-5);
     assert_near("where it hits", sin(seen.tilt[4][0]), (double)(run.domino[1].gap / run.domino[0].height),
                 1e-12);
-    /* The next domino is so near that the first leans on it before it tips over. */
+    /* The next domino is so close that the first one touches it before tipping over. */
     run.domino[1].gap = 1e-3;
     assert_status(watch(&run, times, 5, &seen), DOM_OK);
     assert_int_equal(run.verdict.end, DOM_ROW_LEANS);
@@ -225,7 +226,7 @@ TEST(refuses)
     assert_status(watch(&run, back, 1, &seen), DOM_BAD_COUNT);
 }
 
-/* Checks float, to its digits, and quad. */
+/* Checks float to its accuracy, and quad. */
 TEST(in_all_precisions)
 {
     static struct run run;

@@ -3,7 +3,7 @@
 #include "support.h"
 #include <float.h>
 
-/* Makes the next train that completes its cycle or stops in it; trains without fuel are skipped. */
+/* Makes the next random train that completes its cycle or stops in it. Trains without fuel are skipped. */
 static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *events, int *count)
 {
     *train = random_train(seed);
@@ -16,8 +16,8 @@ static bool next_train(uint64_t *seed, struct asked *train, struct domq_event *e
     return status == DOM_OK || status == DOM_STOPS;
 }
 
-/* Makes the next train: in turn without effects, with friction, on a slope, with friction on a slope, and
- * with rounded edges. */
+/* Makes the next random train, which in turn has no effects, friction, a slope, friction on a slope, or
+ * rounded edges. */
 static bool next_with_effects(uint64_t *seed, int i, struct asked *train, struct domq_event *events,
                               int *count)
 {
@@ -33,7 +33,7 @@ static bool next_with_effects(uint64_t *seed, int i, struct asked *train, struct
     return status == DOM_OK || status == DOM_STOPS;
 }
 
-/* Returns true if an event, where accelerations jump, is closer to the tilt than so much. */
+/* Returns true if an event, at which accelerations jump, is within a distance of the tilt. */
 static bool near_event(const struct domq_event *events, int n, double theta, double distance)
 {
     for (int k = 1; k + 1 < n; k++)
@@ -79,7 +79,7 @@ TEST(events_are_in_order)
             falls += events[k].kind == DOM_EVENT_FALL;
             tops += events[k].kind == DOM_EVENT_TOP;
             if (events[k].kind == DOM_EVENT_FALL) {
-                /* Its leader has reached theta_leave, and the domino has theta_f. */
+                /* The leader of the domino has reached theta_leave, and the domino has the tilt theta_f. */
                 struct domq_contact c = {.theta_1 = events[k].theta};
                 for (size_t j = 1; j < events[k].domino; j++)
                     assert_status(ask_contact_find(&train, fmin(c.theta_1, angles.theta_c), &c, NULL),
@@ -123,7 +123,7 @@ TEST(ledger_closes)
         assert_true(checked[k] > 50);
 }
 
-/* Checks that the balance with the paper's fuel is not closed: the fuel adds energy. */
+/* Checks that with the paper's fuel the energies do not balance, because this fuel adds energy. */
 TEST(ledger_of_the_paper_is_open)
 {
     struct asked train = asked_default();
@@ -173,7 +173,7 @@ static bool force_seen(const struct domq_force *force, void *context)
     if (force->i == 0)
         s->head = (double)force->force;
     s->force = fmin(s->force, (double)force->of_own);
-    /* Domino i has r^(q-1) times less mass than the one before: its mass times height is r^-q. */
+    /* Each domino has r^(q-1) times less mass than its leader, so mass times height is r^-q. */
     if (!isnan((double)force->force))
         assert_near("of its own weight", force->of_own,
                     force->force * pow(s->train->r, (s->train->q - 1) * (double)force->i), 1e-12);
@@ -183,7 +183,7 @@ static bool force_seen(const struct domq_force *force, void *context)
 
 /*
  * Checks that the head obeys its own equation of motion with the force of its follower, and that all forces
- * and impulses are positive: in the frictionless cycle dominoes stay in contact.
+ * and impulses are positive, so that without friction dominoes stay in contact.
  */
 TEST(forces_hold_the_train_together)
 {
@@ -216,7 +216,7 @@ TEST(forces_hold_the_train_together)
     assert_true(checked > 300);
 }
 
-/* Checks that time and tilt are inverse functions, and that the time of the last tilt is the duration. */
+/* Checks that time and tilt are inverse functions, and that the time at the last tilt is the duration. */
 TEST(tilt_inverts_time)
 {
     uint64_t seed = 45;
@@ -246,7 +246,8 @@ TEST(tilt_inverts_time)
 
 /*
  * Checks that d time / d theta is 1 / omega, by a central difference, with friction and without. Just before
- * a stop, where omega grows like a square root, the remaining time is twice the distance over omega.
+ * a stop, where omega goes to 0 like a square root, the remaining time is twice the distance divided by
+ * omega.
  */
 TEST(time_is_the_sum_of_slowness)
 {
@@ -279,7 +280,7 @@ TEST(time_is_the_sum_of_slowness)
     assert_true(passed > 60 && stopped > 15 && friction_work > 5);
 }
 
-/* Compares trains that stop just below the top: double against quad. */
+/* Compares double with quad for trains that stop just below the top. */
 TEST(stops_to_the_digit)
 {
     const double r[] = {1.7, 1.65, 1.64425};

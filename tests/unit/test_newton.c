@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows and the endless train against Newton's equations (direct.h). A long row of boxes, pushed, integrated
- * without any formula for energies, has the train's largest growth and its durations, also on a slope; and
- * uneven rows with slope, walls and friction have the hits of the model.
+ * Rows and the endless train compared with Newton's equations (direct.h), which are integrated without any
+ * formula for energies. A long row of boxes with a push has the largest growth and the durations of the
+ * train, also on a slope. Uneven rows with a slope, walls and friction have the hits of the model.
  */
 #include "run.h"
 #include "support.h"
@@ -20,7 +20,7 @@ static struct asked train_of(double s, double q, double mu, double degrees)
     return train;
 }
 
-/* Makes a row of n boxes, each r times the one before, with the first of height 1 and g = 1. */
+/* Makes a row of n boxes, each r times as large as the one before. The first has the height 1, and g is 1. */
 static void boxes_of(struct run *run, const struct asked *train, double r, size_t n, double push)
 {
     for (size_t k = 0; k < n; k++) {
@@ -49,9 +49,9 @@ static bool falls(const struct run *run, struct newton *n)
 }
 
 /*
- * Checks that the row falls just below the train's growth and stops just above it. The push is so strong, and
- * the row so long, that the row's own limit is that of the train to 1e-10; the integrator keeps 1e-13 in a
- * step.
+ * Checks that the row falls just below the largest growth of the train and stops just above it. The push is
+ * so strong, and the row so long, that the limits of the row and the train agree to 1e-10. The integrator has
+ * a tolerance of 1e-13 in each step.
  */
 TEST(largest_growths)
 {
@@ -77,7 +77,7 @@ TEST(largest_growths)
     }
 }
 
-/* Checks the duration of the last cycle but one, when the row has forgotten its push. */
+/* Checks the duration of the last cycle but one, by which the effect of the push has vanished. */
 TEST(durations)
 {
     static const double some[][4] = {/* s, r, q, mu */

@@ -55,7 +55,7 @@ TEST(roots)
     for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
         double x = DOMQ_NAN;
         assert_int_equal(num_root(problems[i].f, NULL, problems[i].lo, problems[i].hi, 0, &x), NUM_OK);
-        if (problems[i].f != flat) /* a ninefold root: the values underflow near it */
+        if (problems[i].f != flat) /* a ninefold root, near which the values underflow */
             assert_near("root", x, problems[i].x, problems[i].bound);
         else
             assert_near("flat root", x, 1, 1e-12);
@@ -106,7 +106,8 @@ static double near_stop(double x, void *c)
     return 1 / sqrt(margin + x * x);
 }
 
-/* Checks the peak of a train that nearly stops: the integral over [0, 1] is asinh(1 / sqrt(margin)). */
+/* Checks peaks like those of a train that nearly stops, whose integral over [0, 1] is asinh(1 /
+ * sqrt(margin)). */
 TEST(integrals)
 {
     for (double margin = 1; margin > 1e-25; margin /= 100) {
@@ -116,7 +117,7 @@ TEST(integrals)
     }
 }
 
-/* ---- Against GSL: as accurate, and no more evaluations over the list ---- */
+/* ---- Compared with GSL: the same accuracy, with no more evaluations for the whole list ---- */
 
 struct counted {
     num_function *f;
@@ -131,7 +132,7 @@ static double count_call(double x, void *context)
     return c->f(x, c->context);
 }
 
-/* Returns the number of calls of our solver, or of GSL's Brent, from the bracket to 1e-13; checks the
+/* Returns how many evaluations our solver or GSL's Brent method takes from the bracket to 1e-13. Checks the
  * root. */
 static size_t root_calls(num_function *f, double lo, double hi, double expected, bool gsl)
 {
@@ -216,7 +217,7 @@ struct peak {
     size_t calls;
 };
 
-/* Returns a peak inside, on a slope that is not flat. */
+/* Returns a function with a peak inside the interval, on a sloping background. */
 static double peaked(double x, void *context)
 {
     struct peak *p = context;
@@ -231,9 +232,9 @@ static double peaked_integral(const struct peak *p, double x)
 }
 
 /*
- * Checks that the number of evaluations to 1e-12 does not depend on the width of a peak, while that of qag
- * grows; with an unknown width the integral is still right. Away from x = 0 a width below 1e-3 is rounded
- * itself.
+ * Checks that the number of evaluations to 1e-12 does not depend on the width of a peak, whereas qag takes
+ * more for narrower peaks, and that the integral is right even if the width is unknown. Away from x = 0,
+ * rounding errors would affect peaks narrower than 1e-3.
  */
 TEST(peaks)
 {
@@ -265,10 +266,10 @@ TEST(peaks)
                      NUM_NOT_FINITE);
 }
 
-/* ---- The linear equation: G and v known in closed form ---- */
+/* ---- Linear equations whose G and v are known in closed form ---- */
 
 struct linear {
-    double a; /* distance of its singularity from the real axis */
+    double a; /* distance of the singularity from the real axis */
     int kind;
     size_t calls;
 };
@@ -320,7 +321,7 @@ TEST(linear_everywhere)
     for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
         struct linear l = linears[i];
         solution.panels = 0;
-        /* In two parts, as after an edge. */
+        /* Solve in two parts, as after an edge. */
         assert_int_equal(num_linear_solve(linear_rate, &l, 0, 0.4, 1e-13, &solution), NUM_OK);
         assert_int_equal(num_linear_solve(linear_rate, &l, 0.4, 1, 1e-13, &solution), NUM_OK);
         double most = linear_v(&l, 1);
@@ -366,7 +367,7 @@ static bool linear_nan(double x, void *context, struct num_rate *rate)
     return true;
 }
 
-/* Not smooth: a jump takes all panels that there are. */
+/* A function with a jump, which uses up all panels. */
 static bool linear_jump(double x, void *context, struct num_rate *rate)
 {
     (void)context;
@@ -383,7 +384,7 @@ TEST(linear_failures)
     solution.panels = 0;
     double ln_G, v;
     enum num_status status = num_linear_solve(linear_jump, NULL, 0, 1, 1e-12, &solution);
-    /* Either the answer is right, or it is an error; never a wrong number. */
+    /* The result must be right or an error, but never a wrong number. */
     if (status == NUM_OK) {
         num_linear_at(&solution, 1, &ln_G, &v);
         assert_near("across a jump", v, 2.0 / 3 + 2.0 / 3, 1e-9);

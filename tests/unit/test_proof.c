@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The bounds of the proofs, one by one: this program compiles the sources of the proofs with a switch that
- * replaces a right bound by a wrong one. With all bounds right every check holds; with any one wrong
- * a check has to fail.
+ * Tests each bound of the proofs. The sources of the proofs are compiled with a switch that replaces one
+ * bound by a wrong one. If all bounds are right, every check must succeed; if any single bound is wrong, a
+ * check must fail.
  */
 #include "support.h"
 
@@ -20,7 +20,7 @@ static enum bound broken;
 
 #define PROOF_BOUND(name, right, wrong) (broken == BREAK_##name ? (wrong) : (right))
 
-/* The interrupt of the proofs: it is raised after so many passes. */
+/* The interrupt flag of the proofs, which is raised after some number of passes. */
 static const size_t *passes;
 static size_t raise_at = SIZE_MAX;
 
@@ -42,14 +42,14 @@ static bool raised_by_count(const volatile sig_atomic_t *flag)
 #include "proof/upright.c"
 /* NOLINTEND(bugprone-suspicious-include) */
 
-/* Returns 1 if a value is outside of the interval; a bound that is NaN encloses nothing. */
+/* Returns 1 if a value is outside of the interval, or if a bound is NaN. */
 static int outside(struct span a, double value, double slack)
 {
     return !(a.lo <= value + slack && a.hi >= value - slack);
 }
 
-/* Every operation encloses its exact result, which an fma compares with a bound: the compiler has kept every
- * rounding. */
+/* Checks that every operation encloses its exact result, with which an fma compares each bound. Fails if the
+ * compiler has removed a rounding. */
 static int arithmetic_wrong(void)
 {
     uint64_t seed = 1;
@@ -92,7 +92,8 @@ static int arithmetic_wrong(void)
     return wrong;
 }
 
-/* What 25 digits say of single trains, with remainders that are as large as they may be, and small. */
+/* Compares single trains with values of 25 digits, once with the largest allowed remainders and once with
+ * small ones. */
 static int points_wrong(struct proof *proof)
 {
     int wrong = 0;
@@ -120,8 +121,8 @@ static int points_wrong(struct proof *proof)
     return wrong;
 }
 
-/* Boxes of tilts and growths contain what single tilts and growths in them have, and derivatives their
- * differences. */
+/* Checks that the intervals for a box of tilts and growths contain the values at single points of the box,
+ * and that the intervals of derivatives contain difference quotients. */
 static int boxes_wrong(struct proof *proof, bool paper, bool pair)
 {
     uint64_t seed = 7;
@@ -166,7 +167,7 @@ static int boxes_wrong(struct proof *proof, bool paper, bool pair)
     return wrong;
 }
 
-/* Returns how many verdicts are wrong: growths that stop and are said to go on, or the reverse. */
+/* Returns the number of wrong verdicts. */
 static int verdicts_wrong(struct proof *proof)
 {
     static const struct {
@@ -189,7 +190,7 @@ static int verdicts_wrong(struct proof *proof)
     return wrong;
 }
 
-/* The digits of the reference lie in what is proved, to 12 digits. */
+/* Checks that limits from the reference tables are within the proved bounds, to 12 digits. */
 static int limits_wrong(struct proof *proof, const char *path, bool pair)
 {
     int wrong = 0;
@@ -242,7 +243,8 @@ TEST(limits_of_the_reference_lie_in_what_is_proved)
     proof_end(&proof);
 }
 
-/* Whenever an interrupt comes, no more than a few passes follow, and what is proved is true. */
+/* Checks that at most a few passes follow an interrupt at any moment, and that everything proved by then is
+ * true. */
 TEST(an_interrupt_ends_every_stage)
 {
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Properties of every train that do not depend on digits: identities, limits, monotony, continuity. */
+/* Properties of all trains that do not depend on digits: identities, limits, monotony and continuity. */
 #include "request.h"
 #include "support.h"
 #include <float.h>
@@ -7,7 +7,7 @@
 enum { TRAINS = 400 };
 
 /* Checks J(0) = 1 + r^-(q+1) J(theta_c) (50; d8), and that the train at 0 is the train at theta_c, shifted by
- * one. */
+ * one domino. */
 TEST(inertia_shifts_by_one)
 {
     uint64_t seed = 1;
@@ -24,9 +24,8 @@ TEST(inertia_shifts_by_one)
 }
 
 /*
- * Checks that dH/dtheta is the sum that the barrier search uses: the three-point difference quotient of dH
- * has an error of h^2 |H'''| / 6, plus rounding errors of 1e-16 / h. H''' is large where a follower is about
- * to detach.
+ * Checks that the sum that the barrier search uses is dH/dtheta. The difference quotient of dH has an error
+ * of h^2 |H'''| / 6, plus rounding errors of 1e-16 / h. H''' is large where a follower is about to detach.
  */
 TEST(slope_is_derivative_of_energy)
 {
@@ -56,8 +55,8 @@ TEST(slope_is_derivative_of_energy)
 }
 
 /*
- * Checks that the differences, summed term by term, agree with the difference of two sums of h, to the
- * rounding errors of these sums: 1e-14 of the sum of weights.
+ * Checks that the sum of differences agrees with the difference of two sums of h, up to the rounding errors
+ * of these sums, which are 1e-14 of the sum of weights.
  */
 TEST(energy_agrees_with_its_definition)
 {
@@ -78,7 +77,8 @@ TEST(energy_agrees_with_its_definition)
                 H[k] += link.weight * (t.y + geometry.d * t.x);
                 size += link.weight;
                 if (!link.leads) {
-                    /* Dominoes that detached before have theta_f in both sums, down to a weight of 0. */
+                    /* Dominoes that have already detached have the tilt theta_f in both sums. Add them until
+                     * their weight is 0. */
                     for (double w = link.weight * geometry.weight; n < 4000; n++, w *= geometry.weight) {
                         H[k] += w * (geometry.f.y + geometry.d * geometry.f.x);
                         size += w;
@@ -88,7 +88,7 @@ TEST(energy_agrees_with_its_definition)
                 link_next(&link);
             }
         }
-        /* What 4000 dominoes leave out is below rounding errors here, since s >= 3e-3. */
+        /* The terms after 4000 dominoes are below the rounding errors, since s >= 3e-3. */
         if (!(fabs(H[1] - H[0] - sums.dH) <= 4e-15 * size * (1 + geometry.d)))
             fail_msg("s %.17g r %.17g d %.17g q %.17g theta %.17g: dH %.17g, by definition %.17g",
                      (double)train.s, (double)train.r, (double)train.d, (double)train.q, theta, sums.dH,
@@ -96,7 +96,8 @@ TEST(energy_agrees_with_its_definition)
     }
 }
 
-/* Checks that at the reach every follower detaches at once, at pi/2; s is a power of 2 so that r s = 1. */
+/* Checks that at the reach every follower detaches at once, at pi/2. s is a power of 2, so that r s is
+ * exactly 1. */
 TEST(fuels_agree_at_the_reach)
 {
     uint64_t seed = 4;
@@ -111,8 +112,8 @@ TEST(fuels_agree_at_the_reach)
     }
 }
 
-/* Checks that energy is conserved along the cycle, J w + dH = K (21; c3), and that the cycle ends with the
- * speed with which the next one begins. */
+/* Checks that energy is conserved during a cycle, J w + dH = K (21; c3), and that the speed at the end of a
+ * cycle gives the speed at the beginning of the next one. */
 TEST(cycle_closes)
 {
     uint64_t seed = 5;
@@ -145,8 +146,8 @@ TEST(cycle_closes)
     assert_true(closed > TRAINS / 4);
 }
 
-/* Checks a train at the reach: the follower has detached at once, but after the collision, so omega(0) is
- * that of the launch. */
+/* Checks a train at the reach. Its follower detaches at once, but after the collision, so omega(0) is that of
+ * the launch. */
 TEST(cycle_begins_at_the_reach)
 {
     static const double train_at[][4] = {{0.5, 2, 0.1, 3},
@@ -167,7 +168,7 @@ TEST(cycle_begins_at_the_reach)
     }
 }
 
-/* Checks that cycles converge: from any other speed the collision law leads to the stationary one. */
+/* Checks that cycles converge: starting from any speed, the collision law leads to the stationary speed. */
 TEST(train_forgets_its_push)
 {
     struct asked train = asked_default();
@@ -206,7 +207,8 @@ TEST(margin_vanishes_at_the_limit)
     assert_true(met > 10);
 }
 
-/* Checks that the remaining energy has the tolerance tol, however small a part of the whole it is. */
+/* Checks that the remaining energy has the relative tolerance tol, even if it is a small difference of large
+ * energies. */
 TEST(small_margins_keep_their_digits)
 {
     for (int i = 0; i < 12; i++) {
@@ -225,7 +227,7 @@ TEST(small_margins_keep_their_digits)
     }
 }
 
-/* Checks (5; b0): a domino that has not tipped over its edge before it hits does not push the next one. */
+/* Checks (5; b0): a domino that has not tipped over its edge when it hits the next one does not push it. */
 TEST(pairs_tip_over_before_they_hit)
 {
     uint64_t seed = 8;
@@ -241,8 +243,8 @@ TEST(pairs_tip_over_before_they_hit)
     assert_true(ends[DOM_END_NONE] > TRAINS / 10 && ends[DOM_END_BARRIER] > TRAINS / 10);
 }
 
-/* Checks narrow bands: below (5; b0) no pair succeeds, and a little above it none does any more; a scan of r
- * must not step over the band. */
+/* Checks narrow bands of r in which a pair succeeds, which begin at (5; b0). A scan of r must not step over a
+ * band. */
 TEST(pairs_succeed_in_narrow_bands)
 {
     static const double band[][4] = {
@@ -262,8 +264,8 @@ TEST(pairs_succeed_in_narrow_bands)
     }
 }
 
-/* Checks that solid trains grow less than hollow ones, and that a separation closer to the best one is
- * better. */
+/* Checks that solid dominoes can grow less than hollow ones, and that r_max increases towards the best
+ * separation. */
 TEST(growth_is_monotone)
 {
     double before = 1;
@@ -298,7 +300,7 @@ TEST(no_fuel_below_a_separation)
     assert_true(fuels.exact > 0 && fuels.paper > 0);
 }
 
-/* Checks that a larger tol needs fewer dominoes, and that the error stays below tol. */
+/* Checks that fewer dominoes are needed for a larger tol, and that the error is below tol. */
 TEST(tolerance_decides_the_work)
 {
     uint64_t seed = 7;
@@ -325,7 +327,7 @@ TEST(tolerance_decides_the_work)
         assert_true(total[k] > total[k - 1]);
 }
 
-/* Checks that the energy is used up where the train stops. */
+/* Checks that the energy is used up at the tilt where the train stops. */
 TEST(train_stops_where_its_energy_ends)
 {
     struct asked train = asked_default();
@@ -346,7 +348,7 @@ TEST(train_stops_where_its_energy_ends)
     assert_true(isnan(stop));
 }
 
-/* Checks margin -> 0: the duration grows like ln(1 / margin), by equal steps for equal ratios. */
+/* Checks that the duration grows like ln(1 / margin) as the margin goes to 0. */
 TEST(duration_diverges_logarithmically)
 {
     struct asked train = asked_default();
@@ -364,7 +366,8 @@ TEST(duration_diverges_logarithmically)
     assert_status(ask_cycle_duration(&train, &duration[0], NULL), DOM_STOPS);
 }
 
-/* Checks that bounds take no work unless they are requested, and change no digit of the answer. */
+/* Checks that error bounds take no work unless they are requested, and do not change any digit of the
+ * result. */
 TEST(bounds_are_extra)
 {
     uint64_t seed = 77;
@@ -406,7 +409,7 @@ TEST(bounds_are_extra)
     assert_true(barriers > 30 && limits > 10);
 }
 
-/* Checks that the precisions agree to the digits of the poorer one. */
+/* Checks that the precisions agree to the digits of the less accurate one. */
 TEST(precisions_agree)
 {
     uint64_t seed = 78;
@@ -414,7 +417,7 @@ TEST(precisions_agree)
     for (int i = 0; i < 30; i++) {
         struct asked train = random_train(&seed);
         struct domq_limit limit[3];
-        /* Parameters that a float has exactly. */
+        /* Parameters that a float represents exactly. */
         train.s = (float)fmin(0.05 + (double)train.s, 0.9);
         train.d = (float)fmax((double)train.d, 0.01);
         train.q = (float)train.q;
@@ -426,7 +429,8 @@ TEST(precisions_agree)
         assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
         if (limit[2].ends == DOM_END_NONE)
             continue;
-        assert_near("float", limit[0].r_max, limit[2].r_max, 1e-3); /* flat margins of thin dominoes */
+        /* the margins of thin dominoes change slowly with r */
+        assert_near("float", limit[0].r_max, limit[2].r_max, 1e-3);
         assert_near("double", limit[1].r_max, limit[2].r_max, 1e-10);
         compared++;
     }

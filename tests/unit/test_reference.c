@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Every quantity of the model against reference digits (tests/reference, computed with 40 digits).
- * Bounds: at tol = 1e-15 the points are well conditioned, with condition numbers up to about 100 (the slope
- * just before a follower detaches, "wide"; the weights r^-qi of 6000 dominoes, "very-close"), so conditioning
- * allows 100 to 200 units of 2^-53: 3e-14. The durations are printed with 14 digits: 1e-13. At the default
- * tol = 1e-12 the same comparisons are right to tol.
+ * Compares every quantity of the model with tables in tests/reference, which were computed with 40 digits.
+ * The points have condition numbers up to about 100, for the slope just before a follower detaches ("wide")
+ * and for the weights r^-qi of 6000 dominoes ("very-close"). So at tol = 1e-15 errors of 100 to 200 times
+ * 2^-53 are allowed, which is 3e-14. Durations are printed with 14 digits, and are compared to 1e-13. At the
+ * default tol = 1e-12 all quantities must be right to tol.
  */
 #include "support.h"
 
@@ -60,7 +60,7 @@ static void check_dynamics(const struct csv *csv, struct asked train, const stru
     assert_status(ask_launch_find(&train, &launch, NULL), P > 0 ? DOM_OK : DOM_NO_FUEL);
     enum dom_status verdict = ask_barrier_find(&train, &barrier, NULL);
     assert_near("barrier", barrier.barrier, csv_number(csv, "barrier"), bounds->digits);
-    /* The place of a flat maximum comes from the zero of H', and has the conditioning of H'. */
+    /* The tilt of a flat maximum is the zero of H', and is as well conditioned as H'. */
     assert_near("theta_m", barrier.theta_m, csv_number(csv, "theta_m"), 10 * bounds->digits);
     if (P <= 0) {
         assert_status(verdict, DOM_NO_FUEL);
@@ -114,8 +114,7 @@ TEST(points_to_the_default_tolerance)
     check_points(&usual);
 }
 
-/* Checks r_max: to 1e-13 away from 1/s (there the margin is steep), and also at the reach, where it is
- * 1/s. */
+/* Checks r_max to 1e-13, where the margin is a steep function of r, and also where r_max is the reach 1/s. */
 TEST(largest_growth)
 {
     int rows = 0;
@@ -151,7 +150,7 @@ TEST(largest_growth_of_a_pair)
     assert_int_equal(rows, 18);
 }
 
-/* Checks the best separations, known to 6 digits, and their growths, known to 7. */
+/* Checks best separations, which are known to 6 digits, and their growths, which are known to 7 digits. */
 TEST(best_separation)
 {
     static const struct {
@@ -182,8 +181,8 @@ TEST(best_separation)
 }
 
 /*
- * Checks followers that detach at small angles: sin theta_f would cancel as 1 minus a number, and so would
- * the energy of the detaching follower as a difference of cosines. Digits from 256-bit arithmetic.
+ * Checks followers that detach at small angles, where naive formulas for sin theta_f and for the energy of
+ * the detaching follower would lose digits. The expected values come from 256-bit arithmetic.
  */
 TEST(detaching_at_small_angles)
 {
@@ -218,7 +217,8 @@ TEST(detaching_at_small_angles)
     }
 }
 
-/* Checks where the barrier curve meets r = 1/s (six digits known for the exact fuel). */
+/* Checks the separation at which the curve of the barrier meets r = 1/s. For the exact fuel, six digits are
+ * known. */
 TEST(barrier_curve_meets_reach)
 {
     static const double meets[][2] = {{3, 0.53929}, {4, 0.61901}};

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors of parameters: each status DOM_BAD_... is returned by every function that gets the bad parameter,
- * and names it. */
+/* Bad parameters: every function that gets a bad parameter returns the status DOM_BAD_... that names it. */
 #include "support.h"
 
 static bool returned[DOM_INTERRUPTED + 1];
 
-/* Fails unless the status is the expected one, and notes that some function has returned it. */
+/* Fails unless the status is the expected one. Records that a function has returned this status. */
 #define assert_named(status, expected)                                                                       \
     do {                                                                                                     \
         enum dom_status status_ = (status);                                                                  \
@@ -43,7 +42,7 @@ static bool never_fall(const struct dom_fall *fall, void *context)
 
 /* ---- Every function of a train ---- */
 
-/* A result of any of the functions. */
+/* Room for the result of any function. */
 union result {
     struct dom_angles angles;
     struct dom_contact contact;
@@ -60,7 +59,7 @@ union result {
     struct dom_best best;
 };
 
-/* Numbers of the functions; the last three find r themselves, and the last one s, too. */
+/* Numbers of the functions. The last three choose r themselves, and the last one chooses s, too. */
 enum { LIMITS = 18, BEST = 20, FUNCTIONS };
 
 static enum dom_status ask(int function, const struct dom_train *t, const struct dom_compute *c,
@@ -114,7 +113,7 @@ static enum dom_status ask(int function, const struct dom_train *t, const struct
     }
 }
 
-/* Asks every function, and the quad header's check, with a train that is bad in one member. */
+/* Calls every function, and the check of <domino_quad.h>, with a train of which one member is bad. */
 static void refused(const struct dom_train *train, const struct dom_compute *compute, char member,
                     enum dom_status expected)
 {
@@ -223,7 +222,7 @@ TEST(tilts_and_times)
 
 enum { ROW = 4, BAD_ONE = 2 };
 
-/* A row that falls, of which a test changes one number to a bad one. */
+/* A row that falls. A test replaces one number by a bad one. */
 struct some_row {
     struct dom_domino domino[ROW];
     struct dom_row row;
@@ -271,7 +270,7 @@ static void row_refused(const struct dom_row *row, const struct dom_compute *com
     if (domino)
         assert_int_equal(verdict.domino, domino);
     searches_refused(row, compute, expected);
-    if (expected == DOM_BAD_GAP) /* a study changes gaps itself, and treats one below 0 as 0 */
+    if (expected == DOM_BAD_GAP) /* a study changes gaps itself, and replaces negative ones by 0 */
         return;
     assert_named(dom_placement_study(row, compute, &placement, &study, NULL), expected);
     assert_int_equal(study.rows, 7);
@@ -296,7 +295,7 @@ TEST(rows)
                 row_refused(&r.row, &compute, member != 3 ? BAD_ONE + 1 : 0, named[member]);
         }
         row_make(&r);
-        r.row.rho = 0.01; /* a radius matters where edges are on, and 0 is the radius of the row */
+        r.row.rho = 0.01; /* radii are used only with rounded edges, and 0 stands for the radius of the row */
         r.domino[BAD_ONE].radius = bad[k];
         if (bad[k] != 0)
             row_refused(&r.row, NULL, BAD_ONE + 1, DOM_BAD_RADIUS);
@@ -393,7 +392,7 @@ TEST(counts)
     assert_true(count.dominoes == -1);
 }
 
-/* Checks that every status has occurred; runs last. */
+/* Checks that every status has occurred. This test must be the last one. */
 TEST(all_were_returned)
 {
     for (int k = DOM_BAD_S; k <= DOM_BAD_PROBABILITY; k++)

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The bounds of what a sum in a proof leaves out, against the terms that it leaves out, summed one by one. */
+/* The bounds for remainders of sums in proofs, compared with the sums of the omitted terms. */
 #include "proof/chain.c"
 #include "proof/power.c"
 #include "proof/rest.c"
 #include "support.h"
 
-/* Sums over dominoes n and later; each is the one that struct rest has a bound for. */
+/* Sums over domino n and all later ones, for each of which struct rest has a bound. */
 struct tail {
     double drops, slides, tilts, shift;
 };
@@ -47,7 +47,7 @@ TEST(bounds_hold)
         struct domino domino = {span_of(middle(chain_hit(&g)) * random_unit(&seed)), {1, 1}, {0, 0}};
         double power = 1;
         int n = 0;
-        /* Beyond theta_u, heights decrease along the chain, which the bounds presuppose. */
+        /* The bounds hold beyond theta_u, where h decreases along the chain. */
         for (; n < 40 && (n < 2 || domino.v.lo < shape.v_top.hi); n++, power *= middle(g.weight)) {
             struct contact contact = chain_contact(&g, domino.v);
             domino = chain_next(&g, &domino, &contact);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rounded edges: published digits; quad; Newton's law for the centre of each block, with contact points and
- * forces as vectors, which shares no formula with the model; and the limits in which edges become sharp.
+ * Rounded edges, compared with published digits, with quad, with Newton's law for the centre of each block in
+ * vectors, which shares no formula with the model, and with sharp edges in the limit of small radii.
  */
 #include "support.h"
 
@@ -65,8 +65,8 @@ TEST(precisions_agree)
     }
 }
 
-/* Checks that theta_1 solves the equation of the contact to rounding, for radii up to d/2, in each precision.
- */
+/* Checks that theta_1 solves the contact equation up to rounding errors, for radii up to d/2, in each
+ * precision. */
 TEST(contacts)
 {
     uint64_t seed = 11;
@@ -95,13 +95,13 @@ TEST(contacts)
     }
     print_message("# residual of the contact %.1e, in quad %.1e\n", worst[0], worst[1]);
     assert_true(worst[0] > 0 && worst[0] < 2e-15);
-    assert_true(worst[1] < 1e-18); /* that of long double, in which it is computed */
+    assert_true(worst[1] < 1e-18); /* the accuracy of long double, in which the error is computed */
 }
 
-/* ---- Where digits are few: near the reach, with hardly any friction, with edges that are nearly sharp ----
- */
+/* ---- Cases in which digits are lost: near the reach, with hardly any friction, with edges that are nearly
+ * sharp ---- */
 
-/* Checks named trains against quad, whose digits are enough in any case. */
+/* Compares difficult trains with quad, which has enough digits in any case. */
 TEST(difficult_limits)
 {
     static const struct {
@@ -111,7 +111,7 @@ TEST(difficult_limits)
         {0.88, 7 / 48., 3, 0.1, 0.005},
         {0.8724, 7 / 48., 4, 1e-7, 0},               /* the follower lies on its back at first */
         {0.7, 7 / 48., 3, 0, 1e-9},                  /* an edge much smaller than the gap at the reach */
-        {0.25, 0.46409449423663324, 2, 0, 0.01},     /* the margin vanishes at r = 1 */
+        {0.25, 0.46409449423663324, 2, 0, 0.01},     /* the margin is 0 at r = 1 */
         {0.61, 0.040268563801308083, 1e-6, 0, 3e-6}, /* weights that hardly decrease */
         {0.4, 0.1, 4, 0.1, 0.05},                    /* no flat foot: theta_u is 0 */
     };
@@ -126,7 +126,7 @@ TEST(difficult_limits)
     }
 }
 
-/* Returns a random train up to 1e-6 of its reach, with friction and edges of any size; each may be off. */
+/* Returns a random train, as close as 1e-6 to its reach. Friction and edges have any size or are off. */
 static struct asked any_train(uint64_t *seed)
 {
     static const double q[] = {1e-6, 1, 2, 3, 4};
@@ -141,7 +141,7 @@ static struct asked any_train(uint64_t *seed)
     train.s =
         span * (random_unit(seed) < 0.5 ? 0.02 + 0.97 * random_unit(seed) : 1 - random_log(seed, 1e-3, 1));
     const double reach = span / (double)train.s, L = (double)(train.s + train.d), at = random_unit(seed);
-    const double detaches = 1 / sqrt(L * L - (double)(train.d * train.d)); /* (41; A17) of sharp edges */
+    const double detaches = 1 / sqrt(L * L - (double)(train.d * train.d)); /* (41; A17) for sharp edges */
     double r = at < 0.4   ? exp(log(reach) * random_unit(seed))
                : at < 0.8 ? reach - (reach - 1) * random_log(seed, 1e-6, 1)
                           : fmin(detaches * (1 + random_log(seed, 1e-9, 0.1)), reach);
@@ -149,7 +149,8 @@ static struct asked any_train(uint64_t *seed)
     return train;
 }
 
-/* Checks that every such train has an answer or a verdict in each precision, and compares some with quad. */
+/* Checks that every such train has a result or a verdict in each precision, and compares some of them with
+ * quad. */
 TEST(trains_anywhere)
 {
     uint64_t seed = 29;
@@ -164,7 +165,7 @@ TEST(trains_anywhere)
         stops += status == DOM_STOPS;
         if (status != DOM_OK && status != DOM_STOPS && status != DOM_LOCKS && status != DOM_NO_FUEL)
             fail_msg("train %d: %s", n, dom_status_text(status));
-        assert_true(rmax_of(&train) != 0); /* NaN: even equal dominoes stop */
+        assert_true(rmax_of(&train) != 0); /* r_max is NaN if even equal dominoes stop */
         if (n % 32 != 1 || (status != DOM_OK && status != DOM_STOPS))
             continue;
         train.precision = DOM_QUAD;
@@ -176,7 +177,8 @@ TEST(trains_anywhere)
     assert_true(goes > 500 && stops > 100);
 }
 
-/* Checks that the best separation has no better one near it, and keeps the r_max found there. */
+/* Checks that no nearby separation is better than the best one, and that r_max there is the growth that was
+ * reported. */
 TEST(best_separations)
 {
     static const struct {
@@ -210,7 +212,7 @@ struct vector {
     double x, z;
 };
 
-static double cross(struct vector a, struct vector b) /* forward torque of b at a */
+static double cross(struct vector a, struct vector b) /* forward torque of the force b at the point a */
 {
     return a.z * b.x - a.x * b.z;
 }
@@ -221,7 +223,7 @@ struct block {
     double theta;
 };
 
-/* Returns the centre of the round edge on which a block rolls, and of its upper edge. */
+/* Return the centre of the rounded edge on which a block rolls, and that of its upper edge. */
 static struct vector edge_of(const struct block *b)
 {
     return (struct vector){b->foot - b->rho + b->rho * b->theta, b->rho};
@@ -242,7 +244,8 @@ static struct vector centre_of(const struct block *b)
                            e.z + up * cos(b->theta) + back * sin(b->theta)};
 }
 
-/* Returns how far the round upper edge of a follower is from the back of its leader; negative: inside. */
+/* Returns the distance of the rounded upper edge of a follower from the back of its leader, or a negative
+ * number if the edge is inside the leader. */
 static double clearance(const struct block *follower, const struct block *leader)
 {
     struct vector p = upper_of(follower), e = edge_of(leader);
@@ -274,10 +277,9 @@ static void train_make(struct block *b, int n, const struct asked *train, double
 }
 
 /*
- * Returns the forward torque that is left on the head, about the line where it touches the floor, if all
- * blocks have the given accelerations (or in a collision the changes of velocities): each contact supplies
- * what its follower needs. Moments are about the line where a block touches the floor, so that the force of
- * the floor has none.
+ * Returns the torque on the head that is not balanced if all blocks have the given accelerations or, in a
+ * collision, changes of velocity. Each contact supplies the force that its follower needs. Torques are about
+ * the line where a block touches the floor, so that the force of the floor has none.
  */
 static double torque_left(const struct block *b, int n, const struct vector *acceleration,
                           const double *angular, double mu, double gravity)
@@ -289,13 +291,13 @@ static double torque_left(const struct block *b, int n, const struct vector *acc
         struct vector moved = {b[i].mass * acceleration[i].x, b[i].mass * (acceleration[i].z + gravity)};
         double own = b[i].mass * (b[i].height * b[i].height + b[i].d * b[i].d) / 12;
         left = own * angular[i] + cross(at, moved);
-        if (i + 1 < n) { /* the push of its follower, with friction down the face */
+        if (i + 1 < n) { /* the follower pushes, and its friction acts down the face */
             double x = sin(b[i].theta), y = cos(b[i].theta);
             struct vector p = upper_of(&b[i + 1]), push = {normal * (y - mu * x), normal * (-x - mu * y)};
             struct vector on = {p.x + b[i + 1].rho * y - floor.x, p.z - b[i + 1].rho * x};
             left -= cross(on, push);
         }
-        if (i > 0) { /* its leader holds it */
+        if (i > 0) { /* the leader pushes back */
             double x = sin(b[i - 1].theta), y = cos(b[i - 1].theta);
             struct vector p = upper_of(&b[i]), hold = {-(y - mu * x), x + mu * y};
             struct vector on = {p.x + b[i].rho * y - floor.x, p.z - b[i].rho * x};
@@ -305,7 +307,7 @@ static double torque_left(const struct block *b, int n, const struct vector *acc
     return left;
 }
 
-/* Compares acceleration and collision of the endless train with those of a long chain of blocks. */
+/* Compares the acceleration and the collision of the endless train with those of a long chain of blocks. */
 TEST(newtons_law)
 {
     static const double scene[][5] = {/* s, r, rho, mu, theta */
@@ -343,7 +345,8 @@ TEST(newtons_law)
                by_unit = torque_left(now, MOST, pushed, turned, mu, 0);
         assert_near("acceleration", (double)at.acceleration / tausq, -by_rest / by_unit, 2e-6);
 
-        /* The collision: before, the head is upright, and its followers are the train at theta_c. */
+        /* The collision. Just before it, the head is upright and at rest, and its followers are the train at
+         * theta_c. */
         struct domq_launch launch;
         struct domq_angles angles;
         assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
@@ -353,7 +356,7 @@ TEST(newtons_law)
         assert_near("theta_c", now[1].theta, (double)angles.theta_c, 1e-12);
         struct block hit[MOST];
         memcpy(hit, now, sizeof hit);
-        hit[1].theta = now[1].theta - step; /* its followers, with the head at rest */
+        hit[1].theta = now[1].theta - step; /* the followers move while the head is at rest */
         for (int i = 2; i < MOST; i++) {
             double lo = 0, hi = 1.6;
             for (int n = 0; n < 100; n++) {
@@ -385,7 +388,8 @@ static bool last_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Checks that a row of a train moves as the endless train, with radii of the row or of the dominoes. */
+/* Checks that a row of a train moves like the endless train, whether the radius is given for the row or for
+ * each domino. */
 TEST(rows_are_trains)
 {
     enum { COUNT = 24 };
@@ -441,7 +445,7 @@ TEST(radii_that_do_not_fit)
     train.method = DOM_METHOD_GSL;
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_METHOD);
     train.method = DOM_METHOD_OURS;
-    train.s = 1; /* a rounded domino reaches less far than it is tall */
+    train.s = 1; /* the reach of a rounded domino is less than its height */
     train.r = 1;
     assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
     train.s = 0.4;

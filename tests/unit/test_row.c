@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finite rows of any dominoes: against Newton's equations (direct.h), the endless train, and the balance of
- * energy. */
+/* Finite rows of any dominoes, compared with Newton's equations (direct.h), with the endless train, and by
+ * the balance of energy. */
 #include "run.h"
 #include "support.h"
 #include <float.h>
@@ -9,8 +9,8 @@ enum { MOST = ROW_MOST };
 
 static const double g = 9.81;
 
-/* Makes a row: equal, growing, shrinking or uneven; pushed from just below to far above the push that turns
- * one domino over. */
+/* Makes a random row of equal, growing, shrinking or uneven dominoes. The push is between slightly less and
+ * much more than a single domino needs to turn over. */
 static void random_row(struct run *run, uint64_t *seed, int kind)
 {
     static const double mus[] = {0, 0.1, 0.4}, pushes[] = {0.98, 1.02, 1.5, 4, 15};
@@ -67,8 +67,8 @@ TEST(newton_agrees)
 }
 
 /*
- * Checks a contact that opens before a head comes to rest: Newton's equations have -0.019 weights between 1
- * and 2 before head 2 rests.
+ * Checks a contact that opens before a head comes to rest. By Newton's equations, the force between dominoes
+ * 1 and 2 reaches -0.019 weights before head 2 comes to rest.
  */
 TEST(contact_opens_before_a_stop)
 {
@@ -88,8 +88,8 @@ TEST(contact_opens_before_a_stop)
     assert_string_equal(dom_row_end_text(run.verdict.end), dom_row_end_text(DOM_ROW_PARTS));
 }
 
-/* Checks a fast head that runs ahead of its followers, since masses differ much: a contact opens although
- * nothing stops. */
+/* Checks a fast head that moves ahead of its followers because masses differ much, so that a contact opens
+ * although nothing stops. */
 TEST(contact_opens_without_a_stop)
 {
     static struct run run;
@@ -120,11 +120,11 @@ TEST(contact_opens_without_a_stop)
 /* ---- Against the endless train ---- */
 
 /*
- * Checks that domino k, in its own units, tends to a cycle of the train. An error of omega^2 has the factor
- * (J(0) - 1) / (J(0) r^q) from one domino to the next (22; c4), and the effect of the missing rest of the
- * train has the factor r^-q theta_1'(theta_inf): the larger factor is the rate (without friction; friction
- * makes it smaller). After 50 dominoes the error is that power of the rate, or 1e-11, which the tolerance of
- * margins explains.
+ * Checks that the motion of domino k, in units of domino k, converges to a cycle of the train. From one
+ * domino to the next, an error of omega^2 is multiplied by (J(0) - 1) / (J(0) r^q) (22; c4), and the effect
+ * of the missing part of the train by r^-q theta_1'(theta_inf). The larger of these factors is the rate of
+ * convergence; friction makes it smaller. After 50 dominoes the error is the 50th power of the rate, or 1e-11
+ * because of the tolerance of margins.
  */
 TEST(uniform_rows_become_the_train)
 {
@@ -135,7 +135,7 @@ TEST(uniform_rows_become_the_train)
                                      {0.6, 1.5, 4, 0},
                                      {0.4, 1.5, 4, 0.1},
                                      {0.3, 1, 3, 0.3},
-                                     /* the top is after the tilt where the follower has detached */
+                                     /* the top is beyond the tilt at which the follower detaches */
                                      {0.54, 1.85, 3, 0}};
     for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
         static struct run run;
@@ -183,7 +183,7 @@ TEST(uniform_rows_become_the_train)
 
 /* ---- Energy ---- */
 
-/* Returns the potential energy of `moving` dominoes up to the head k at a tilt. */
+/* Returns the potential energy of the last `moving` dominoes up to the head, which is domino k, at a tilt. */
 static double potential(const struct run *run, size_t k, size_t moving, double theta)
 {
     double sum = 0;
@@ -197,8 +197,8 @@ static double potential(const struct run *run, size_t k, size_t moving, double t
     }
 }
 
-/* Checks that the energy of a head, minus friction and the rise of the dominoes, is the energy before the
- * next hit; in rows where none detaches. */
+/* Checks, in rows in which no domino detaches, that the energy of a head minus friction and the increase of
+ * the potential energy is the energy before the next hit. */
 TEST(energy_is_kept)
 {
     static struct run run;
@@ -245,7 +245,7 @@ TEST(ends)
     run.domino[3].gap = run.domino[2].height * (1 + 1e-9);
     check_end(&run, DOM_ROW_MISSES, 3);
     make_row(&run, 5, 0.4, 1, 0);
-    run.domino[3].height *= sqrt(1 - 0.16) * (1 - 1e-9); /* the tip arrives at h cos theta_c */
+    run.domino[3].height *= sqrt(1 - 0.16) * (1 - 1e-9); /* the tip arrives at the height h cos theta_c */
     check_end(&run, DOM_ROW_PASSES, 3);
     make_row(&run, 5, 0.4, 1, 0);
     run.domino[3].height *= sqrt(1 - 0.16) * (1 + 1e-9);
@@ -254,8 +254,8 @@ TEST(ends)
     make_row(&run, 5, 0.4, 2, 0);
     run.row.push = 1.01 * push_over(run.domino);
     check_end(&run, DOM_ROW_STOPS, 2);
-    /* A domino leans if it touches the next before its edge: sin theta_c <= sin theta_u = d / sqrt(1 +
-     * d^2). */
+    /* DOM_ROW_LEANS: a domino touches the next before it tips over if sin theta_c <= sin theta_u = d / sqrt(1
+     * + d^2). */
     double d = 7.0 / 48, touches = d / hypot(1, d);
     for (int side = -1; side <= 1; side += 2) {
         make_row(&run, 2, touches * (1 + side * 1e-9), 1, 0);
@@ -263,7 +263,7 @@ TEST(ends)
         assert_status(run_whole(&run), DOM_OK);
         assert_int_equal(run.verdict.end, side < 0 ? DOM_ROW_LEANS : DOM_ROW_STOPS);
     }
-    /* From its edge the centre falls by this height. */
+    /* When the domino falls from its edge, the centre comes down by this height. */
     make_row(&run, 2, 0.4, 1, 0);
     run.row.push = DOMQ_NAN;
     assert_status(run_whole(&run), DOM_OK);
@@ -308,8 +308,8 @@ TEST(push_just_enough)
 }
 
 /*
- * Checks a push that soon ends, (1/2) I omega^2 = m g d theta / 2, with friction, which a single domino does
- * not feel, and without.
+ * Checks a weak push, whose motion ends at (1/2) I omega^2 = m g d theta / 2, without friction and with
+ * friction, which has no effect on a single domino.
  */
 TEST(rests_after_a_slight_push)
 {
@@ -350,7 +350,7 @@ static bool is_finite(const struct domq_fall *f, void *context)
     return true;
 }
 
-/* Checks rows of any size: the answer has no NaN and agrees with quad, or it is an error. */
+/* Checks rows of any size. The result agrees with quad and has no NaN, or is an error. */
 static void sizes(enum dom_precision precision, double s, double r, double h, double mass, size_t count,
                   bool answered)
 {
@@ -394,22 +394,23 @@ TEST(long_and_tall)
     assert_status(ask_row_run(&row, false, NULL, NULL, &v), DOM_OK);
     assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
     sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);
-    sizes(DOM_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last is taller than the Earth */
+    sizes(DOM_DOUBLE, 0.4, 1.5, 0.048, 0.01, 100, true); /* the last domino is taller than the Earth */
     sizes(DOM_DOUBLE, 5e-4, 1e3, 0.048, 0.01, 2000, false);
     sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 40, true);
 }
 
-/* Checks m h^2 or h^2 beyond the range of the precision: a right answer, or an error. */
+/* Checks rows in which m h^2 or h^2 is beyond the range of the precision. The result is right, or an
+ * error. */
 TEST(beyond_the_range)
 {
-    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* only 45000 km */
+    sizes(DOM_FLOAT, 0.4, 1.5, 0.048, 0.01, 52, false); /* the last domino is only 45000 km tall */
     sizes(DOM_DOUBLE, 0.3, 1, 1e160, 1, 20, false);
     sizes(DOM_DOUBLE, 0.3, 1, 1e-170, 1, 20, false);
     sizes(DOM_DOUBLE, 0.3, 1, 1e100, 1e300, 20, false);
     sizes(DOM_DOUBLE, 0.3, 1, 1e-100, 1e-250, 20, false);
 }
 
-/* Checks that the weakest domino has the smallest margin over barrier, and that the verdict has the same bits
+/* Checks that the weakest domino has the smallest margin / barrier, and that the verdict is exactly the same
  * without times. */
 TEST(verdict_sums_up)
 {
@@ -449,8 +450,8 @@ TEST(verdict_sums_up)
 }
 
 /*
- * Checks that the energy that a head needs depends on the row alone, not on the speed of the head: also if a
- * domino detaches on the way; energy needed after that tilt is counted as energy at the launch.
+ * Checks that the energy that a head needs does not depend on the speed of the head, even if a domino
+ * detaches during the motion. Energy that is needed after that moment is converted to energy at the launch.
  */
 TEST(barriers_do_not_depend_on_the_push)
 {
@@ -459,7 +460,7 @@ TEST(barriers_do_not_depend_on_the_push)
     int checked = 0, behind = 0;
     for (int i = 0; i < 1000; i++) {
         random_row(&slow, &seed, i % 4);
-        if (i % 4 == 0) { /* near the reach the top is after the tilt where the follower has detached */
+        if (i % 4 == 0) { /* near the reach the top is beyond the tilt at which the follower detaches */
             double s = 0.3 + 0.5 * random_unit(&seed);
             make_row(&slow, 5, s, (1 - random_log(&seed, 1e-4, 0.1)) / s, slow.row.mu / 20);
         }
@@ -470,7 +471,7 @@ TEST(barriers_do_not_depend_on_the_push)
         assert_status(run_whole(&fast), DOM_OK);
         for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
             const struct domq_fall *a = &slow.fall[k], *b = &fast.fall[k];
-            if (a->margin < 0) /* the run ends at a stop: nothing after it is computed */
+            if (a->margin < 0) /* the run ends at a stop */
                 break;
             if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-10 * (double)b->kinetic))
                 fail_msg("domino %zu of row %d: %.17g and %.17g", k + 1, i, (double)a->barrier,
@@ -483,7 +484,7 @@ TEST(barriers_do_not_depend_on_the_push)
     assert_true(checked > 1000 && behind > 20);
 }
 
-/* Checks that a domino of almost no weight does not end a sum: those after it weigh as before. */
+/* Checks that a domino of almost no weight does not end a sum, since the dominoes after it are heavy. */
 TEST(light_dominoes_end_no_sum)
 {
     static struct run rough, fine;
@@ -519,7 +520,7 @@ TEST(precisions_agree)
     for (int i = 0; i < 12; i++) {
         random_row(&run[0], &seed, i % 4);
         run[0].row.count = run[0].row.count < 8 ? run[0].row.count : 8;
-        for (size_t k = 0; k < run[0].row.count; k++) { /* numbers that a float has exactly */
+        for (size_t k = 0; k < run[0].row.count; k++) { /* numbers that a float represents exactly */
             struct domq_domino *d = &run[0].domino[k];
             *d = (struct domq_domino){
                 (float)d->height, (float)d->thickness, (float)d->gap, (float)d->mass, 0, 0};
@@ -549,8 +550,8 @@ TEST(precisions_agree)
     }
 }
 
-/* Checks a long uniform row, which needs as much friction of the floor as the train; and the struck domino by
- * its formula. */
+/* Checks that a long row of a train needs as much friction of the floor as the train. Checks the struck
+ * domino by a formula. */
 TEST(floor_of_the_train)
 {
     static struct run run;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The largest growth of a finite row: compared with the pair, the endless train, and the verdicts on both
- * sides. */
+/* The largest growth of a finite row, compared with the pair, with the endless train, and with the verdicts
+ * at slightly different growths. */
 #include "run.h"
 #include "support.h"
 
-/* The rows of a train at any r, and how often they were made. */
+/* The train whose rows are made, and how often a row was made. */
 struct family {
     struct asked train;
     struct domq_scale scale;
@@ -50,7 +50,7 @@ static enum dom_row_end ends_at(struct family *f, const struct asked_row *row, d
     return row_end(&run);
 }
 
-/* Checks that two dominoes, the first of which just tips over, are the pair of the paper. */
+/* Checks that a row of two dominoes, the first of which just tips over, has the limit of the paper's pair. */
 TEST(two_are_the_pair)
 {
     int limited = 0;
@@ -69,8 +69,8 @@ TEST(two_are_the_pair)
     assert_true(limited > 2);
 }
 
-/* Checks rows that stop at r = 1 and fall at larger growths, on slopes and with thick dominoes: two dominoes
- * are the pair, and all fall from r_min on. */
+/* Checks rows that stop at r = 1 but fall at larger growths, on slopes and with thick dominoes. A row of two
+ * has the limit of the pair, and all dominoes fall from r_min on. */
 TEST(falls_from_above_one)
 {
     static const double scenes[][4] = {/* s, d, q, alpha */
@@ -93,8 +93,8 @@ TEST(falls_from_above_one)
     }
 }
 
-/* Checks long rows: the effect of a strong push on domino k decreases like a power of r, so the limit is that
- * of the endless train. */
+/* Checks that the limit of a long row is that of the endless train, since the effect of a strong push
+ * decreases along the row. */
 TEST(long_rows_are_the_train)
 {
     for (int i = 4; i < 8; i++) {
@@ -108,7 +108,8 @@ TEST(long_rows_are_the_train)
     }
 }
 
-/* Checks that all fall at r_max and not at a little more, with the same number in every precision. */
+/* Checks that all dominoes fall at r_max but not at a slightly larger growth, and that r_max is the same in
+ * every precision. */
 TEST(falls_up_to_it)
 {
     uint64_t seed = 81;
@@ -148,8 +149,8 @@ TEST(falls_up_to_it)
     assert_true(stopped > 20 && reached > 3);
 }
 
-/* Checks that a row of one pushed domino falls at any growth, and that equal dominoes that lean from the
- * start do not. */
+/* Checks that a row of one pushed domino falls at any growth, and that equal dominoes that touch from the
+ * start do not fall. */
 TEST(at_the_ends)
 {
     struct family f = family_of(0.4, 7.0 / 48, 4);
@@ -160,14 +161,14 @@ TEST(at_the_ends)
     row = row_of(3, DOMQ_NAN);
     growth = growth_of(&f, &row);
     assert_true(isnan((double)growth.r_max) && isnan((double)growth.r_min) && growth.ends == DOM_ROW_LEANS);
-    /* If equal dominoes are the largest growth allowed, that growth is the answer. */
+    /* If `highest` is 1, the answer is 1. */
     f = family_of(1, 7.0 / 48, 4);
     row = row_of(1, 6);
     growth = growth_of(&f, &row);
     assert_true(growth.r_max == 1 && growth.ends == DOM_ROW_FALLS);
 }
 
-/* Makes a row that is wrong from some growth on. */
+/* Makes a row with bad dominoes from some growth on. */
 static void flat_make(domq_real r, struct domq_domino *domino, size_t count, void *context)
 {
     family_make(r, domino, count, context);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows that stop: the energy that is missing, compared with the potential energy of the dominoes on a fine
- * grid; and where they stop under much friction, compared with Newton's equations (direct.h).
+ * Rows that stop. The missing energy is compared with the potential energy of the dominoes on a fine grid,
+ * and the place of a stop under much friction with Newton's equations (direct.h).
  */
 #include "run.h"
 #include "support.h"
@@ -22,9 +22,9 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
 }
 
 /*
- * Returns the largest rise of the potential energy of the first `moving` dominoes up to the head k, on a grid
- * of its tilt. A domino that would be turned back by its leader has detached: it keeps its height, and so do
- * those that lean on it.
+ * Returns the largest increase of the potential energy of the last `moving` dominoes up to the head, which is
+ * domino k, on a grid of tilts of the head. A domino that its leader would turn back has detached, and keeps
+ * its height, as do all dominoes that lean on it.
  */
 static double highest_energy_change(const struct run *run, size_t k, size_t moving)
 {
@@ -56,7 +56,7 @@ static double highest_energy_change(const struct run *run, size_t k, size_t movi
     return top;
 }
 
-/* Checks two rows that once differed: 0.0938 and 0.4332, where one lacks more energy with the weaker push. */
+/* Checks two rows for which the missing energy was once wrong. With a weaker push more energy is missing. */
 TEST(short_of_the_highest)
 {
     static double size[][3] = {{0.1, 0.03, 0}, {0.13, 0.08, 0.098}, {0.3, 0.02, 0.1}};
@@ -86,9 +86,9 @@ static void random_row(struct run *run, uint64_t *seed, double push, double mu)
 }
 
 /*
- * Checks rows without friction, in every precision. The grid gives the top by the parabola through three of
- * its tilts, with an error of the third power of their distance, or the second if a domino detaches between
- * them: 1e-7.
+ * Checks rows without friction, in every precision. The maximum on the grid is found by a parabola through
+ * three tilts. Its error, 1e-7, is of third order in the distance of the tilts, or of second order if a
+ * domino detaches between them.
  */
 TEST(short_of_the_highest_everywhere)
 {
@@ -116,7 +116,7 @@ TEST(short_of_the_highest_everywhere)
     assert_true(stops > 400 && behind > 50);
 }
 
-/* Checks that the energy that a head needs depends on the row alone, also where the row stops. */
+/* Checks that the energy that a head needs does not depend on its speed, also where the row stops. */
 TEST(a_stop_needs_what_a_fall_needs)
 {
     static struct run slow, fast;
@@ -146,8 +146,8 @@ TEST(a_stop_needs_what_a_fall_needs)
 
 /* ---- At the reach ---- */
 
-/* Checks that r = 1/s, rounded in the widest type, is reached in every precision, as by a train, and that a
- * gap wider by 1e-5 is not. */
+/* Checks that a row with r = 1/s, rounded in the widest type, is in reach in every precision, as a train is,
+ * and that a gap wider by 1e-5 is not. */
 TEST(rounded_reach_is_reached)
 {
     static struct run run, near;
@@ -166,7 +166,7 @@ TEST(rounded_reach_is_reached)
                                      .precision = (enum dom_precision)(i % 3)};
         assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
-        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* the same, except for close cases */
+        train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* slightly below the reach */
         near = run;
         ask_row_of_train(&train, &scale, 1, near.domino, 6);
         assert_status(run_whole(&near), DOM_OK);
@@ -188,10 +188,10 @@ TEST(rounded_reach_is_reached)
 /* ---- Much friction ---- */
 
 /*
- * Checks much friction, where arms become 0 on the way (Painleve) and no motion passes; but most rows are at
- * rest before. The verdict agrees with the hits and the rest of Newton's equations, in every precision, and
- * no row is an error. A head that arrives at a locked tilt in motion is left out: there Newton's equations
- * are singular.
+ * Checks much friction, where arms become 0 during the motion (Painleve) and the motion locks, although most
+ * rows come to rest before. The verdict in every precision agrees with the hits and the stop by Newton's
+ * equations, and no row is an error. Heads that are still moving when they lock are left out, since Newton's
+ * equations are singular there.
  */
 TEST(much_friction)
 {
@@ -200,7 +200,7 @@ TEST(much_friction)
     uint64_t seed = 73;
     int falls = 0, stops = 0, locked = 0, jams = 0;
     for (int i = 0; i < 20000; i++) {
-        bool light = i % 4 == 0; /* light followers, which lie flat in the end */
+        bool light = i % 4 == 0; /* light followers, which end up flat on the floor */
         random_row(&run, &seed, random_log(&seed, 3, 60), random_log(&seed, 0.5, 5));
         run.row.count = light ? 2 : run.row.count;
         run.domino[1].thickness *= light ? 2 : 1;
@@ -239,8 +239,8 @@ TEST(much_friction)
     assert_true(falls > 500 && stops > 2000 && locked > 30);
 }
 
-/* Checks a light domino, tipped over its edge, that meets a thick one, which stops; no energy would carry it
- * past the lock. */
+/* Checks a light domino that tips over its edge and hits a thick one, which stops. No energy would be enough
+ * to pass the tilt at which the row locks. */
 TEST(stops_before_a_lock)
 {
     static double size[][3] = {{0.03, 0.0034, 0}, {0.04, 0.018, 0.0034}};

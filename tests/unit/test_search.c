@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cases that searches for limits once missed: dips of the margin, narrow bands, tops between two
+/* Cases in which a search for a limit once failed: dips of the margin, narrow bands, and maxima between two
  * separations. */
 #include "support.h"
 
@@ -16,8 +16,8 @@ static struct asked train_of(double s, double d, double q, double mu, enum dom_p
 }
 
 /*
- * Checks the first root, from sums in 30 digits of an independent program, given to 10. A margin only just
- * below 0 does not show in float.
+ * Checks the first root against values of 10 digits, which an independent program computed with sums of 30
+ * digits. A margin that is only slightly below 0 is not visible in float.
  */
 TEST(the_first_root_counts)
 {
@@ -43,7 +43,7 @@ TEST(the_first_root_counts)
     }
 }
 
-/* Checks bands that begin and end between samples a factor e^(1/8) apart. */
+/* Checks bands that begin and end between two samples, which are a factor of e^(1/8) apart. */
 TEST(narrow_bands_of_pairs)
 {
     static const struct {
@@ -60,7 +60,7 @@ TEST(narrow_bands_of_pairs)
         }
 }
 
-/* Checks that smooth tops are known to tol: samples alone would give only its square root. */
+/* Checks that smooth maxima are found to tol. Samples of r_max alone would give only sqrt(tol). */
 TEST(the_best_separation_to_its_digits)
 {
     static const struct {
@@ -71,7 +71,7 @@ TEST(the_best_separation_to_its_digits)
         struct domq_best best, error;
         assert_status(ask_limit_best(&train, &best, &error), DOM_OK);
         assert_near("best s", best.s, cases[i].s, 4e-12);
-        /* The reference has 12 digits. */
+        /* The expected value has 12 digits. */
         assert_true(fabs((double)(best.s - cases[i].s)) <= error.s + 1e-12 && error.s < 1e-10);
     }
 }
@@ -119,7 +119,7 @@ TEST(thick_dominoes_grow_at_wide_gaps)
     }
 }
 
-/* Checks two tops between s = 0.9^k and its neighbours: the higher one counts. */
+/* Checks two maxima close to a sample s = 0.9^k, of which the higher one counts. */
 TEST(the_higher_of_two_tops)
 {
     struct asked train = train_of(1, 0.087418934476537202, 0.69962152853913306, 0, DOM_DOUBLE);
@@ -129,7 +129,7 @@ TEST(the_higher_of_two_tops)
     assert_near("best r_max", best.r_max, 29.8327373, 1e-8);
 }
 
-/* Checks a search that would take more than the allowed work: an error, and soon. */
+/* Checks that a search that would take more than the allowed work soon ends with an error. */
 TEST(too_much_work_is_refused)
 {
     struct asked train = train_of(1, 1e-12, 1e-6, 0.57735, DOM_DOUBLE);
@@ -140,8 +140,8 @@ TEST(too_much_work_is_refused)
     assert_true(work.dominoes < 20000000);
 }
 
-/* Checks thin dominoes at tiny gaps, which need hundreds of thousands of followers at r = 1, but few where
- * they matter. */
+/* Checks thin dominoes with tiny gaps, for which hundreds of thousands of followers matter at r = 1, but only
+ * few at r_max. */
 TEST(thin_dominoes_are_quick)
 {
     struct asked train = train_of(1e-5, 3e-6, 0.9, 0, DOM_DOUBLE);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A floor that slopes: compared with a table from 40-digit arithmetic, and in its limits. */
+/* A floor that slopes, compared with a table from 40-digit arithmetic, and in limits. */
 #include "support.h"
 
 static const double degree = 3.14159265358979323846 / 180;
@@ -29,7 +29,7 @@ TEST(largest_growths)
     }
 }
 
-/* Checks that a tiny slope changes no bit. */
+/* Checks that a slope of 1e-300 gives exactly the results of a level floor. */
 TEST(level_is_the_limit)
 {
     static const double mu[] = {0, 0.2};
@@ -59,7 +59,8 @@ static bool floor_seen(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Checks the floor under a domino that tips over, until it hits the next, by Newton's law for its centre. */
+/* Checks the friction that the floor needs below the first domino, from the tip until the hit, by Newton's
+ * law for the centre of the domino. */
 TEST(floor_under_the_first)
 {
     for (double degrees = -4; degrees <= 4; degrees += 2) {
@@ -89,7 +90,7 @@ TEST(floor_under_the_first)
     }
 }
 
-/* Checks that a domino tips alpha earlier, and that a slope on which none is stable is an error. */
+/* Checks that a domino tips over earlier by alpha, and that a slope on which no domino stands is an error. */
 TEST(slopes_that_do_not_hold)
 {
     struct asked train = train_of(0.4, 0, 0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a picture: they touch where the model says, overlap nowhere and are on the ground. */
+/* The dominoes of a picture touch where the model says, do not overlap, and stand on the ground. */
 #include "support.h"
 #include <float.h>
 
@@ -10,7 +10,7 @@ static const double some_trains[][4] = {/* s, r, d, q */
                                         {0.43, 2.1, 7.0 / 48, 3}, {0.54, 1.84, 7.0 / 48, 3},
                                         {0.2, 1.3, 0.001, 4},     {0.3, 1.05, 0.3, 3},
                                         {0.5, 2, 7.0 / 48, 4},    {0.05, 1, 0.6, 3}};
-/* Call the shell's functions with a train in the form of these tests. */
+/* Call functions of the shell for a struct asked. */
 static enum dom_status asked_stage(const struct asked *asked, domq_real theta, struct stage *stage)
 {
     const struct domq_train train = asked_train(asked);
@@ -25,10 +25,10 @@ static enum dom_status asked_forces(const struct asked *asked, domq_real theta, 
     return stage_forces(stage, &train, &compute, theta);
 }
 
-enum { DOMINOES = 200 }; /* at most on a stage */
+enum { DOMINOES = 200 }; /* the largest number of dominoes on a stage */
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
 
-/* A picture, the train in it and the angles between which it moves. */
+/* A picture, its train, and the angles of this train. */
 struct view {
     struct asked train;
     struct domq_angles angles;
@@ -36,12 +36,13 @@ struct view {
     struct stage stage;
 };
 
-/* Makes view number k: the trains above, then random ones, each at tilts from 0 to theta_c. */
+/* Makes view number k. There are views of the trains above, and then of random ones, each at tilts from 0 to
+ * theta_c. */
 static bool view_next(struct view *v, int k)
 {
     static uint64_t seed;
     int which = k / TILTS;
-    stage_free(&v->stage); /* of the view before; at first there is none */
+    stage_free(&v->stage); /* free the stage of the previous view, if there is one */
     v->stage.domino = NULL;
     if (k == 0)
         seed = 71;
@@ -70,9 +71,9 @@ static _Noreturn void fail_view(const struct view *v, int k, const char *what, d
 }
 
 /*
- * Returns the rounding errors of the corners of domino k, in heights of the head. Its hinge is a sum of k
- * terms and its tilt comes along a chain of k links, each of which adds a few rounding errors to the tilt and
- * to the place.
+ * Returns a bound for the rounding errors of the corners of domino k, in heights of the head. The hinge is a
+ * sum of k terms, and the tilt is the result of k steps of the chain, each of which adds a few rounding
+ * errors.
  */
 static double roundings(const struct view *v, int k)
 {
@@ -80,12 +81,13 @@ static double roundings(const struct view *v, int k)
     return DBL_EPSILON * (k + 1) * (fabs(own->foot) + own->height * (1 + (double)v->train.d));
 }
 
-enum { DOTS = 100 }; /* a domino this many times smaller than the head is a dot, and the last that is drawn */
+/* a domino this many times smaller than the head is a dot, and is the last one that is drawn */
+enum { DOTS = 100 };
 
 /*
- * Returns the allowed error of the place of domino k. The chain ends where the rest of it weighs less than
- * the tolerance, and from there on dominoes have theta_f. The first of these, unless it is a dot itself, is
- * wrong by a tenth of a dot if 10,000 of them are as high as the head.
+ * Returns the allowed error for the position of domino k. The chain ends where its remainder weighs less than
+ * the tolerance, and all later dominoes are drawn at theta_f. The error of the first of these is a tenth of a
+ * dot if 10,000 dots are as high as the head.
  */
 static double allowed(const struct view *v, int k)
 {
@@ -108,7 +110,7 @@ static struct point from_to(struct point a, struct point b)
     return (struct point){b.x - a.x, b.y - a.y};
 }
 
-/* Checks that each contact is the upper front edge of the follower, on the back face of the leader. */
+/* Checks that each contact is at the upper front edge of the follower, on the back face of the leader. */
 TEST(contacts_are_on_back_faces)
 {
     static struct view v;
@@ -133,7 +135,7 @@ TEST(contacts_are_on_back_faces)
                 fail_view(&v, i, "the contact is beyond the face", up, 1);
             here++;
         }
-        /* If followers detach, the head may be alone by then. */
+        /* If followers detach, the head may have no follower by then. */
         assert_true(here > 0 || v.angles.detaches || v.stage.count == 3);
         contacts += here;
     }
@@ -141,7 +143,8 @@ TEST(contacts_are_on_back_faces)
     assert_true(contacts > 5 * TILTS * (SOME + RANDOM));
 }
 
-/* Returns the distance of two dominoes along a side of one of them; < 0 if they overlap. */
+/* Returns the distance between two dominoes in the direction of a side of one of them, which is negative if
+ * they overlap. */
 static double gap_between(const struct drawn *a, const struct drawn *b)
 {
     double widest = -(double)INFINITY;
@@ -180,8 +183,8 @@ TEST(dominoes_do_not_overlap)
     assert_true(pairs > 10 * TILTS * (SOME + RANDOM));
 }
 
-/* Checks that each domino is r times smaller than its leader, and (s + d) of the leader's height away from
- * it. */
+/* Checks that each domino is r times smaller than its leader, at a distance of (s + d) times the leader's
+ * height. */
 TEST(sizes_and_places_are_those_of_the_train)
 {
     static struct view v;
@@ -197,7 +200,8 @@ TEST(sizes_and_places_are_those_of_the_train)
             assert_near("height", hypot(domino[i].corner[1].x - domino[i].foot, domino[i].corner[1].y),
                         domino[i].height, roundings(&v, i) / domino[i].height);
         }
-        /* The next one is in front of the head by (s + d) r, a gap that is r times the head's own. */
+        /* The next domino is in front of the head by (s + d) r, since its gap is r times as wide as that of
+         * the head. */
         assert_near("the next", domino[0].foot, (s + d) * r, 2 * DBL_EPSILON);
         for (int i = 1; i < (int)v.stage.count; i++) {
             assert_near("growth", domino[i - 1].height / domino[i].height, r, 2 * DBL_EPSILON);
@@ -220,8 +224,8 @@ static bool tilt_seen(const struct domq_link *link, void *context)
     return tilts->count < DOMINOES;
 }
 
-/* Checks tilts against those of the chain, at the library's own tolerance of 1e-12; dominoes after the last
- * are not more upright. */
+/* Checks that the tilts are those of the chain to 1e-12, and that no later domino is more upright than the
+ * last of the chain. */
 TEST(tilts_are_those_of_the_chain)
 {
     static struct view v;
@@ -246,7 +250,7 @@ TEST(tilts_are_those_of_the_chain)
     assert_true(compared > 5 * TILTS * (SOME + RANDOM));
 }
 
-/* Checks that the head is before the next domino until theta_c, and then hits it at the height cos
+/* Checks that the head does not reach the next domino before theta_c, and then hits it at the height cos
  * theta_c. */
 TEST(the_head_hits_at_the_end)
 {
@@ -261,7 +265,8 @@ TEST(the_head_hits_at_the_end)
             assert_true(isnan(next->contact.x) && isnan(next->contact.y));
             continue;
         }
-        /* Its face is at s r before the hinge of the head, which is rounded like the hinge of the next. */
+        /* The face of the next domino is at the distance s r in front of the hinge of the head. Both hinges
+         * are rounded. */
         assert_near("x", next->contact.x, (double)(v.train.s * v.train.r), 8 * DBL_EPSILON);
         assert_near("z", next->contact.y, cos(v.theta), 8 * DBL_EPSILON);
         hits++;
@@ -269,7 +274,8 @@ TEST(the_head_hits_at_the_end)
     assert_int_equal(hits, SOME + RANDOM);
 }
 
-/* Checks that after the first follower has detached, the head is free and all followers lie. */
+/* Checks that the head has no contact once the first follower has detached, and that the followers are at
+ * theta_f. */
 TEST(what_has_detached_lies)
 {
     struct asked train = asked_default();
@@ -303,8 +309,8 @@ static bool force_seen(const struct domq_force *force, void *context)
     return forces->count < DOMINOES;
 }
 
-/* Checks that every contact has the force that the library gives, and that there is no force without a
- * contact. */
+/* Checks that every contact is drawn with the force that the library computes, and that there is no force
+ * without a contact. */
 TEST(forces_press_where_dominoes_touch)
 {
     static struct view v;

@@ -8,7 +8,7 @@ TEST(quotes_end)
 {
     static const struct {
         const char *text;
-        int behind; /* -1: never closed */
+        int behind; /* -1 if the quote is never closed */
     } cases[] = {
         {"\"\"", 2}, {"\"a b\" c", 5}, {"\"a\"\"b\"", 6}, {"\"\"\"\"x", 4}, {"\"a;#>\";\"b", 6},
         {"\"", -1},  {"\"abc", -1},    {"\"abc\"\"", -1}, {"\"\"\"", -1},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Times, tops and verdicts of one cycle where they are hard to compute: near the launch and near the stop,
- * where the barrier is 0, and where a rough tolerance hides the sign of the margin.
+ * Times, tops and verdicts of a cycle in difficult cases: near the launch, near the stop, with a barrier of
+ * 0, and with a tolerance so rough that it hides the sign of the margin.
  */
 #include "support.h"
 
@@ -36,15 +36,15 @@ static bool stopping(uint64_t *seed, struct asked *train, domq_real *stop)
     return ask_cycle_stop(train, stop, NULL) == DOM_OK && isfinite((double)*stop);
 }
 
-/* Returns a part of the distance to the stop: near the launch, near the stop, or between. */
+/* Returns a random fraction of the distance to the stop: near the launch, near the stop, or in between. */
 static double part_of(uint64_t *seed, int kind)
 {
     double close = random_log(seed, 1e-12, 0.5);
     return kind == 0 ? close : kind == 1 ? 1 - close : kind == 2 ? 1 : random_unit(seed);
 }
 
-/* Checks that the times of trains that stop are within their bounds of those in quad, and that the bounds are
- * not too wide. */
+/* Checks that the times of trains that stop differ from quad by no more than their error bounds, and that
+ * these bounds are not too wide. */
 TEST(times_before_a_stop)
 {
     uint64_t seed = 81;
@@ -63,8 +63,8 @@ TEST(times_before_a_stop)
         if (status != DOM_OK)
             fail_train(dom_status_text(status), &train, theta, 0, 0);
         struct asked fine = in_quad(train);
-        /* Rounding may place the stop in double after the true one: then the time is that of the stop
-         * itself. */
+        /* Because of rounding, the stop in double may be after the true one. In that case the expected time
+         * is that of the true stop. */
         domq_real end;
         assert_status(ask_cycle_stop(&fine, &end, NULL), DOM_OK);
         assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
@@ -73,7 +73,7 @@ TEST(times_before_a_stop)
             fail_train("time", &train, theta, (double)here.time, (double)there.time);
         struct domq_barrier b;
         assert_status(ask_barrier_find(&train, &b, NULL), DOM_STOPS);
-        if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch nothing is lost then */
+        if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch, no digits are lost in that case */
             loosest = fmax(loosest, (double)(error.time / here.time));
         checked++;
     }
@@ -81,7 +81,7 @@ TEST(times_before_a_stop)
     assert_true(checked > 150 && loosest < 1e-9);
 }
 
-/* Checks that soon after the launch of a train that stops the time is theta / omega(0). */
+/* Checks that the time is theta / omega(0) just after the launch of a train that stops. */
 TEST(first_moment)
 {
     struct asked train = asked_default();
@@ -94,7 +94,8 @@ TEST(first_moment)
             train.precision = (enum dom_precision)p;
             train.tol = domq_arithmetic(train.precision)->tol_default;
             assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
-            /* The head slows down by a part of about 11 theta. */
+            /* The angular velocity of the head decreases by about 11 theta, relative to its value at the
+             * launch. */
             assert_near("time", (double)s.time, theta / sqrt((double)launch.omegasq),
                         fmax(20 * theta, p == DOM_FLOAT ? 1e-5 : 1e-12));
         }
@@ -136,7 +137,7 @@ TEST(stops_have_times)
     assert_true(stops > 200 && at_reach > 50 && friction_work > 80);
 }
 
-/* Checks slight motions with friction that end at once: double and float against quad. */
+/* Compares slight motions with friction, which end at once, in float and double with quad. */
 TEST(slight_motions)
 {
     struct asked train = asked_default();
@@ -154,7 +155,7 @@ TEST(slight_motions)
         train.tol = domq_arithmetic(train.precision)->tol_default;
         assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
         assert_int_equal(n, m);
-        /* The energy is a difference of fuels 1e5 times as large. */
+        /* The energy is a difference of numbers 1e5 times as large. */
         assert_near("stop", (double)events[n - 1].theta, (double)expected[n - 1].theta, 1e5 * train.tol);
         assert_near("time", (double)events[n - 1].time, (double)expected[n - 1].time, 1e5 * train.tol);
     }
@@ -191,7 +192,7 @@ TEST(tops_that_vanish)
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
         status = ask_barrier_find(&fine, &expected, NULL);
         assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
-        /* Two tops of the same height, to rounding, are another matter. */
+        /* There may be two tops whose heights are equal up to rounding. */
         if (fabs((double)(b.theta_m - expected.theta_m)) > 1e-3)
             continue;
         double off = fabs((double)(b.theta_m - expected.theta_m));
@@ -220,7 +221,7 @@ TEST(top_of_one_train)
     assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
 }
 
-/* Checks the verdict of each function of the cycle: DOM_OK, DOM_STOPS, or another status. */
+/* Checks that all functions about a cycle give the expected verdict: DOM_OK, DOM_STOPS, or another status. */
 static void one_verdict(const struct asked *train, enum dom_status expected)
 {
     struct domq_angles angles;
@@ -246,7 +247,7 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
     assert_status(status, expected);
     assert_status(ask_cycle_state(train, angles.theta_c, &s, NULL), expected);
     assert_int_equal(events[n - 1].kind, expected == DOM_OK ? DOM_EVENT_HIT : DOM_EVENT_STOP);
-    if (expected == DOM_STOPS) { /* the train reaches its stop, and no farther tilt */
+    if (expected == DOM_STOPS) { /* the train reaches its stop, but no larger tilt */
         assert_status(ask_cycle_omegasq(train, stop, &w, NULL), DOM_OK);
         assert_true(w == 0);
         assert_status(ask_cycle_state(train, stop, &s, NULL), DOM_OK);
@@ -255,7 +256,7 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
     }
 }
 
-/* Checks that near r_max the verdict is that of quad, at any tolerance, in every function. */
+/* Checks that near r_max all functions give the verdict of quad, with any tolerance. */
 TEST(verdicts_near_the_limit)
 {
     uint64_t seed = 84;
@@ -288,7 +289,7 @@ TEST(verdicts_near_the_limit)
     assert_true(goes > 25 && stops > 25);
 }
 
-/* What the table of a cycle and single answers give: the same times and tilts. */
+/* Checks that the table of a cycle has the same times and tilts as single results. */
 struct seen {
     const struct asked *train;
     int rows, events;
@@ -368,7 +369,7 @@ TEST(least_forces)
             assert_status(ask_cycle_forces(&train, fmin(end * k / 500, end), force_seen, &least), DOM_OK);
         if (isinf(least) || least > 1e6)
             continue;
-        /* Between 500 tilts the force may be smaller by the error of a parabola. */
+        /* Between 500 samples the force may be slightly smaller than at any of them. */
         if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
             found.force < least - 0.02 * fabs(least) - 1e-3)
             fail_train("least force", &train, (double)found.theta, (double)found.force, least);

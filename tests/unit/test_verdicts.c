@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Verdicts of random rows: a study decides most heads by bounds. An engine that runs each row in full, with
- * this library, finds the same random rows, and must find the same verdicts.
+ * Verdicts on random rows. A study decides most heads by bounds. Here the same random rows also pass through
+ * an engine that runs each row in full with this library, and must get the same verdicts.
  */
 #include "ask.h"
 #include "support.h"
@@ -9,7 +9,7 @@
 
 enum { MOST = 16 };
 
-/* Runs a row in full, whichever engine it names. */
+/* An engine that runs the row in full with the library. */
 static enum dom_status in_full(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
 {
@@ -26,7 +26,7 @@ struct kind {
     struct domq_error error[DOM_ERROR_COUNT]; /* more errors */
 };
 
-/* The size of an error, and the limits of another. */
+/* Initializers for the size of a normal error, and for the limit of a uniform error. */
 #define SIZE(kind, size_)  [DOM_ERROR_##kind] = {.size = size_}
 #define WITHIN(kind, most) [DOM_ERROR_##kind] = {.size = most, .uniform = true}
 
@@ -127,7 +127,7 @@ static struct domq_row row_of(const struct kind *k, struct domq_domino *domino)
                              .rho = k->rho};
 }
 
-/* Checks that each domino is the end of as many rows as when each row is run in full. */
+/* Checks that the same number of rows end at each domino as when each row is run in full. */
 TEST(as_in_full)
 {
     const struct domq_engine full = {.run = in_full};
@@ -160,10 +160,10 @@ TEST(as_in_full)
         fall += study.fall;
         stop += study.rows - study.fall;
     }
-    assert_true(fall > 200 && stop > 200); /* both verdicts are seen */
+    assert_true(fall > 200 && stop > 200); /* both verdicts must occur */
 }
 
-/* A pool that runs three batches and is interrupted then. */
+/* A dom_parallel that runs three batches and then reports an interrupt. */
 static enum dom_status three_batches(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -172,7 +172,7 @@ static enum dom_status three_batches(size_t count, dom_task *task, void *context
     return DOM_INTERRUPTED;
 }
 
-/* Checks that a study which is interrupted counts the rows until then, and leaves what it has if there are
+/* Checks that an interrupted study counts the rows that were run, and that nothing is written if there are
  * none. */
 TEST(interrupted_in_the_middle)
 {

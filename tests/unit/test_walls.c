@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Boxes of six walls: their moment of inertia against a sum over boards, a train that moves as without walls
- * but for its unit of time, and the limits of the walls.
+ * Boxes of six walls: the moment of inertia is compared with a sum over boards, a train must move as without
+ * walls except for its unit of time, and the walls are tried at their limits.
  */
 #include "support.h"
 
@@ -9,18 +9,19 @@ TEST(thin_and_solid)
 {
     struct domq_box box;
     const double d = 7.0 / 48;
-    /* Walls that are thin, from their areas: 1 + (1 + d) / (2 (1 + d^2) (1 + 1/d + 1/w)), w = 1/2. */
+    /* For thin walls the moment of inertia follows from their areas: 1 + (1 + d) / (2 (1 + d^2) (1 + 1/d +
+     * 1/w)), w = 1/2. */
     double thin = 1 + (1 + d) / (2 * (1 + d * d) * (1 + 1 / d + 2));
     assert_near("thin", thin, 1.0569, 2e-5);
     assert_status(domq_box_find(1, d, 0.5, 1e-9, &box), DOM_OK);
     assert_near("thin", (double)box.inertia, thin, 1e-7);
     assert_near("filled", (double)box.filled, 2e-9 * (1 + 1 / d + 2), 1e-7);
-    /* Walls of half of the thickness fill the box; just below that the hollow is a slit. */
+    /* Walls of half of the thickness fill the box. Slightly thinner walls leave a slit. */
     assert_status(domq_box_find(48, 7, 24, 3.5, &box), DOM_OK);
     assert_true(box.inertia == 1 && box.filled == 1);
     assert_status(domq_box_find(48, 7, 24, 3.4999, &box), DOM_OK);
     assert_true(box.inertia > 1 && box.inertia < 1.0001 && box.filled < 1 && box.filled > 0.9999);
-    /* 4 mm of 100 x 30 x 50 mm: the hollow has 92 x 22 x 42 mm. */
+    /* Walls of 4 mm in a box of 100 x 30 x 50 mm leave a hollow of 92 x 22 x 42 mm. */
     assert_status(domq_box_find(0.1, 0.03, 0.05, 0.004, &box), DOM_OK);
     double v = 92 * 22 * 42 / 150000.0, u = (92.0 * 92 + 22 * 22) / (100 * 100 + 30 * 30);
     assert_near("filled", (double)box.filled, 1 - v, 1e-14);
@@ -43,7 +44,7 @@ TEST(no_room)
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_NO_ROOM);
     train.walls = train.d / 2;
     assert_status(ask_train_check(&train), DOM_OK);
-    /* A row names the domino. */
+    /* An error of a row names the domino. */
     struct domq_domino domino[] = {
         {0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
     struct asked_row row = {.domino = domino,
@@ -64,8 +65,8 @@ TEST(no_room)
     }
 }
 
-/* Checks that a train moves as without walls, in units of tau, with every law and precision, also with the
- * paper's fuel and the methods to compare with; and that tau has the factor. */
+/* Checks that a train moves as without walls in units of tau, with every law, precision, fuel and method, and
+ * that tau has the right factor. */
 TEST(trains_move_as_without)
 {
     for (int k = 0; k < 24; k++) {
@@ -108,7 +109,7 @@ TEST(trains_move_as_without)
                 (0.4 + 7.0 / 48) * 1.5 * 0.048 / (9 * (double)tau * sqrt((double)found.inertia)), 1e-13);
 }
 
-/* Checks the bounds of errors: they are those without walls. */
+/* Checks that the error bounds are those without walls. */
 TEST(bounds_are_kept)
 {
     struct asked solid = asked_default(), box = solid;
@@ -119,8 +120,8 @@ TEST(bounds_are_kept)
     assert_true(a.kinetic == b.kinetic && a.error.kinetic == b.error.kinetic);
 }
 
-/* Checks what the floor gives in the collision: |1/2 - f (1 + d^2) / (3 a)| / (d/2) at the struck domino,
- * where the head needs the most. */
+/* Checks the friction needed in the collision, |1/2 - f (1 + d^2) / (3 a)| / (d/2) at the struck domino,
+ * which is the head and needs the most. */
 TEST(struck_box)
 {
     for (double walls = 0; walls < 0.073; walls += 0.01) {
@@ -140,7 +141,8 @@ TEST(struck_box)
 
 enum { COUNT = 12 };
 
-/* Checks that a row of equal boxes takes longer by the factor of tau, with energies as without walls. */
+/* Checks that a row of equal boxes takes longer by the factor of tau, and has the energies of solid
+ * dominoes. */
 TEST(equal_boxes_take_longer)
 {
     struct domq_domino domino[COUNT];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The window of each gap: at its ends the verdict changes, and between them all fall. */
+/* Windows: the verdict changes at the ends of a window, and all dominoes fall between them. */
 #include "run.h"
 #include "support.h"
 
@@ -88,7 +88,7 @@ TEST(the_verdict_changes_at_the_ends)
 
 /* ---- Places, heights, friction, leans ---- */
 
-/* Changes the row as a builder would, without the library. */
+/* Changes one value of the row as a builder would, without the library, and returns true if the row falls. */
 static bool falls_changed(const struct run *run, enum dom_window_of of, const struct domq_window *w,
                           double value)
 {
@@ -114,7 +114,8 @@ static bool falls_changed(const struct run *run, enum dom_window_of of, const st
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
-/* Checks that all fall in a window, and not just outside where it ends before the values that are tried. */
+/* Checks that all dominoes fall with the values of a window, but not with values just outside, unless the
+ * window ends at the limit of the range. */
 static void check_window(const struct run *run, enum dom_window_of of, const struct domq_window *w,
                          int ends[2])
 {
@@ -172,7 +173,7 @@ TEST(places_heights_and_friction)
     assert_true(ends[3][0] > 5 && beside > 5);
 }
 
-/* Checks that places are counted from the back of the first domino to the back of each. */
+/* Checks that places are measured from the back of the first domino to the back of each domino. */
 TEST(places_on_a_tape_measure)
 {
     static struct run run;
@@ -186,7 +187,8 @@ TEST(places_on_a_tape_measure)
     }
 }
 
-/* Checks that the widest gap is as wide as the domino before it is tall; a wider one is out of reach. */
+/* Checks that the widest gap is as wide as the domino before it is tall, since a wider gap is out of
+ * reach. */
 TEST(the_reach_ends_it)
 {
     static struct run run;
@@ -198,7 +200,7 @@ TEST(the_reach_ends_it)
     assert_int_equal(windows[0].above, DOM_ROW_MISSES);
 }
 
-/* Returns the number of passes for the gaps of a row of so many dominoes. */
+/* Returns the number of passes that the windows of all gaps take in a row with `count` dominoes. */
 static double work_of(size_t count)
 {
     static struct run run;
@@ -210,8 +212,8 @@ static double work_of(size_t count)
     return (double)work.passes;
 }
 
-/* Checks that a trial runs only the part of the row that can notice the change: a row twice as long takes
- * little more than twice as many passes, where whole rows take four times as many and more. */
+/* Checks that a trial runs only the part of the row that the change affects: a row twice as long takes little
+ * more than twice as many passes, whereas runs of the whole row would take at least four times as many. */
 TEST(work_grows_with_the_row)
 {
     double part = work_of(20), whole = work_of(40);
@@ -219,8 +221,8 @@ TEST(work_grows_with_the_row)
     assert_true(whole < 2.6 * part && part > 1e4);
 }
 
-/* Checks windows in the middle of a long row, where trials end early: whole rows say the same at their ends,
- * also with one weak domino, or one that ends the row, far from the change. */
+/* Checks windows in the middle of a long row, where trials end early. Runs of the whole row must agree at the
+ * ends of each window, even if there is a weak domino, or one that ends the row, far from the change. */
 TEST(trials_end_early)
 {
     static struct run run;
@@ -248,7 +250,7 @@ TEST(trials_end_early)
     assert_true(fall > 0 && stop > 0);
 }
 
-/* Finds all windows of a kind in a row of 20 dominoes, which are equal if `differ` is 0. Returns the number
+/* Finds all windows of one kind in a row of 20 dominoes, whose sizes differ by `differ`. Returns the number
  * of passes. */
 static double equal_windows(struct run *run, double differ, enum dom_window_of of, struct domq_window *found)
 {
@@ -261,8 +263,8 @@ static double equal_windows(struct run *run, double differ, enum dom_window_of o
     return (double)work.passes;
 }
 
-/* Checks that among equal dominoes a window is found from that of the domino before it, in fewer trials:
- * dominoes that differ by rounding errors, for which the whole range is searched, have the same windows. */
+/* Checks that the window of a domino that is equal to the one before it is found in fewer trials. If the
+ * dominoes differ by rounding errors, the whole range is searched, and the windows must be the same. */
 TEST(equal_dominoes)
 {
     static const struct {
@@ -314,8 +316,8 @@ TEST(few_gaps)
     assert_int_equal(done, 4);
 }
 
-/* Checks the windows of heights: all fall at both ends, also where taller dominoes have no foot to stand on.
- */
+/* Checks the windows of heights: all dominoes fall at both ends, also where rounded edges leave taller
+ * dominoes no foot to stand on. */
 TEST(heights_that_stand)
 {
     static struct run run;
@@ -340,7 +342,8 @@ TEST(heights_that_stand)
     }
 }
 
-/* Checks that float finds the windows of double: a row may rest on the highest point but for rounding. */
+/* Checks that float finds the windows of double, although in float a row may come to rest exactly at the
+ * highest point. */
 TEST(in_float)
 {
     static struct run run;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The shell's pool of threads as the library uses it: each task runs once, for any number of threads. */
+/* The shell's thread pool, as the library uses it: each task runs once, with any number of threads. */
 #include "parallel/workers.h"
 #include "support.h"
 #include <stdatomic.h>
@@ -37,7 +37,7 @@ TEST(each_task_once)
         }
 }
 
-/* Checks that the pool starts no task after its flag is raised, and reports that some are missing. */
+/* Checks that the pool starts no task after its flag is raised, and reports that tasks are missing. */
 TEST(an_interrupt_ends_it)
 {
     static struct tally t;

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Largest growths of rows of 12 hollow dominoes on real floors, in the engine, against known ones. Feet that
- * slip and bounce: from an earlier computation by other code in the same engine. Slope and rounded edges: of
- * the endless train, by the library's equations; that earlier computation has 1.877, 1.939 and 2.098 for the
- * three radii at s = 0.3, up to 0.006 above both the equations and this engine, where rounded feet roll.
+ * Compares the largest growths of rows of 12 hollow dominoes in the engine with known values. For feet that
+ * slip, and for bounces, these values come from an earlier computation by other code with the same engine.
+ * For slopes and rounded edges, they are those of the endless train by the library's equations. For the three
+ * radii at s = 0.3 the earlier computation has 1.877, 1.939 and 2.098, up to 0.006 more than both the
+ * equations and this engine, in which rounded feet roll.
  *
- * At s = 0.4 dominoes that have fallen go on pushing (verify.c), which the known growths leave out: with
- * sharp upper edges this engine has 2.090 for a bounce of 0, 2.099 for 0.3 and 2.119 for 0.5. Where these
- * edges are bevelled it has 2.063 for 0 and 0.3. For 0.5 it has 2.075 with a bevel of 0.01 and 2.063 with
- * 0.02; the known 2.101 is between these and 2.119, and is not compared.
+ * At s = 0.4, dominoes that have fallen continue to push (verify.c), which the known growths leave out. With
+ * sharp upper edges, this engine finds 2.090 for a bounce of 0, 2.099 for 0.3 and 2.119 for 0.5. With
+ * bevelled edges it finds 2.063 for 0 and 0.3. For a bounce of 0.5 it finds 2.075 with a bevel of 0.01, and
+ * 2.063 with a bevel of 0.02. The known value of 2.101 is between these numbers and 2.119, and is not
+ * compared.
  */
 #include "known.h"
 #include "../hard/workers.h"
@@ -18,7 +20,7 @@
 #include <stdio.h>
 
 enum { DOMINOES = 12, FLOORS = 6, ROWS = 6 };
-static const double push = 8; /* which lifts the first domino off a floor that does not hold it */
+static const double push = 8; /* this push lifts the first domino off a floor without hinges */
 static const struct engine_grain grain = {400, 20};
 static const double found_to = 0.0005;
 
@@ -26,8 +28,8 @@ static const double found_to = 0.0005;
 
 static const double floors[FLOORS] = {0.2, 0.3, 0.4, 0.5, 0.6, 1};
 
-/* A growth of 0 is not compared: there the first domino is thrown so far that the answer depends on its
- * start. */
+/* A growth of 0 is not compared, because the first domino is thrown so far that the answer depends on how it
+ * starts. */
 static const struct {
     double s, mu, growth[FLOORS];
 } feet[ROWS] = {
@@ -67,7 +69,7 @@ enum { OTHERS = sizeof others / sizeof *others, JOBS = ROWS * FLOORS + OTHERS };
 
 struct job {
     struct scene scene;
-    double known, off, found; /* found NaN: not within twice the allowed difference */
+    double known, off, found; /* `found` is NaN if it is not within twice the allowed difference */
 };
 
 static struct job job_of(int k)
@@ -79,7 +81,7 @@ static struct job job_of(int k)
 
         j = (struct job){.scene = {.s = feet[row].s, .mu = feet[row].mu, .feet = floors[floor]},
                          .known = feet[row].growth[floor],
-                         .off = 0.012}; /* 0.01, and the digits that are known */
+                         .off = 0.012}; /* 0.01, plus an allowance for the digits of the known values */
     } else {
         j = (struct job){.scene = others[k - ROWS * FLOORS].scene,
                          .known = others[k - ROWS * FLOORS].growth,

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Largest growths that are known of rows on real floors. */
+/* Known largest growths of rows on real floors. */
 #ifndef VERIFY_KNOWN_H
 #define VERIFY_KNOWN_H
 
-/* Compares the engine with the known growths, prints both, and returns how many differ. */
+/* Compares the engine with the known growths and prints both. Returns how many of them differ. */
 int known_compare(void);
 
 #endif

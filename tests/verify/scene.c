@@ -9,14 +9,14 @@ const double scene_still = 1e-4, scene_finest = 3200, scene_allowed = 3, scene_b
 
 static const double coarsest = 100;     /* steps */
 static const double march = 0.05;       /* r is raised by this step until a row stops */
-static const double tolerance = 1e-7;   /* of the impulses in a step */
+static const double tolerance = 1e-7;   /* tolerance of the impulses in a step */
 static const double stature = 7.0 / 48; /* thickness over height */
 
 /* ---- The engine ---- */
 
 struct engine_row scene_boxes(const struct scene *scene)
 {
-    static struct engine_box box[SCENE_MOST]; /* scenes run in processes of their own */
+    static struct engine_box box[SCENE_MOST]; /* static, since each scene runs in a separate process */
     struct engine_row row = ENGINE_ROW(box, scene->count);
 
     row.push = scene->push;
@@ -35,9 +35,9 @@ struct engine_row scene_boxes(const struct scene *scene)
     return row;
 }
 
-static struct engine_hit hits[SCENE_MOST]; /* of the last run */
+static struct engine_hit hits[SCENE_MOST]; /* hits of the last run */
 
-/* Runs the boxes with found->steps, and with impulses that are `times` as exact. */
+/* Runs the boxes with found->steps, and with a tolerance of the impulses that is `times` as small. */
 static struct engine_fall run(const struct scene *scene, int times, struct found *found)
 {
     struct engine_row row = scene_boxes(scene);
@@ -51,7 +51,7 @@ static struct engine_fall run(const struct scene *scene, int times, struct found
     }
     found->depth = fmax(found->depth, fall.depth);
     found->drift = fmax(found->drift, fall.drift);
-    found->caught |= fall.caught;
+    found->other_contact |= fall.other_contact;
     return fall;
 }
 
@@ -85,7 +85,8 @@ static bool hit(const struct domq_fall *fall, void *context)
     return true;
 }
 
-/* Returns true if the dominoes fall. The time of each hit is written to *next and on, unless next is NULL. */
+/* Returns true if the dominoes fall. Unless `next` is NULL, writes the times of the hits to an array of which
+ * it points to the first element. */
 static bool dominoes_fall(const struct scene *scene, double r, void *next)
 {
     struct scene at = *scene;
@@ -113,7 +114,7 @@ static bool dominoes_fall(const struct scene *scene, double r, void *next)
     return verdict.end == DOM_ROW_FALLS;
 }
 
-/* ---- Growth, of either ---- */
+/* ---- The growth, in the engine or in the model ---- */
 
 typedef bool falls(const struct scene *scene, double r, void *context);
 
@@ -129,8 +130,9 @@ static double bisect(const struct scene *scene, falls *fall, void *context, doub
 }
 
 /*
- * Finds the largest r at which the row falls, raised from 1 in steps that become small near r s = 1, where
- * the next box is out of reach: a row that falls again after an interval in which it does not is not counted.
+ * Finds the largest r at which the row falls. r is raised from 1 until the row stops, in steps that become
+ * small near r s = 1, beyond which the next box is out of reach. Larger growths at which the row falls again
+ * do not count.
  */
 static double largest(const struct scene *scene, falls *fall, void *context, double width)
 {
@@ -143,7 +145,7 @@ static double largest(const struct scene *scene, falls *fall, void *context, dou
     return bisect(scene, fall, context, r, next, width);
 }
 
-/* Finds the growth again near a first answer; moves the bracket if that was wrong. */
+/* Finds the growth again, near a first estimate. Moves the bracket if the estimate was wrong. */
 static double again(const struct scene *scene, falls *fall, void *context, double r, double off, double width)
 {
     double lo = r - off, hi = r + off;
@@ -166,8 +168,8 @@ double scene_growth_of_row(const struct scene *scene)
 
 /* ---- The engine, refined ---- */
 
-/* Finds the engine's value with found->steps. found->value is that of coarser steps, and found->change its
- * change, unless it is 0. */
+/* Finds the engine's value with found->steps. On entry, found->value is the value with coarser steps, or 0 if
+ * there is none, and found->change is its last change. */
 typedef double answer(const struct scene *scene, struct found *found);
 
 static double growth(const struct scene *scene, struct found *found)
@@ -208,8 +210,8 @@ static double duration(const struct scene *scene, struct found *found)
     return duration_of(scene, 1, found);
 }
 
-/* Halves the steps until the value is settled. Each halving leaves half of an error of first order, and one
- * change may be small by chance. */
+/* Halves the length of the steps until the value has settled. Each halving leaves half of a first-order
+ * error. A single small change does not count, since it may be due to chance. */
 static void refine(const struct scene *scene, answer *ask, bool extrapolate, struct found *found)
 {
     double earlier = (double)INFINITY;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One scene for both: a row of boxes in the engine, and the same row in the model. */
+/* A scene, which is a row of boxes in the engine and the same row in the model. */
 #ifndef VERIFY_SCENE_H
 #define VERIFY_SCENE_H
 
@@ -7,48 +7,49 @@
 #include "engine/engine.h"
 
 struct scene {
-    double s, q, mu, r; /* r is not used if it is searched */
-    size_t count;       /* number of dominoes, the first of height 1; g = 1; at most SCENE_MOST */
-    double push;        /* angular velocity that the first gets */
-    double bevel;       /* of the engine's boxes */
-    /* What only the engine has; the friction of the floor is 0 where feet are hinges. */
+    double s, q, mu, r; /* r is not used in a search for the largest growth */
+    size_t count;       /* number of dominoes, at most SCENE_MOST; the first has the height 1, and g is 1 */
+    double push;        /* initial angular velocity of the first domino */
+    double bevel;       /* bevel of the boxes in the engine */
+    /* Effects that only the engine has here. The friction of the floor is 0 if the feet are hinges. */
     double feet, bounce, slope, radius;
 };
 
 enum { SCENE_MOST = 64 };
 
-/* Returns the row in the engine. Its boxes are those of the last call. */
+/* Returns the row for the engine. The next call overwrites its boxes. */
 struct engine_row scene_boxes(const struct scene *scene);
 
 /* A value of the engine, and its uncertainty. */
 struct found {
     double value;
-    /* change of the value when steps were last halved, or half of the change before if that is more */
+    /* The change of the value when the steps were last halved, or half of the previous change if that is
+     * larger. */
     double change;
-    double steps; /* in sqrt(height / g), the last time */
-    bool same;    /* true: two more dominoes, and more exact impulses, change nothing */
-    bool caught;  /* as in engine_fall, with the last steps */
+    double steps;       /* steps per sqrt(height / g) in the last run */
+    bool same;          /* true if two more dominoes and more exact impulses change nothing */
+    bool other_contact; /* as in struct engine_fall, in any run */
     double depth, drift;
 };
 
 /*
- * Steps are halved until the value changes by less than the part scene_still, which then is the remaining
- * error of first order, or until scene_finest is reached. A difference of scene_allowed times the last
- * change, or times that part, counts as agreement: the verdict of a row also depends on where in a step a hit
- * happens.
+ * Steps are halved until the relative change of the value is less than scene_still, which is then the
+ * remaining first-order error, or until scene_finest is reached. A difference of up to scene_allowed times
+ * the last change, or times scene_still, counts as agreement, because the verdict of a row also depends on
+ * where in a step a hit happens.
  */
 extern const double scene_still, scene_finest, scene_allowed;
-extern const double scene_bracket; /* growths are bisected to it */
+extern const double scene_bracket; /* relative width to which growths are bisected */
 
-/* Returns the allowed difference, as a part of the value. */
+/* Returns the allowed difference, relative to the value. */
 double scene_uncertain(const struct found *found);
 
 /* Finds the largest growth at which the row falls, raised from 1. */
 void scene_growth(const struct scene *scene, struct found *found);
 double scene_growth_of_row(const struct scene *scene);
 
-/* Finds the mean of the last cycles, from hit to hit, each in tau of its head; the engine's are extrapolated
- * to steps of 0. */
+/* Finds the mean duration of the last SCENE_CYCLES cycles, from hit to hit, each in tau of its head. The
+ * durations of the engine are extrapolated to steps of length 0. */
 enum { SCENE_CYCLES = 4 };
 void scene_duration(const struct scene *scene, struct found *found);
 double scene_duration_of_row(const struct scene *scene);

@@ -10,13 +10,13 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A value that the last halving changed by this many times scene_still does not count. */
+/* A value does not count if the last halving changed it by more than this many times scene_still. */
 static const double unsettled = 5;
 
 static const double masses[] = {3, 4}, frictions[] = {0, 0.2};
 
-/* Enough dominoes, and a strong enough push, that the last ones have forgotten the push: row and train
- * agree. */
+/* With so many dominoes and so strong a push, the last dominoes do not depend on the push, so that the row
+ * and the train agree. */
 static const struct {
     double s, push;
     size_t count;
@@ -40,9 +40,9 @@ enum {
 
 struct answer {
     struct scene scene;
-    struct found found;       /* by the engine */
-    double row, exact, paper; /* by the model; paper NaN if it has no answer */
-    bool again;               /* with bevelled edges */
+    struct found found;       /* the value of the engine */
+    double row, exact, paper; /* the values of the model; `paper` is NaN if the paper's fuel gives no value */
+    bool again;               /* true if the scene is run again with bevelled edges */
     struct found bevelled;
 };
 
@@ -103,7 +103,7 @@ static long solve(int job, void *context)
     train.fuel = DOM_FUEL_PAPER;
     if (ask_limit_rmax(&train, &limit, NULL) == DOM_OK)
         a->paper = (double)limit.r_max;
-    a->again = a->found.caught && fabs(off(a->found.value, a->row)) > scene_still;
+    a->again = a->found.other_contact && fabs(off(a->found.value, a->row)) > scene_still;
     if (a->again) {
         cut = *scene;
         cut.bevel = bevel;
@@ -119,7 +119,7 @@ static const char *blocks(const struct scene *scene)
     return scene->r == 1 ? "equal" : scene->q == masses[0] ? "hollow" : "massive";
 }
 
-/* Returns the formula of the fuel that is within the allowed difference. */
+/* Returns the name of the fuel formula whose value is within the allowed difference. */
 static const char *supports(const struct found *found, const struct answer *a)
 {
     bool exact = agrees(found, a->exact), paper = agrees(found, a->paper);
@@ -184,9 +184,10 @@ static void print_durations(const struct answer *answers)
 
 struct tally {
     int wrong, again;
-    int differ, paper; /* scenes in which the two fuels differ; those of them that agree with the paper's */
-    double most;       /* largest deviation of values that must agree */
-    double again_most; /* the same of blocks where fallen ones push */
+    /* number of scenes in which the two fuels differ, and how many of these agree with the paper's fuel */
+    int differ, paper;
+    double most;       /* the largest deviation of values that must agree */
+    double again_most; /* the largest deviation for solid dominoes of which fallen ones continue to push */
     double depth, drift;
 };
 

@@ -20,8 +20,8 @@ struct chance {
 };
 
 /* Finds the share of the rows that do not fall. Unless by_gap is NULL, also finds the derivatives of this
- * share with respect to the gap before each domino, in 1/m, and to the logarithm of the size of each domino.
- * */
+ * share with respect to the gap before each domino, in 1/m, and to the logarithm of the size of each
+ * domino. */
 enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
                             double *by_gap, double *by_size);
 
