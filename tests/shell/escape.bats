@@ -120,7 +120,7 @@ harmless() { # FILE
     endless() { ulimit -v 200000 && "$@"; }
     (endless "$DOMINO" -V) >/dev/null 2>&1 || endless() { "$@"; }
     run -1 --separate-stderr endless "$DOMINO" --keep-going -n < <(line)
-    same 'stdin' 'stdin:1: the line is longer than 4 MB; put its commands on lines of their own' "$stderr"
+    same 'stdin' 'stdin:1: the line is longer than 4 MB; put each command on a line of its own' "$stderr"
     same 'goes on' 42 "$output"
     line >long
     for command in 'source long' 'effect row long' 'pool long'; do

@@ -350,7 +350,7 @@ END
     wrong 'rmax with digits 3' "'digits' is a setting of the calculator"
     wrong 'rmax with push 3' "'effect push' needs a row"
     wrong 'rmax with s 2' 's = 2 is out of range'
-    wrong 'set s 0.3 with r 2' "'with' follows a command that only answers"
+    wrong 'set s 0.3 with r 2' "'with' can only follow a command that computes an answer"
 }
 
 @test "each command with a principal column stands for that column, each other one for nothing" {

@@ -138,8 +138,8 @@ END
     echo draw >s.dom
     for what in rmax 'source s.dom' show help; do
         for name in a.svg a.PNG a.pdf; do
-            wrong "$what > $name" "'$name' is a picture, but '${what%% *}' draws none; 'draw' and 'plot' do"
-            wrong "$what >> $name" "'$name' is a picture"
+            wrong "$what > $name" "'$name' names a picture, but '${what%% *}' does not draw; 'draw' and 'plot' do"
+            wrong "$what >> $name" "'$name' names a picture"
         done
     done
     same 'nothing is left' s.dom "$(ls)"
@@ -201,14 +201,14 @@ END
 
 @test "an ending that does not fit is one line, before anything is computed, and no file is left" {
     for name in a.jpg a.gif a.xlsx a.foo v.dat; do
-        wrong "rmax > $name" "the ending of '$name' means no format; use .csv, .json or .txt"
-        wrong "draw > $name" "the ending of '$name' means no format; use .svg, .png, .pdf, .gp or .txt"
+        wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
+        wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
     done
-    wrong 'plot growth > a.b' "the ending of 'a.b' means no format; use .svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
+    wrong 'plot growth > a.b' "the file extension of 'a.b' is unknown; use .svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
     for what in 'set s 0.3' reset; do
-        wrong "$what > a.csv" "'a.csv' is a data file, but '${what%% *}' has no data"
+        wrong "$what > a.csv" "'a.csv' names a data file, but '${what%% *}' has no data"
     done
-    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "is a picture, but 'placement' draws none"
+    wrong 'effect row 12; effect placement 5 mm; placement 10000000 > a.svg' "names a picture, but 'placement' does not draw"
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 

@@ -281,7 +281,7 @@ END
     grep -q 'holds one picture' <<<"$output"
     # Other commands have no picture.
     run -1 "$DOMINO" -e 'rmax > a.gp'
-    grep -q "is a picture, but 'rmax' draws none" <<<"$output"
+    grep -q "names a picture, but 'rmax' does not draw" <<<"$output"
     # The script is written where gnuplot is not installed, too.
     mkdir bin && ln -s "$(command -v env)" bin
     PATH=$PWD/bin "$DOMINO" -e 'plot growth > again.gp'
@@ -391,6 +391,6 @@ END
         printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
         pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
     fi
-    wrong 'draw > d.tex' "'d.tex' is a document, but 'draw' draws a picture; use .svg, .png, .pdf or .gp"
-    wrong 'plot growth > d.md' "'d.md' is a document, but 'plot' draws a picture"
+    wrong 'draw > d.tex' "'d.tex' names a document, but 'draw' draws a picture; use .svg, .png, .pdf or .gp"
+    wrong 'plot growth > d.md' "'d.md' names a document, but 'plot' draws a picture"
 }

@@ -188,7 +188,7 @@ END
     wrong_line 'sweep frictio 0 1 3 : foo' "unknown command 'foo'"
     wrong_line 'sweep output 1 2 3 : rmax' "'output' is a setting of the calculator"
     wrong_line 'sweep s 0.1 0.9 9 0.5 : rmax' "'0.5' is not the name of a parameter"
-    wrong_line 'sweep r 1 1.5 3, s 0.3 0.5 3 : thetac' "',' separates values, and not parameters"
+    wrong_line 'sweep r 1 1.5 3, s 0.3 0.5 3 : thetac' "',' separates values, not parameters"
     wrong_line 'sweep s 0.1 2 9 : rmax' 's = 2 is out of range'
     wrong_line 'sweep s 0.1 3 ms 9 : rmax' 's is a plain number, not a time'
     wrong_line 'sweep s 0.1 0.9 1 : rmax' 'one value cannot cover 0.1 to 0.9'
@@ -312,7 +312,7 @@ END
     same 'threads' "$("$DOMINO" -n -e "set threads 1; $csv q 3, 4 : rmax, best.s")" "$("$DOMINO" -n -e "set threads 4; $csv q 3, 4 : rmax, best.s")"
     same 'with' "$("$DOMINO" -n -e "$csv : print rmax with q hollow" | cut -d, -f2 | sed 1d)" \
         "$("$DOMINO" -n -e "$csv : rmax with q hollow, rmax" | cut -d, -f2 | sed 1d)"
-    wrong 'sweep r 1 2 3 : rmax, fall' "'fall' has several numbers"
+    wrong 'sweep r 1 2 3 : rmax, fall' "'fall' answers with several numbers"
     wrong 'sweep r 1 2 3 : rmax,' "an answer after ',' is missing"
     wrong 'sweep r 1 2 3 : rmax, foo' "'foo' has no value"
 }

@@ -254,9 +254,9 @@ END
     same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
         "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
     all_wrong <<'END'
-8|set s 0,3|^set: s ends before ',3'; decimals have a point, as in 0\.5$
-10|count 112,5 m|^count: H ends before ',5 m'; decimals have a point
-9|budget s%|^budget: P ends before '%'; write a share as 0\.95 or 95/100$
+8|set s 0,3|^set: s ends before ',3'; use a decimal point, as in 0\.5$
+10|count 112,5 m|^count: H ends before ',5 m'; use a decimal point
+9|budget s%|^budget: P ends before '%'; write the fraction as 0\.95 or 95/100$
 END
 }
 

@@ -8,8 +8,9 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands of all groups, and for each first letter the commands that begin with it, as 1 + their index
- * in `every`: first[letter], then next[index] of each. 0 ends such a list. */
+/* All commands of all groups, and a linked list of the commands that begin with each letter. A list holds
+ * indices in `every`, increased by 1. It begins with first[letter], continues with next[index], and ends with
+ * 0. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -45,15 +46,15 @@ const char *topic_names(const void *context, int k)
     int commands = every_count;
     if (k < commands)
         return command_names(context, k);
-    /* A name that a command and a parameter share, such as 'fuel', is listed once. */
+    /* a name that a command and a parameter share, such as 'fuel', is listed once */
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (!command_find(p->name) && k-- == commands)
             return p->name;
     return NULL;
 }
 
-/* Returns the parameter that a word clearly stands for: the word is either its first synonym, or a word for
- * one of its values, such as 'hollow' for q. Returns NULL if there is none. */
+/* Returns the parameter that a word clearly means, or NULL. The word is either the first synonym of the
+ * parameter or a word for one of its values, such as 'hollow' for q. */
 static const struct parameter *parameter_for(const char *word)
 {
     bool usual;
@@ -158,7 +159,7 @@ static bool out_of_range(struct problem *problem, const struct argument *a, domq
                              range);
 }
 
-/* Checks a tilt, and stores it in radians in *number. A number without a unit is taken to be in the session's
+/* Checks a tilt, and stores it in radians in *number. A tilt without a unit is taken to be in the session's
  * unit of angles. */
 static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
                        domq_real *number, struct problem *problem)
@@ -169,14 +170,14 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* A user may enter the theta_c that an earlier answer showed in degrees with all its digits, and the last
-     * of these digits may have been rounded up. */
+    /* A user may enter theta_c as an earlier answer showed it in degrees, with all digits. The last of these
+     * digits may have been rounded up. */
     domq_real slack =
         2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                                 "%.17g], 'thetac' is its end",
+                                 "%.17g]; 'thetac' gives its upper end",
                                  a->name, quad_shown(style_angle(style, theta)).text, style_angle_unit(style),
                                  a->name, (double)style_angle(style, angles.theta_c));
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
@@ -196,7 +197,7 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-/* Checks the unit of a value that has one. */
+/* Checks the unit of a value, if the value has a unit. */
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {
@@ -207,7 +208,7 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};
-    /* An angular velocity may be entered without its radians, as in 8*sqrt(g/h). */
+    /* An angular velocity may be entered without radians, as in 8*sqrt(g/h). */
     if (unit.angle == 1 && unit.time == -1 && quantity_alike(*q, per_time))
         q->angle = 1;
     if (quantity_bare(*q) || quantity_alike(*q, unit))

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands. Each command is one entry of a table, and everything else follows from that entry: how its
- * arguments are read, its errors, its help, its completion and its value in expressions. */
+/* The commands. Each command is one entry of a table. The entry determines how the arguments of the command
+ * are parsed, the error messages, the help, the completion, and the value of the command in expressions. */
 #ifndef SHELL_COMMAND_H
 #define SHELL_COMMAND_H
 
@@ -10,7 +10,7 @@
 #include "session/query.h"
 
 /* The kind of an argument determines how the argument is parsed and checked, and what completion offers for
- * it. */
+ * the argument. */
 enum argument_kind {
     ARGUMENT_NONE,
     /* Arguments that are expressions: */
@@ -20,19 +20,19 @@ enum argument_kind {
     ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,    /* a value in any unit */
     ARGUMENT_NUMBER, /* a plain number */
-    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or one of the choices: the number for choice i is -1 - i */
+    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or choice i, which is stored as the number -1 - i */
     /* Arguments that are words or names: */
-    ARGUMENT_CHOICE,    /* one of the choices; its index is stored as the number */
+    ARGUMENT_CHOICE,    /* one of the choices, which is stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable if no ARGUMENT_VALUE follows */
-    ARGUMENT_VALUE,     /* a value for the parameter or effect that an earlier argument names, or a file */
+    ARGUMENT_PARAMETER, /* the name of a parameter, or of a variable if no ARGUMENT_VALUE follows */
+    ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* any word, or a text in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
-    ARGUMENT_REST,      /* the remainder of the line, unparsed, including any ';' */
-    /* Arguments that the function `parse` of the argument parses: */
+    ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
+    /* Arguments with a function `parse` of their own: */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
-    ARGUMENT_COMMAND, /* a command that computes something, sometimes after a ':' */
+    ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
     ARGUMENT_WORDS,   /* all remaining words and values of the command */
     ARGUMENT_UNIT,    /* the word "to" followed by a unit */
 };
@@ -47,14 +47,14 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    /* For ARGUMENT_OF, the name of the parameter. For other kinds, what messages call a value or choice of
-     * the argument. */
+    /* For ARGUMENT_OF, the name of the parameter. For other kinds, the noun for a value or choice in
+     * messages. */
     const char *of;
-    int which; /* for ARGUMENT_OF: the index of the value, for a parameter with several values */
+    int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Only for the last four kinds. `parse` stores its result in question->parsed. `bind` evaluates that
-     * result in the state of the query, and stores what it computes in given->bound. */
+    /* Only the last four kinds have these functions. `parse` stores its result in question->parsed. `bind`
+     * evaluates this result in the state of the query, and stores its own result in given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);
@@ -66,9 +66,9 @@ enum { ARGUMENTS_MAX = 4 };
 struct arguments {
     int count;
     domq_real number[ARGUMENTS_MAX];
-    struct quantity quantity[ARGUMENTS_MAX]; /* the same numbers with their units */
+    struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
-    int column[ARGUMENTS_MAX]; /* where each argument begins in the typed line, for messages */
+    int column[ARGUMENTS_MAX]; /* the column in the typed line at which each argument begins, for messages */
     /* The parameter that an ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL. */
     const struct parameter *parameter;
     /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
@@ -82,32 +82,33 @@ struct command {
     const char *name;
     struct argument argument[ARGUMENTS_MAX];
     const char *summary;  /* one line */
-    const char *synonyms; /* other words that people may look for, separated by blanks */
-    const char *equation; /* the numbers of the equations in the paper */
-    const char *help;     /* the text below the summary */
+    const char *synonyms; /* other words that users may look for, separated by blanks */
+    const char *equation; /* the numbers of the paper's equations */
+    const char *help;     /* the text that 'help' shows below the summary */
     const char *example;  /* example commands */
     const char *see;      /* related commands */
     const struct column *columns;
-    const char *principal; /* the key of the column that gives the command's value in expressions */
-    bool rows;             /* The answer is a table that may have several rows. */
-    /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter
-     * leaves the column out, unless an argument of the command replaces the parameter. */
+    const char *principal; /* the key of the column that is the command's value in expressions */
+    bool rows;             /* the answer is a table that may have several rows */
+    /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter omits
+     * the column, unless an argument of the command replaces the parameter. */
     const char *echo;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
-    bool train;          /* The answer is about the endless train. */
-    /* The answer is a picture, of which formats for programs get the data, or a text that can also be written
-     * for a lesson, into a .md or .tex file. A chart is a picture that can go into a .tex file, too. */
+    bool train;          /* the answer is about the endless train */
+    /* The kind of answer that the command writes: data; pictures, of which csv and json contain the data;
+     * charts, which are pictures that can also be written into a .tex file; or documents, which are texts
+     * that can also be written into a .md or .tex file. */
     enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS } writes;
-    /* For a command that decides something: the statement that is true if the answer is yes. See
+    /* For a command that decides a question: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;
-    bool runs;  /* The command runs other commands, whose answers go to the same output. */
-    bool files; /* The command reads or writes files, so that a safe session refuses to run it. */
-    /* The command may change parameters, effects, the row or variables, and 'undo' can revert the change. */
+    bool runs;  /* the command runs other commands, whose answers go to the same output */
+    bool files; /* the command reads or writes files, so a safe session refuses to run it */
+    /* the command may change parameters, effects, the row or variables, and 'undo' can revert the change */
     bool changes;
-    bool pages; /* The answer is a long text, which is shown in the pager. */
-    /* The shortest abbreviation that is reserved for this command, although other commands begin with the
-     * same letters. */
+    bool pages; /* the answer is a long text, which is shown in the pager */
+    /* the shortest abbreviation that is reserved for this command although other commands begin with it,
+     * too */
     const char *shortest;
     /* Computes the answer to a query. A command that changes something stores the new state in query->next.
      * Returns false with a problem. */
@@ -115,7 +116,7 @@ struct command {
     /* Replaces `run` for a command that needs the whole session and not just its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
                 struct problem *problem);
-    /* Draws the answer, if it goes to a file with the extension of a picture. */
+    /* Draws the answer if it goes to a file whose extension is that of a picture. */
     bool (*picture)(const struct query *query, struct answer *answer, struct problem *problem);
 };
 
@@ -132,32 +133,33 @@ struct command_group {
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Each of these functions is a names_list (see names.h). They list all commands; all commands and parameters;
- * and the column keys of the command that is the context. */
+/* Three names_lists (see names.h): all commands; all commands and parameters; and the column keys of the
+ * command `context`. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *command_keys(const void *command, int k);
 
-/* A names_list of all names that have a value in a state. The context is that state; if it is NULL, only
- * names that have a value in every state are listed. */
+/* A names_list of all names that have a value in the state `context`. If `context` is NULL, the list has only
+ * names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
-/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of
- * topic number k with this synonym, or NULL if there are fewer. */
+/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of the
+ * k-th topic that has this synonym, counted from 0, or NULL if there are not so many. */
 const char *topic_meant(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns true for 'print', the command that an expression stands for. */
+/* Returns true for 'print', the command for which an expression stands. */
 bool command_is_print(const struct command *command);
 
-/* Returns the index of the principal column. The command must have one. */
+/* Returns the index of the command's principal column. The command must have such a column. */
 int command_principal(const struct command *command);
 
 /*
- * Returns how many arguments a command takes at most in an expression: only leading arguments that are values
- * count. Stores the minimum in *fewest. Returns -1 if the command cannot be used in an expression.
+ * Returns the maximum number of arguments that a command takes in an expression, where only leading arguments
+ * that are values count. Stores the minimum in *fewest. Returns -1 if the command cannot be used in an
+ * expression.
  */
 int command_values(const struct command *command, int *fewest);
 
@@ -174,16 +176,17 @@ static inline bool command_allowed(const struct means *means, const struct comma
            problem_error(problem, "a safe session cannot read or write files");
 }
 
-/* Returns an answer for a command to fill in. The cells of its last row are stored in `kept`, and nothing is
- * written. */
+/* Returns an answer for a command to fill in. Nothing is written, but the cells of the last row are stored in
+ * `kept`. */
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit of an argument as a quantity of value 1, which has no unit for a plain number. */
+/* Returns the unit of an argument as a quantity with the value 1. For a plain number, this is 1 without a
+ * unit. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Checks the value of an argument, and stores it in SI units in *number. Returns false with a problem if its
- * unit or its range is wrong. */
+/* Checks the value of an argument, and stores the value in SI units in *number. Returns false with a problem
+ * if the unit or the value is wrong. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
@@ -192,7 +195,7 @@ bool argument_check(const struct query *query, const struct argument *argument, 
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
 /* CELL_OF makes a cell from a member of a result and the error bound of this member. CELL_TIMES multiplies
- * both by a factor. */
+ * the member and its bound by a factor. */
 #define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
 #define CELL_TIMES(result, member, factor)                                                                   \
     cell_bound((result).member *(factor), (result).error.member *(factor))

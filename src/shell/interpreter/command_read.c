@@ -6,8 +6,8 @@
 
 /* ---- Definitions ---- */
 
-/* Reads a name with the blanks around it. Returns the position after those blanks, or NULL if there is no
- * name. */
+/* Reads a name and the blanks before and after the name. Returns the position after all of these, or NULL if
+ * there is no name. */
 static const char *definition_name(const char *c, char name[VARIABLE_NAME])
 {
     c = skip_blanks(c);
@@ -31,13 +31,14 @@ const char *definition_head(const char *c, struct variable *v)
 
 /* ---- Shorthands ---- */
 
-/* The name at the beginning of a line, and the command or variable of that name. */
+/* The name at the beginning of a line, and the command or variable with this name. */
 struct head {
-    const char *begin, *end, *next; /* `next` is the first character after the name and blanks. */
+    /* `next` is the first character after the name and the blanks that follow */
+    const char *begin, *end, *next;
     char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
     const struct variable *variable;
-    bool is_alone; /* The command consists of the name alone. */
+    bool is_alone; /* the command consists of the name alone */
 };
 
 static struct head head_read(const struct reader *r)
@@ -52,7 +53,7 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true if a word that is a whole command can end at c: at a blank, at the end of the command or at a
+/* Returns true if a word that is a whole command can end at c: if c is a blank, the end of the command or a
  * '>'. */
 static bool word_ends(const char *c)
 {
@@ -69,7 +70,7 @@ bool goes_on(const char *c)
            (strncmp(c, "to", 2) == 0 && isspace((unsigned char)c[2]));
 }
 
-/* Returns true if the line is meant as an expression. The expression may still have errors. */
+/* Returns true if the line is meant as an expression, which may still contain errors. */
 static bool is_expression(const struct state *state, const struct head *h)
 {
     const char *c = h->begin;
@@ -86,8 +87,8 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true if a command that has no value is written like a function: "quit()" or "print(2)". Moves the
- * reader past the name and an empty "()". */
+/* Returns true if a command without a value is written like a function, as in "quit()" or "print(2)". Moves
+ * the reader past the name and an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -140,7 +141,7 @@ static const struct command *shorthand_read(struct reader *r)
 {
     struct head h = head_read(r);
     struct variable v;
-    /* Most lines of a script are a command and a number. They need none of the tests below. */
+    /* Most lines of a script are a command and a number, for which the tests below are not needed. */
     if (h.command && h.next > h.end && isdigit((unsigned char)*h.next)) {
         reader_place(r, h.begin);
         reader_named(r, h.begin, h.end);
@@ -162,8 +163,9 @@ static const struct command *shorthand_read(struct reader *r)
     if (is_history_name || ((*h.begin == '.' || *h.begin == '\\') && name_start(h.begin[1]))) {
         reader_place(r, h.begin);
         if (is_history_name)
-            problem_error(r->problem,
-                          "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps it for later lines");
+            problem_error(
+                r->problem,
+                "the last value is 'ans', as in '2*ans'; 'let x = ans' keeps this value for later lines");
         else
             problem_error(r->problem,
                           "commands have no '%c' before their names; 'help' lists them, 'apropos WORD' finds "

@@ -13,13 +13,12 @@
  */
 const struct command *command_read(struct reader *reader);
 
-/* Returns the command of a question inside another command, such as 'sweep'. An expression stands for
- * 'print', and other shorthands are not accepted. `offered` is the list of commands that completion offers.
- */
+/* Returns the command of a question that is an argument of another command, such as 'sweep'. An expression
+ * stands for 'print'; other shorthands are not accepted. `offered` is the list of commands that completion
+ * offers. */
 const struct command *command_read_inner(struct reader *reader, names_list *offered);
 
-/* Returns true if the text at c is an operator or 'to', which continues an expression that began with the
- * word before c. */
+/* Returns true if the text at c is an operator or 'to', so that the word before c begins an expression. */
 bool goes_on(const char *c);
 
 /* Parses the head of a definition, "x =" or "f(s, d) =", into *variable. Returns the position after the '=',

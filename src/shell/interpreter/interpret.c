@@ -9,19 +9,23 @@
 
 /* ---- Commands ---- */
 
-/* Returns true if a command has written nothing and needs an empty JSON object in place of an answer, since a
- * program that waits for an answer has to get one. The outputs of the parts of a sharded sweep are
- * concatenated. Therefore only the first part writes such objects, and it writes none in place of rows. */
+/*
+ * Returns true if a command has written nothing and needs an empty JSON object as its answer, because a
+ * program that waits for an answer must receive one. The outputs of the parts of a sharded sweep are
+ * concatenated, so only the first part writes such an object, and only for commands whose answers are not
+ * tables.
+ */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote is only about the commands in the file. */
+    /* After 'source', session->wrote refers only to the commands in the file. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
 
-/* Parses and runs the command at the reader, and moves the reader to where parsing ended. */
+/* Parses and runs the command at the position of the reader, and moves the reader to the position where
+ * parsing ended. */
 static void run_command_at(struct session *session, struct reader *line)
 {
     struct reader r = *line;
@@ -52,27 +56,27 @@ static void run_command_at(struct session *session, struct reader *line)
         session_problem(session, &problem);
     session->command = NULL;
     line->at = r.at;
-    /* The answer must be visible while the next one is being computed. */
+    /* The user must see this answer while the next one is being computed. */
     fflush(output_base(session->output)->out);
 }
 
 /* ---- Lines ---- */
 
 /* Returns true if the commands of the current line are logged. The commands of a sourced file are not logged,
- * since the 'source' command itself is. */
+ * because the 'source' command is. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a text. If one of them opens a log, the commands after it are logged. */
+/* Runs the commands of a text. If one of them opens a log, the commands after that one are logged. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* A line with several commands is logged at once, since a later command may fail after others have
-     * already run. The log holds back a single command until it is known whether the command failed. */
+    /* A line with several commands is logged at once, because a later command may fail after others have run.
+     * A single command is held back until it is known whether the command failed. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
@@ -82,8 +86,8 @@ static void run_commands(struct session *session, const struct text *text, const
             r.at = begin;
             run_command_at(session, &r);
             arena_free(&arena);
-            /* The parser decides where a command ends, and not text_end: 'complete LINE' takes the remainder
-             * of the line, and a '"' within a word is an ordinary character. */
+            /* The parser, and not text_end, decides where a command ends: 'complete LINE' takes the rest of
+             * the line, and a '"' within a word is an ordinary character. */
             end = r.at > end || command_ends(r.at) ? r.at : end;
         }
         if (*end != ';' || session_stops(session, errors))
@@ -101,7 +105,7 @@ static void run_line(struct session *session, const char *line, size_t length)
 {
     struct text text;
     if (length > TEXT_MOST) {
-        session_error(session, "the line is longer than %d MB; put its commands on lines of their own",
+        session_error(session, "the line is longer than %d MB; put each command on a line of its own",
                       TEXT_MOST >> 20);
         return;
     }
@@ -113,10 +117,10 @@ static void run_line(struct session *session, const char *line, size_t length)
     session->typed.length = (int)length;
     session->typed.columns = text_column(&text, text.line + strlen(text.line)) - 1;
     run_commands(session, &text, line, length);
-    /* The files of 'log' and 'tee' are flushed after each line, so that a crash loses no lines. */
+    /* The files of 'log' and 'tee' are flushed after each line, so that no lines are lost in a crash. */
     const char *wrong = records_flush(&session->output);
     if (wrong)
-        session_error(session, "the record ends here, since its file cannot be written: %s", wrong);
+        session_error(session, "recording stops here, because the file cannot be written: %s", wrong);
     session->typed.text = NULL;
     text_free(&text);
 }
@@ -146,9 +150,9 @@ void command_run_text(struct session *session, const char *text)
 /* ---- Streams ---- */
 
 /*
- * Appends continuation lines from a stream to *text, and adds their number to *more, until a line does not
- * continue, the text is too long or the stream ends. Returns false if a line contains a NUL byte, or if there
- * is no memory.
+ * Appends lines from a stream to *text until a line is not continued, the text is too long or the stream
+ * ends. Adds the number of lines to *more. Returns false if a line contains a NUL byte, or if there is no
+ * memory.
  */
 static bool line_join(char **text, size_t *room, FILE *in, long *more)
 {

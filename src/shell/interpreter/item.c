@@ -12,7 +12,7 @@ bool is_value_name(const struct state *state, const char *name)
 /* ---- Expressions ---- */
 
 /* Returns true if the word at `at` may follow a value. Otherwise the word was meant as a unit, and the
- * problem says what is wrong with that unit. */
+ * function reports what is wrong with this unit. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN], shown[NAMES_SHOWN];
@@ -32,8 +32,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Reports an error in the expression for the argument `name`, and quotes the word at the error. Keeps a
- * problem that has already been reported. Returns false. */
+/* Reports an error in the expression for the argument `name`, and quotes the word at which the error is.
+ * Keeps a problem that has already been reported. Returns false. */
 static bool expression_wrong(struct problem *problem, enum problem_kind kind, const struct text *text,
                              const char *name, const char *at, const char *message)
 {
@@ -54,9 +54,9 @@ static bool end_wrong(struct reader *r, const char *name, const char *end)
     char shown[NAMES_SHOWN];
     reader_place(r, end);
     return problem_error(r->problem, "%s ends before '%s'; %s", name, names_shown(end, shown),
-                         *end == ',' && isdigit((unsigned char)end[1]) ? "decimals have a point, as in 0.5"
-                         : *end == '%'                                 ? "write a share as 0.95 or 95/100"
-                                       : "here an operator or a blank is missing");
+                         *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
+                         : *end == '%' ? "write the fraction as 0.95 or 95/100"
+                                       : "an operator or a blank is missing here");
 }
 
 /* Returns true if the text from `begin` to `end` ends in a number, so that a unit may follow. */
@@ -68,7 +68,7 @@ static bool ends_in_number(const char *begin, const char *end)
     return c < end && (c == begin || (!isalnum((unsigned char)c[-1]) && c[-1] != '_'));
 }
 
-/* Records what may be typed at the cursor: a value, the remainder of an expression, or the unit of the last
+/* Records what may be typed at the cursor: a value, the rest of an expression, or the unit of the last
  * number. `good` is true if the expression was parsed without an error. */
 static void expression_offer(const struct reader *r, const struct argument *a, const struct parse *p,
                              bool good)
@@ -101,8 +101,8 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
     return t;
 }
 
-/* Resolves the names in the expression of an item. Problems in the body of a function have no column, since
- * that text is not part of the line. */
+/* Resolves the names in the expression of an item. A problem in the body of a function has no column, because
+ * the body is not part of the line. */
 static bool item_resolve(struct reader *r, const struct item *item, struct tree *tree)
 {
     struct reader inside = *r;
@@ -160,10 +160,12 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 
 /* ---- Words for values ---- */
 
-/* Reads a word and returns its index in a list of words for values. Unless `is_word_only`, the word may also
- * begin an expression, such as the parameter h in 'set q h'; such a word must match the list exactly, without
- * abbreviation. If the word is not in the list, the reader does not move, and the result and the message are
- * those of names_find. The message is empty if the word may be an expression. */
+/*
+ * Reads a word and returns its index in a list of words for values. If `is_word_only` is false, the word may
+ * also begin an expression, such as the parameter h in 'set q h'; such a word must not be abbreviated. If the
+ * word is not in the list, the reader does not move, and the function returns the result of names_find and
+ * its message. The message is empty if the word may be an expression.
+ */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
 {
@@ -179,7 +181,7 @@ static int word_find(struct reader *r, names_list *list, const void *context, co
     return k;
 }
 
-/* A names_list (see names.h) of the words of the argument that is the context. */
+/* A names_list (see names.h) of the words of an argument. */
 static const char *argument_words(const void *argument, int k)
 {
     return ((const struct domq_effect_argument *)argument)->words[k];
@@ -297,8 +299,8 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     else if (meant)
         problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
     else if (*r->at == ',')
-        problem_error(r->problem, "',' separates values, and not parameters; a blank is enough before the "
-                                  "next parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");
+        problem_error(r->problem, "',' separates values, not parameters; write only a blank before the next "
+                                  "parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");
     else if (isalpha((unsigned char)*shown))
         problem_error(r->problem, "%s", message);
     else
@@ -313,8 +315,8 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    /* In a list, 's' is the separation and not seconds, and 'g' is gravity and not gram, unless the value is
-     * a mass. */
+    /* In a list of names and values, 's' is the separation and not seconds, and 'g' is gravity and not gram,
+     * unless the value is a mass. */
     r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);
     r->no_unit = no_unit;
@@ -331,7 +333,7 @@ const struct assignment *assignments_parse(struct reader *r)
         const struct parameter *p = parameter_parse(r, form);
         struct assignment *a = p ? reader_memory(r, sizeof *a) : NULL;
         if (p && count == ASSIGNED_MAX)
-            problem_error(r->problem, "'with' takes %d parameters at most", ASSIGNED_MAX);
+            problem_error(r->problem, "'with' takes at most %d parameters", ASSIGNED_MAX);
         if (!a || count == ASSIGNED_MAX)
             return NULL;
         r->at = skip_blanks(r->at);

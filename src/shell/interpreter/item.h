@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The values among a command's arguments. Each value is parsed once. Binding evaluates and checks the value
- * in a state; a sweep binds it again at every point. */
+ * in a given state. A sweep binds the value again at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
 #include "interpreter/reader.h"
 #include "interpreter/symbols.h"
 
-/* The parsers below advance the reader. After an error they set the reader's problem and return false or
+/* All these parsers move the reader forward. After an error they set the reader's problem and return false or
  * NULL. */
 
-/* Parses an expression for an argument. The item keeps the pointer to the argument. */
+/* Parses an expression for an argument. The item keeps a pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses value number i of a parameter. The value is one of the parameter's words, or an expression that
- * messages call `name`. */
+/* Parses value number i of a parameter, which is one of the parameter's words or an expression. Messages call
+ * the value `name`. */
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                       struct item *item);
 
@@ -28,20 +28,21 @@ bool item_parse_choice(struct reader *reader, const struct argument *argument, s
 /* Parses an angle or one of the argument's choices. For choice k, the item's number is -1 - k. */
 bool item_parse_place(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses the name of a parameter of the model or of an effect. `form` is the end of the error message, and
+/* Parses the name of an effect or of a parameter of the model. `form` is the end of the error message, and
  * shows what the command takes. */
 const struct parameter *parameter_parse(struct reader *reader, const char *form);
 
 /* Parses "NAME VALUE NAME VALUE ..." after 'with'. */
 const struct assignment *assignments_parse(struct reader *reader);
 
-/* Computes the value of an item and checks it against its argument. Stores it in *number, and with its unit
- * in *quantity, which may be NULL. Returns false with a problem. The columns of problems are those of `text`,
- * which may be NULL. */
+/* Computes the value of an item and checks the value against the item's argument. Stores the value in
+ * *number, and with its unit in *quantity, which may be NULL. Returns false with a problem. If `text` is not
+ * NULL, the column of the problem is a column in this text. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 
-/* Returns true if the name has a value in this state, or, if the state is NULL, in every state. */
+/* Returns true if the name has a value in this state. If the state is NULL, returns true if the name has a
+ * value in every state. */
 bool is_value_name(const struct state *state, const char *name);
 
 /* A names_list of the parameters of the model and, after them, the effects. */

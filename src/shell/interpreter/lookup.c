@@ -7,10 +7,11 @@
 struct lookup {
     const struct query *query;
     const struct quantity *argument; /* the arguments of the function of 'let' that is being evaluated */
-    struct problem *problem;         /* gets the reason if a command has no answer */
+    struct problem *problem;         /* receives the reason if a command has no answer */
 };
 
-/* Returns the cell that the tree names, in a row of the command to which the tree refers. */
+/* Stores the cell that the tree names in *result. `cells` is a row of the answer of the command t->refers.
+ * Returns false after an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)
 {
@@ -26,7 +27,7 @@ static bool cell_quantity(struct evaluation *e, const struct tree *t, const stru
     return true;
 }
 
-/* Runs a command such as rmax(0.3) in an expression. The result is one number of its answer. */
+/* Runs a command in an expression, such as rmax(0.3), and stores one number of its answer. */
 static __attribute__((noinline)) bool command_quantity(struct evaluation *e, const struct tree *t,
                                                        const struct quantity *argument,
                                                        struct quantity *result)
@@ -47,8 +48,8 @@ static __attribute__((noinline)) bool command_quantity(struct evaluation *e, con
     return c->run(&query, &answer, lookup->problem) && cell_quantity(e, t, cells, result);
 }
 
-/* Evaluates a function defined by 'let'. The body of the function sees its own arguments, but not those of a
- * function that calls it. */
+/* Evaluates a function defined by 'let'. The body of the function can use the arguments of this function, but
+ * not those of its caller. */
 static bool routine_quantity(struct evaluation *e, const struct tree *t, const struct quantity *argument,
                              struct quantity *result)
 {
@@ -81,8 +82,8 @@ bool query_with(const struct query *query, const struct assigned *assigned, int 
     return state_assign(state, assigned, count, problem);
 }
 
-/* Evaluates "(VALUE with NAME VALUE ...)" in a copy of the state, in which the parameters after 'with' are
- * changed. */
+/* Evaluates "(VALUE with NAME VALUE ...)": changes the parameters after 'with' in a copy of the state, and
+ * evaluates VALUE in this copy. */
 static __attribute__((noinline)) bool with_quantity(struct evaluation *e, const struct tree *t,
                                                     struct quantity *result)
 {

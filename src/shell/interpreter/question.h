@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A question is a parsed command with its arguments. Syntax is checked and names are resolved once, during
- * parsing. Values are computed later, when the question is bound in a state; a sweep binds its question at
- * every point. A parsed question does not change, so that threads can share it. It lives in the arena of the
- * line. */
+/*
+ * A question is a parsed command with its arguments. While the line is parsed, the syntax is checked and
+ * names are resolved. The values are computed later, when the question is bound in a state; a sweep binds its
+ * question at every point. A parsed question does not change, so threads can share it. It lives in the arena
+ * of the line.
+ */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
 
@@ -23,36 +25,36 @@ struct question {
     const char *name; /* the text of the question as typed, for messages */
 };
 
-/* Returns true if the question is an expression, that is, if its command is 'print'. Problems with an
- * expression do not mention 'print', since it was usually not typed. */
+/* Returns true if the question is an expression, that is, if its command is 'print'. Messages about an
+ * expression do not mention 'print', because the user has usually not typed it. */
 static inline bool question_is_expression(const struct question *question)
 {
     return command_is_print(question->command);
 }
 
-/* Parses a command and its arguments at the reader. Returns false with a problem. */
+/* Parses the command at the position of the reader, and its arguments. Returns false with a problem. */
 bool command_parse(struct reader *reader, struct question *question);
 
 /* Parses the arguments of question->command, up to the end of the command, a '>' or one of the reader's
  * `stops`. Returns false with a problem. */
 bool question_parse(struct reader *reader, struct question *question);
 
-/* Parses a question inside another command: COMMAND, COMMAND.KEY, or an expression, which becomes a question
- * of the command 'print'. If `is_number`, the question must ask for a single number. Returns false with a
- * problem. */
+/* Parses a question that is an argument of another command: COMMAND, COMMAND.KEY, or an expression, which
+ * becomes a question of the command 'print'. If `is_number` is true, the answer must be a single number.
+ * Returns false with a problem. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
 /* A names_list of the commands that question_parse_any accepts. */
 const char *question_names(const void *context, int k);
 
-/* Returns a copy of the text from `begin` to `end` for messages, without trailing blanks. */
+/* Returns a copy of the text from `begin` to `end`, without trailing blanks, for messages. */
 const char *question_name(struct reader *reader, const char *begin, const char *end);
 
-/* A bound question: the values of its arguments, and the query to run it with. */
+/* A bound question: the values of its arguments, and the query with which the command runs. */
 struct call {
     struct query query;
     struct arguments given;
-    struct state state; /* the state with the assignments of 'with'; unused without 'with' */
+    struct state state; /* the state after the assignments of 'with'; unused without 'with' */
 };
 
 /* Binds a question in the state of a query. Returns false with a problem. The caller must call call_free in
@@ -70,8 +72,8 @@ void *arguments_take(struct arguments *given, size_t size, const struct query *q
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
-/* Asks a question, and stores one number of its answer in SI units: the cell of question->key, or the value
- * of an expression. Returns false with a problem. */
+/* Binds a question, runs its command, and stores one number of the answer in SI units: the cell of
+ * question->key, or the value of an expression. Returns false with a problem. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 

@@ -2,7 +2,7 @@
 #include "interpreter/question.h"
 #include <string.h>
 
-/* Copies the state of the query to call->state, and makes the assignments of 'with' there. */
+/* Copies the state of the query to call->state, and applies the assignments of 'with' to the copy. */
 static bool with_bind(const struct question *q, const struct query *query, struct call *call,
                       struct problem *problem)
 {
@@ -79,7 +79,7 @@ bool question_needs_number(const struct question *q, struct problem *problem)
     for (int n = 0, k = 0; c->columns[k].key && n < (int)sizeof keys; k++)
         n +=
             snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, c->columns[k].key);
-    return problem_error(problem, "'%s' has several numbers; use one of %s", c->name, keys);
+    return problem_error(problem, "'%s' answers with several numbers; use one of %s", c->name, keys);
 }
 
 bool question_value(const struct question *q, const struct query *query, struct quantity *value,

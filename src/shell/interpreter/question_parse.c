@@ -24,8 +24,7 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Returns true if value i of an effect may be left out, and `word` is a word for a later value of the
- * effect. */
+/* Returns true if value i of an effect may be left out, and `word` stands for a later value of the effect. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
@@ -37,7 +36,7 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
 }
 
 /* Parses argument i of a question, which is a value of question->parameter. If the parameter allows it, the
- * name of a file may stand for all values. */
+ * name of a file may be given instead of all values. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -62,7 +61,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* The word belongs to a later value, so this one gets its usual value. */
+    /* The word stands for a later value. Use the usual value for the present one. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
@@ -71,7 +70,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
-/* Returns true for a topic of 'help' that is explained with expressions, such as sin, cm or units. */
+/* Returns true for a topic of 'help' that belongs to expressions, such as sin, cm or units. */
 static bool is_expression_topic(const char *word)
 {
     static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
@@ -178,19 +177,19 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Commands have no options. If '--check' follows a command that decides something, this function reports that
- * 'assert' can be used instead, and returns true. */
+/* Commands have no options. If '--check' follows a command that decides a question, this function reports
+ * that 'assert' can be used instead, and returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
     char usage[USAGE_SIZE];
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
         return false;
-    problem_error(r->problem, "commands have no options; 'assert %s' is an error unless it is true",
+    problem_error(r->problem, "commands have no options; 'assert %s' fails unless the statement is true",
                   command_usage(c, usage));
     return true;
 }
 
-/* Parses "with NAME VALUE ..." if this is next. Returns false with a problem. */
+/* Parses "with NAME VALUE ..." if this text is next. Returns false with a problem. */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))
@@ -198,7 +197,7 @@ static bool with_parse(struct reader *r, struct question *q)
     reader_place(r, r->at);
     if (!q->command->columns || q->command->act || q->command->changes)
         return problem_error(
-            r->problem, "'with' follows a command that only answers, such as 'rmax'; '%s' %s",
+            r->problem, "'with' can only follow a command that computes an answer, such as 'rmax'; '%s' %s",
             q->command->name, q->command->changes ? "changes something" : "gives no numbers");
     reader_takes(r, "with");
     r->last = false;
@@ -272,9 +271,9 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside of other commands ---- */
 
-/* Returns the command in a word of the form COMMAND or COMMAND.KEY. Stores in *key the index of the column
- * KEY or, without a key, of the principal column; stores -1 if there is no such column. Returns NULL if the
- * word is not the name of a command that computes something. */
+/* Parses a word of the form COMMAND or COMMAND.KEY, and returns the command. Stores in *key the index of the
+ * column KEY, or of the principal column if there is no KEY, or -1 if there is no such column. Returns NULL
+ * if the word is not the name of a command that computes something. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

@@ -30,8 +30,8 @@ char *reader_copy(struct reader *r, const char *text, size_t length)
 
 /* ---- Words ---- */
 
-/* Reads a word. If `is_typed`, the word is copied from the line as it was typed, in which Greek letters are
- * still letters. */
+/* Reads a word. If `is_typed` is true, copies the word as it was typed, without replacing Greek letters by
+ * their names. */
 static char *word_read(struct reader *r, bool quotes, bool is_typed)
 {
     char ends[16];
@@ -91,7 +91,7 @@ bool word_is_next(const struct reader *r, const char *word)
            !isalnum((unsigned char)r->at[n]);
 }
 
-/* A names_list (see names.h) of a single word, which is the context. */
+/* A names_list (see names.h) with a single word, the context. */
 static const char *single_word(const void *word, int k)
 {
     return k == 0 ? word : NULL;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reader: a position in the line that is being parsed, and functions that read words from there. */
+/* The reader: a position in the line that is being parsed, and functions that read words from this
+ * position. */
 #ifndef SHELL_READER_H
 #define SHELL_READER_H
 
@@ -8,49 +9,49 @@
 
 enum { OFFER_LISTS = 8 };
 
-/* What completion can offer at the cursor, other than the names of a list and the values of an argument. */
+/* What completion can offer at the cursor besides the names of a list and the values of an argument. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /*
  * Completion, hints and colours need to know what may follow at the end of a line that is being typed. Such a
  * line is parsed with a cursor at its end, a character that no parser accepts. Every function that tries to
- * read at the cursor records in this struct what it would have accepted there.
+ * read at the cursor records in this struct what it would have accepted.
  */
 struct offer {
     const char *cursor;
-    int lists; /* number of lists in which a name at the cursor would be looked up */
+    int lists; /* the number of lists in which a name at the cursor would be looked up */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
-    /* The argument whose expression is at the cursor. Its kind is ARGUMENT_NONE if there is no such
-     * argument. */
+    /* The argument to which the expression at the cursor belongs. Its kind is ARGUMENT_NONE if there is no
+     * such expression. */
     struct argument value;
-    bool is_inside;                    /* The expression begins before the cursor. */
+    bool is_inside;                    /* the expression begins before the cursor */
     unsigned kinds;                    /* bits of enum offer_kind */
     const struct command *command;     /* the command whose argument is at the cursor, or NULL */
-    int argument;                      /* index of the argument at the cursor */
+    int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
-    size_t typed; /* length of the last command's name as typed, which may be an abbreviation */
-    /* If not NULL: one element for each byte of the line. The elements of the bytes that belong to a
-     * command's name are set to true. */
+    size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
+    /* If not NULL, an array with one element for each byte of the line. The elements for the bytes of command
+     * names are set to true. */
     bool *is_command;
 };
 
 struct reader {
-    const struct query *query; /* the query whose state defines the known names */
+    const struct query *query; /* the query whose state determines which names are known */
     struct problem *problem;
     const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
     /* Additional characters that end a word or value, such as ",:" in a grid. May be NULL. */
     const char *stops;
-    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
-    bool unresolved;     /* Names in expressions are resolved later. */
-    bool evaluates;      /* Each value is also computed and checked. */
-    bool last;           /* The argument that is being read is the last one. */
+    const char *no_unit; /* letters that are names instead of units when they follow a blank; may be NULL */
+    bool unresolved;     /* names in expressions are resolved later */
+    bool evaluates;      /* each value is also computed and checked */
+    bool last;           /* the argument that is being read is the last one */
     struct offer *offer; /* NULL unless the line is only previewed */
 };
 
-/* Returns reader->offer if the reader is at the cursor, else NULL. */
+/* Returns reader->offer if the reader is at the cursor, and NULL otherwise. */
 static inline struct offer *reader_offer(const struct reader *r)
 {
     struct offer *o = r->offer;
@@ -68,25 +69,25 @@ void reader_named(const struct reader *reader, const char *begin, const char *en
 /* Sets the column that is reported with the next problem. */
 void reader_place(const struct reader *reader, const char *at);
 
-/* Returns true if a command ends at c: at the end of the text, at a ';', or at a '#', which begins a comment
- * here. */
+/* Returns true if a command ends at c, which is the end of the text, a ';', or a '#' that begins a
+ * comment. */
 static inline bool command_ends(const char *c)
 {
     return *c == '\0' || *c == ';' || *c == '#';
 }
 
-/* Skips blanks. Returns true if no argument follows, because the command ends here, or because the next text
- * is '>', '|', 'with' or one of the reader's `stops`. */
+/* Skips blanks. Returns true if no argument follows, because the command ends, or because '>', '|', 'with' or
+ * one of the reader's `stops` is next. */
 bool reader_ends(struct reader *reader);
 
-/* Returns true if the text at the reader is this word and not merely the beginning of a longer one. */
+/* Returns true if the next word of the reader is this word, and not a longer one. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If the text at the reader is this whole word, skips the word and the blanks after it, and returns true. */
+/* If the next word of the reader is this word, skips the word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* Return zeroed memory of the arena, and a copy of a text there. Return NULL with a problem if there is no
- * memory. */
+/* The first function returns zeroed memory from the arena, and the second a copy of a text in such memory.
+ * Both return NULL with a problem if there is no memory. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 

@@ -4,8 +4,8 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* The maximum height of a tree, and the maximum depth of functions that call functions. Each level uses part
- * of the stack, which may be as small as 128 kB. */
+/* The maximum height of a tree, and the maximum depth of nested function calls. Each level uses part of the
+ * stack, which may be as small as 128 kB. */
 enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
 /* Sets the message and the position of an error in a tree. Returns -1. */
@@ -20,8 +20,7 @@ fail(struct resolver *r, const struct tree *t, const char *format, ...)
     return -1;
 }
 
-/* Turns a node into a symbol. Returns 0, which is the height of the children if the symbol has no
- * arguments. */
+/* Turns a node into a symbol without arguments. Returns 0, the height of the node's children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -32,7 +31,7 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
 }
 
 /* The functions below resolve a node or its children. tree_resolve returns the height of the tree, and the
- * other functions that of the highest child. All of them return -1 after an error. */
+ * other functions return the height of the highest child. All of them return -1 after an error. */
 static int tree_resolve(struct resolver *r, struct tree *t);
 
 static int children_resolve(struct resolver *r, struct tree *t)
@@ -97,9 +96,9 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of a column of the command's answer: the column with the key in a name such as
- * "ans.margin" or "rmax.r" or, if the name has no key, the principal column. Sets the tree's unit to the unit
- * of this column. Returns -1 after an error. */
+/* Returns the index of a column in the command's answer. A name such as "ans.margin" or "rmax.r" gives the
+ * key of the column; without a key, this is the principal column. Stores the unit of the column in the tree.
+ * Returns -1 after an error. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

@@ -8,7 +8,7 @@
 
 #define TRAIN_NOTE "the endless train at these parameters, not the row: 'fall' runs that."
 
-/* Tells a person that the answer is not about the row. The note goes below the answer, or to standard error
+/* Tells the user that the answer is not about the row. This note goes below the answer, or to standard error
  * if the answer is a picture in a file. */
 static void train_note(const struct session *session, struct answer *answer)
 {
@@ -31,7 +31,7 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs the function of the command that suits the output: `act`, `picture` or `run`. */
+/* Runs the function of the command that produces the answer for this output: `act`, `picture` or `run`. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -50,7 +50,8 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    /* The array is a kilobyte, and most lines of a script do not need it. */
+    /* Clearing the array takes time, because it has about a kilobyte, and most lines of a script do not use
+     * it. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = output_end(output);
@@ -94,7 +95,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The time must not be mixed into csv and json, which programs read. */
+        /* The time must not appear in csv and json, which programs read. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -113,7 +114,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* The user closed the pager before the end of the answer. This is not a write error. */
+        /* If the user closed the pager before the end of the answer, this is not a write error. */
         output_end(session->output)->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -135,26 +136,27 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
     case ENDING_SHEET:
         if (c->writes == WRITES_DOCUMENTS)
             return ending->is_document ||
-                   problem_error(
-                       problem, "'%s' would be a picture; the text of '%s' goes into .pdf, .tex, .md or .txt",
-                       shown, c->name);
+                   problem_error(problem,
+                                 "'%s' names a picture, but '%s' writes a text; use .pdf, .tex, .md or .txt",
+                                 shown, c->name);
         if (draws || charts)
             return (ending->terminal && (charts || strcmp(ending->text, ".tex") != 0)) ||
-                   problem_error(problem, "'%s' is a document, but '%s' draws a picture; use %s", shown,
+                   problem_error(problem, "'%s' names a document, but '%s' draws a picture; use %s", shown,
                                  c->name, pictures);
         return ending->terminal
-                   ? problem_error(problem, "'%s' is a picture, but '%s' draws none; 'draw' and 'plot' do",
+                   ? problem_error(problem,
+                                   "'%s' names a picture, but '%s' does not draw; 'draw' and 'plot' do",
                                    shown, c->name)
-                   : problem_error(problem, "'%s' is a document, but '%s' has no text for one; 'explain' has",
+                   : problem_error(problem, "'%s' names a document, but '%s' cannot write one; 'explain' can",
                                    shown, c->name);
     case ENDING_DATA:
         return c->columns || c->runs || c->pages ||
                problem_error(problem,
-                             "'%s' is a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
+                             "'%s' names a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);
     case ENDING_OTHER:
         return problem_error(
-            problem, "the ending of '%s' means no format; use %s", shown,
+            problem, "the file extension of '%s' is unknown; use %s", shown,
             c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
             : c->writes == WRITES_CHARTS
                 ? ".svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
@@ -178,7 +180,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
-        /* A picture is drawn even after 'set output csv'. */
+        /* a picture is drawn even after 'set output csv' */
         session->output->format = ending->kind == ENDING_SHEET ? &format_table : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);

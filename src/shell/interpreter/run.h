@@ -6,8 +6,8 @@
 #include "interpreter/question.h"
 #include "session/session.h"
 
-/* Binds and runs a command. If the reader is at a '>', the answer goes to the file named after it. Returns
- * false, with the problem in reader->problem. */
+/* Binds and runs a command. If the reader is at a '>', the answer goes to the file named after the '>'.
+ * Returns false, with the problem in reader->problem. */
 bool run_question(struct session *session, struct reader *reader, const struct question *question);
 
 #endif
