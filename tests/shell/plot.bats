@@ -75,7 +75,7 @@ growth paper|Below its curve a train keeps falling|growth r
 energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy in m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
 cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
-sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax over s and q|q, exponent of mass times height: hollow = 3, solid = 4
+sweep s 0.3 0.6 9 q 3 4 8 : rmax|rmax over s and q|q, mass exponent: 4 for solid dominoes, 3 for hollow ones
 sweep s 0.3 0.6 9 d 0.1 0.3 7 : print barrier.margin|barrier.margin over s and d|barrier.margin
 sweep s 0.1 0.4 8 d 0.2 0.4 7 : print barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic|0*launch.kinetic over s and d|barrier.margin/2 - fuel.fuel*cos(thetac) + 0*launch.kinetic
 END

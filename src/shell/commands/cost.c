@@ -18,7 +18,7 @@ static const struct {
 } measured_answers[] = {
     [COST_FUEL] = {"fuel", "the fuel P"},
     [COST_LAUNCH] = {"launch", "tau^2 omega(0)^2"},
-    [COST_BARRIER] = {"barrier", "the margin, kinetic energy less barrier"},
+    [COST_BARRIER] = {"barrier", "the margin, kinetic energy minus barrier"},
     [COST_DURATION] = {"duration", "t_f / tau"},
     [COST_RMAX] = {"rmax", "r_max"},
     [COST_PAIR] = {"pair", "r_max of two dominoes"},
@@ -194,11 +194,11 @@ static const struct column cost_columns[] = {
     {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
     {"precision", "", "the arithmetic", 9},
     {"tol", "", "the relative tolerance that was requested", 7},
-    {"error", "", "the relative error that was achieved, against quad at its finest", 9},
+    {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
     {"dominoes", "", "the most dominoes in one pass along the train", 8},
     {"passes", "", "how often the answer passes along the train", 9},
     {"time", "us", "time of one answer, the shortest of several", 10},
-    {"times", "", "time over that of the cheapest answer", 9},
+    {"times", "", "time divided by the time of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -284,7 +284,8 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
               six, "our time");
     times_say(a, "12 digits cost", twelve, few, than);
     if (isnan(twelve))
-        answer_say(a, "In double precision 12 digits cannot be had here: the parameters are too sensitive.");
+        answer_say(a, "Double precision cannot give 12 digits here, because the answer depends too strongly "
+                      "on the parameters.");
     times_say(a, "A proof of 12 digits takes", proved, twelve, "our time without one");
 }
 
@@ -307,13 +308,13 @@ const struct command cost_commands[] = {
                    .kind = ARGUMENT_CHOICE,
                    .of = "command with a tolerance",
                    .choices = cost_names}},
-     .summary = "what each digit of an answer costs in time",
-     .help =
-         "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. Each "
-         "method computes more and more digits in each precision. The error is the true one, which includes "
-         "the rounding of the parameters. rmax and pair also have rows with a proof, as 'prove' gives it.",
+     .summary = "how much time each digit of an answer costs",
+     .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
+             "Each method computes the answer in each precision to more and more digits. The error is the "
+             "true one, which includes the rounding of the parameters. For rmax and pair, some lines are for "
+             "a proof, as 'prove' gives it.",
      .see = "plot",
-     .unswept = "it measures time, which points side by side would disturb",
+     .unswept = "it measures time, and other points would run at the same time",
      .rows = true,
      ANSWER(cost)},
     {.name = NULL},

@@ -9,9 +9,9 @@ const struct column count_columns[] = {
     {"height", "m", "the height H of the domino to topple", 0},
     {"r", "", "growth: how many times as large each domino is as the one before", 0},
     {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
-    {"exact", "", "ln(height / first_height) / ln r, which is n before rounding up", 0},
+    {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
-    {"last_height", "m", "height of the domino that is toppled, first_height r^n", 0},
+    {"last_height", "m", "height of the tallest domino that they can topple, first_height r^n", 0},
     {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
     {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
     {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},
@@ -139,15 +139,15 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
     return true;
 }
 
-/* Returns "the 20th domino" or "the first domino". */
+/* Returns "The 20th domino" or "The first domino". */
 static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
 {
     static const char *const ends[] = {"th", "st", "nd", "rd"};
     char number[WIDE_TEXT];
     int hundreds = (int)(n - 100 * quad(floor)(n / 100)), last = hundreds % 10;
     if (n == 1)
-        return "the first domino";
-    snprintf(text, WIDE_TEXT + 16, "the %s%s domino", quad_text(n, WIDE_DIGITS, number),
+        return "The first domino";
+    snprintf(text, WIDE_TEXT + 16, "The %s%s domino", quad_text(n, WIDE_DIGITS, number),
              last > 3 || hundreds / 10 == 1 ? "th" : ends[last]);
     return text;
 }
@@ -169,9 +169,9 @@ static void count_say(struct answer *a, const struct domq_train *train, const st
                : count->dominoes == 1 ? "topples"
                                       : "topple",
                measured(height, "m", 6).text);
-    answer_say(a, "toppled: %s; %s is %s tall", measured(count->last, "m", 4).text,
-               ordinal(count->dominoes, nth), measured(count->last / train->r, "m", 4).text);
-    answer_say(a, "can it fall? %s", t->falls ? "yes" : "no");
+    answer_say(a, "%s is %s tall; it could topple one of up to %s.", ordinal(count->dominoes, nth),
+               measured(count->last / train->r, "m", 4).text, measured(count->last, "m", 4).text);
+    answer_say(a, "%s", t->falls ? "Such a row falls." : "Such a row does not fall.");
 }
 
 /* Prints what the short answer leaves open: why a row does not fall, and whether it would keep falling once

@@ -19,9 +19,9 @@ static const char *no_fuel(const struct query *query)
 }
 
 static const struct column thetac_columns[] = {
-    {"theta_c", "rad", "the head hits the next domino: sin theta_c = r s (2; a2)", 0},
-    {"theta_u", "rad", "a single domino just tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "followers far behind come to rest: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_c", "rad", "tilt at which the head hits the next domino: sin theta_c = r s (2; a2)", 0},
+    {"theta_u", "rad", "tilt at which a single domino just tips over: tan theta_u = d (4; b1)", 0},
+    {"theta_inf", "rad", "tilt at which followers far behind rest: cos theta_inf = d/(s+d) (40; A16)", 0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18), or theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
     {"detaches", "", "whether followers are too short to lean on their leaders to the end (41; A17)", 9},
@@ -36,9 +36,10 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (query->scene->train.rho != 0) {
-        answer_means(a, "theta_c",
-                     "the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_means(a, "theta_u", "a single domino with its rounded foot just tips over");
+        answer_means(
+            a, "theta_c",
+            "tilt at which the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
+        answer_means(a, "theta_u", "tilt at which a single domino with its rounded foot just tips over");
         answer_means(a, "theta_inf", "followers far behind come to rest");
     }
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
@@ -316,7 +317,7 @@ const struct command cycle_commands[] = {
      .argument = {{TILT}},
      .summary = "the dominoes that matter behind a head with tilt T",
      .equation = "(27; A2) (31; A6) (33; A9)",
-     .help = "How many dominoes are listed depends on 'tol': see 'help tol'.",
+     .help = "The number of dominoes in the list depends on the tolerance: see 'help tol'.",
      .example = "set tol 1e-3; chain 0.1",
      .see = "theta1 energy",
      .rows = true,

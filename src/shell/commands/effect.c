@@ -110,7 +110,7 @@ static const struct column effects_columns[] = {
     {"method", "", "the quickest method that includes the effect: balance, motion or engine", 8},
     {"without", "us", "time of an answer without the effect", 9},
     {"with", "us", "time of an answer with the effect", 9},
-    {"times", "", "the time with the effect over that without it", 8},
+    {"times", "", "the time with the effect divided by the time without it", 8},
     {"entered", "", "how often an answer runs the code of the effect", 8},
     {"adds", "", "what the effect adds to the paper's model", 26},
     {"source", "", "source of its mathematics", 20},
@@ -127,14 +127,14 @@ static void effects_say(const struct query *query, struct answer *a)
 {
     bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(a,
-               "A time is that of one answer: %s. The code of an effect that is off does not run. placement "
+               "Each time is for one answer: %s. The code of an effect that is off does not run. placement "
                "is timed for one random row, which may stop early, and feet and bounce for one run of the "
                "rigid-body engine, of which an answer needs two or more.",
                row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
     answer_say(a,
-               "The methods are, the quickest first: balance, the energy balance; motion, the equation of "
-               "motion; and engine, the rigid-body engine, which runs rows only. The first that includes all "
-               "effects of the scene is used, which is now %s.\n",
+               "The methods are, from the quickest to the slowest: balance, the energy balance; motion, the "
+               "equation of motion; and engine, the rigid-body engine, which runs rows only. The program "
+               "uses the quickest method that includes all effects of the scene, which is %s now.\n",
                scene_has_engine(query->scene)               ? "engine"
                : domq_law(&query->scene->train)->dissipates ? "motion"
                                                             : "balance");
@@ -182,9 +182,9 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
 
 static const struct column scene_columns[] = {
     {"part", "", "part of the computation", 9},
-    {"dominoes", "", "the most dominoes that it sums over", 8},
+    {"dominoes", "", "the largest number of dominoes in its sums", 8},
     {"why", "", "why this part is needed", 15},
-    {"solved", "", "its equations and its method", 40},
+    {"solved", "", "the equations and the method of this part", 40},
     {NULL, NULL, NULL, 0},
 };
 
@@ -291,18 +291,18 @@ const struct command effect_commands[] = {
     {.name = "effects",
      .synonyms = "list switch",
      .summary = "all effects: whether they are on, what they add, and the time they take",
-     .help =
-         "Measures the time of an answer of this scene with and without each effect and the effects that it "
-         "needs. An effect that is off is timed with its usual value. Effects decide which of three methods "
-         "finds the motion: the energy balance; the equation of motion, if there is friction; or a "
-         "rigid-body engine, if there are feet or bounce. 'scene' says which method this scene has, and why.",
+     .help = "For each effect, measures how long an answer of this scene takes without the effect, and with "
+             "the effect and all others that it needs. An effect that is off is timed with its usual value. "
+             "Effects decide which of three methods finds the motion: the energy balance; the equation of "
+             "motion, if there is friction; or a rigid-body engine, if there are feet or bounce. 'scene' "
+             "says which method this scene has, and why.",
      .see = "effect scene",
      .unswept = "it measures time, and other points would run at the same time",
      .rows = true,
      ANSWER(effects)},
     {.name = "scene",
      .synonyms = "setup settings list",
-     .summary = "the scene, and how it is computed",
+     .summary = "the scene, and how its answers are computed",
      .example = "scene; effect friction 0.2; scene; effect friction off",
      .see = "effect effects",
      .rows = true,

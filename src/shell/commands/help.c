@@ -98,7 +98,7 @@ static void help_parameter(struct session *session, const struct topic *t)
         help_say(out, effect->on ? "The effect is on: %s\n" : "The effect is off, and takes no time.\n",
                  names_shown(effect_setting(&session->state.scene, p->which, setting), shown));
     }
-    help_say(out, "'set %s' changes it, 'reset %s' sets the default.", values, p->name);
+    help_say(out, "'set %s' changes it, 'reset %s' restores the default.", values, p->name);
 }
 
 /* ---- A command ---- */
@@ -175,7 +175,7 @@ static void help_command(struct session *session, const struct topic *t)
     if (c->columns && c->columns->key)
         help_columns(out, c);
     if (command_values(c, &fewest) >= 0)
-        help_say(out, "In an expression '%s' stands for its %s.", c->name, c->principal);
+        help_say(out, "In an expression, '%s' stands for the value %s.", c->name, c->principal);
     if (c->argument[0].kind == ARGUMENT_PARAMETER && c->argument[1].kind == ARGUMENT_VALUE)
         help_show(session);
     if (t->example)
@@ -231,7 +231,7 @@ static void help_variable(const struct session *session, const struct arguments 
 static void help_several(FILE *out, const char *word)
 {
     const char *name;
-    help_say(out, "'%s' is about one of these; 'help NAME' explains it:", word);
+    help_say(out, "'%s' can mean one of these; 'help NAME' explains each:", word);
     for (int k = 0; (name = topic_meant(word, k)) != NULL; k++) {
         const struct command *c = command_find(name);
         topic_entry(out, "", name, c ? c->summary : parameter_meaning(parameter_find(name)));
@@ -292,8 +292,8 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
             topic_entry(a->out, "", topic.usage, topic.summary);
         }
     return found > 0 || problem_error(problem,
-                                      "nothing is about '%s'; try another word, such as 'picture' or 'gap', "
-                                      "or 'help', which lists all commands",
+                                      "nothing was found about '%s'; try another word, such as 'picture' or "
+                                      "'gap', or 'help', which lists all commands",
                                       names_shown(word, shown));
 }
 
@@ -343,15 +343,15 @@ const struct command help_commands[] = {
      .summary = "a tour in ten steps, from the tower of the quiz to a row of your own",
      .help = "At a terminal the lesson waits until you type the line that it shows, or press Enter; any "
              "other command may come in between, and 'q' leaves. It runs in a session of its own, so that "
-             "your parameters stay as they are. In a file, 'lesson' shows the rest of that file in the same "
-             "way; examples/tutorial.dom is written so.",
+             "your parameters stay as they are. A file that begins with 'lesson' is shown in the same way; "
+             "examples/tutorial.dom is such a file.",
      .see = "help",
      .runs = true,
      .act = run_lesson},
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
-     .summary = "how LINE may go on, a line each, as <TAB> does",
+     .summary = "list how LINE may go on, as <TAB> does",
      .example = "complete set output j",
      .act = run_complete},
     {.name = "version",

@@ -96,7 +96,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
     char *line = NULL;
     size_t size = 0;
     if (!answer_for_people(a))
-        return problem_error(problem, "a lesson is for people; 'set output table' comes first");
+        return problem_error(problem, "a lesson needs tables; first enter 'set output table'");
     FILE *in = in_file ? session->source.stream : tutorial_open();
     if (!in)
         return problem_status(problem, &session->state.scene, DOM_NO_MEMORY);

@@ -181,7 +181,8 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
         return problem_status(problem, query->scene, status);
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
-                   "A domino that just tips over topples one %s times as large, %.6g of its heights away.\n",
+                   "A domino that just tips over topples one that is %s times as large, with a gap of %.6g "
+                   "times the height of the larger one.\n",
                    measured(limit.r_max, "", 6).text, (double)train.s);
     return answer_row(
         a, ROW(cell_real(train.s), CELL_OF(limit, r_max), cell_word(dom_end_text(limit.ends))),
@@ -293,12 +294,12 @@ const struct command limit_commands[] = {
      .summary = "the largest growth, with gaps of S heights (or s heights)",
      .equation = "(26; c8)",
      .help =
-         "The growth r is raised from 1 until a domino has less energy than it needs to topple the next "
-         "one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
-         "without touching it. This is the limit for a train that is already moving. A row that starts "
-         "from rest, with a first domino that just tips over or with the push of 'effect push', may need "
-         "a smaller growth. The answer then gives that limit as well, which csv and json call r_start. In "
-         "expressions and sweeps, where it would take too long, use 'count.r_start'.",
+         "The search raises the growth r from 1 until a domino has less energy than it needs to topple the "
+         "next one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
+         "without touching it. This is the limit for a train that is already moving. A row that starts from "
+         "rest, with a first domino that just tips over or with the push of 'effect push', may need a "
+         "smaller growth. The answer then also gives this smaller limit, which csv and json call r_start. "
+         "Expressions and sweeps leave it out, because finding it takes long; use 'count.r_start' there.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
@@ -347,7 +348,7 @@ const struct command limit_commands[] = {
          "row ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
          "endless train that is already moving keeps falling, and 'r_start' is the largest growth with which "
          "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
-         "row. If an effect of the rigid-body engine is on, the engine runs the row.",
+         "row. If an effect is on that needs the rigid-body engine, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

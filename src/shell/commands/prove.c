@@ -19,11 +19,11 @@ static const char *prove_names(const void *context, int k)
 static const struct column prove_columns[] = {
     {"s", "h", "separation: the gap divided by the height", 0},
     {"what", "", "the answer with a proof", 7},
-    {"low", "", "proved: it is not less than this", 0},
-    {"high", "", "proved: it is not more than this", 0},
+    {"low", "", "proved lower bound of the answer", 0},
+    {"high", "", "proved upper bound of the answer", 0},
     {"result", "", "the result of the proof", 12},
-    {"boxes", "", "parts of the plane of tilts and growths in the proof", 9},
-    {"chains", "", "passes down the train in the proof", 9},
+    {"boxes", "", "number of rectangles of tilts and growths in the proof", 9},
+    {"chains", "", "number of passes down the train in the proof", 9},
     {NULL, NULL, NULL, 0},
 };
 
@@ -93,9 +93,9 @@ static void say_limit(struct answer *a, const struct dom_proof *p, bool pair)
                    pair ? "a first domino that just tips over does not topple the next one"
                         : "the train stops");
     else if (low > p->from)
-        answer_say(a, "Proved, but no more: for every growth from %.12g to %.12g %s.", p->from, low, falls);
+        answer_say(a, "Only this is proved: for every growth from %.12g to %.12g %s.", p->from, low, falls);
     else if (p->low >= p->from)
-        answer_say(a, "Proved, but no more: at growth %.12g %s.", p->from, falls);
+        answer_say(a, "Only this is proved: at growth %.12g %s.", p->from, falls);
     else
         answer_say(a, "Nothing is proved.");
 }
@@ -129,8 +129,8 @@ static void say_cycle(const struct query *query, struct answer *a, const struct 
 {
     static const char *const says[] = {
         [DOM_PROVED_GOES_ON] =
-            "the train goes on: for no tilt of the cycle is the climb more than its energy",
-        [DOM_PROVED_STOPS] = "the train stops: at one tilt the climb is more than its energy",
+            "the train keeps falling: at no tilt of the cycle is the climb larger than its energy",
+        [DOM_PROVED_STOPS] = "the train stops: at one tilt the climb is larger than its energy",
         [DOM_PROVED_NO_FUEL] = "the train stops: a cycle sets no energy free",
         [DOM_PROVED_OUT_OF_REACH] = "r s > 1: the head falls past the next domino",
         [DOM_PROVED_NOTHING] = NULL};
@@ -193,8 +193,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
               : goes_on && !start.falls ? ends
                                         : NULL);
     if (is_enough)
-        answer_say(a, "Proved: %.0f dominoes are as many as it takes at growth %.12g, and no fewer.", least,
-                   train.r);
+        answer_say(a, "Proved: %.0f dominoes are enough at growth %.12g, and fewer are not.", least, train.r);
     say_cycle(query, a, &proof);
     answer_say(a, "Computed, but not proved: %s %s.", start_words(query, words),
                start.falls ? "the row starts" : "the row does not start");
@@ -230,12 +229,12 @@ const struct command prove_commands[] = {
           {.name = "VALUE", .kind = ARGUMENT_ANY, .of = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
      .help = "'prove rmax S' and 'prove pair S' find two decimals that enclose the largest growth, 'tol' "
-             "apart: for every growth up to the first the train goes on, and at the second it stops. 'prove "
-             "barrier' and 'prove verdict' are about the growth r, and 'prove count H' is about the number "
-             "of dominoes; whether such a row also starts is computed, not proved. The proof covers all "
-             "tilts, and all growths in between; domino-model(7) explains "
-             "it. If it fails or is interrupted, the answer is 'not proved', with what has been proved so "
-             "far. There are no proofs for friction and slopes.",
+             "apart: for every growth up to the first decimal the train keeps falling, and at the second "
+             "decimal it stops. 'prove barrier' and 'prove verdict' are about the growth r, and 'prove count "
+             "H' is about the number of dominoes; whether such a row also starts is computed, not proved. "
+             "The proof covers all tilts, and all growths in between; domino-model(7) explains it. If it "
+             "fails or is interrupted, the answer is 'not proved', with what has been proved so far. There "
+             "are no proofs for friction and slopes.",
      .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",

@@ -117,9 +117,9 @@ const struct command script_commands[] = {
     {.name = "log",
      .synonyms = "record transcript protocol journal file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
-     .summary = "append all commands and answers to FILE, until 'log off'",
-     .help = "Answers, errors and lines that failed become comments in FILE, so that 'source FILE' runs the "
-             "commands again. Write './off' for a file with the name off.",
+     .summary = "append all commands and answers to FILE until 'log off'",
+     .help = "FILE has answers, errors and failed lines as comments, so that 'source FILE' runs the commands "
+             "again. Write './off' for a file with the name off.",
      .see = "tee save",
      .files = true,
      .act = run_record},
@@ -127,8 +127,8 @@ const struct command script_commands[] = {
      .synonyms = "record copy output file",
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "write all answers into FILE, too, until 'tee off'",
-     .help = "An existing FILE is overwritten. After 'set output csv' or json it gets the data of all "
-             "answers. 'COMMAND > FILE' writes one answer, and writes it into FILE alone.",
+     .help = "An existing FILE is overwritten. After 'set output csv' or 'set output json' FILE gets the "
+             "data of all answers. 'COMMAND > FILE' writes a single answer, which is then not printed.",
      .see = "log",
      .files = true,
      .act = run_record},

@@ -58,9 +58,10 @@ static bool height_likely(const struct query *query, struct problem *problem)
 static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
     char text[EFFECT_SETTING + 160], setting[EFFECT_SETTING];
-    snprintf(text, sizeof text,
-             "%s does not change the row, whose dominoes are from %s; 'effect row N' makes a row of s and r.",
-             p->name, effect_setting(query->scene, DOM_EFFECT_row, setting));
+    snprintf(
+        text, sizeof text,
+        "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from s and r.",
+        p->name, effect_setting(query->scene, DOM_EFFECT_row, setting));
     change_say(query, a, text);
 }
 
@@ -106,7 +107,7 @@ static bool run_undo(struct session *session, const struct arguments *given, str
     const char *text = undo_step(session->undo, &session->state, back);
     if (!text)
         return problem_error(problem, back ? "there is no change to undo"
-                                           : "there is nothing to do again; 'undo' comes first");
+                                           : "there is nothing to redo; 'redo' works after 'undo'");
     if (!answer_for_people(a))
         return answer_cells(a, cell_word(text));
     answer_say(a, "%s: %s", back ? "undone" : "done again", text);
@@ -238,8 +239,8 @@ const struct command session_commands[] = {
     {.name = "undo",
      .synonyms = "back revert restore previous",
      .summary = "undo the last change",
-     .help = "A change is a command that changed a parameter, an effect, the row or a variable. All changes "
-             "of a file that was sourced are one. The last 100 changes can be undone, one after the other.",
+     .help = "A change is a command that changed a parameter, an effect, the row or a variable. A file that "
+             "was sourced counts as one change. The last 100 changes can be undone, one after the other.",
      .example = "set s 0.3; undo; print s",
      .see = "redo diff reset",
      .unswept = "it computes nothing",
@@ -247,7 +248,7 @@ const struct command session_commands[] = {
      .act = run_undo},
     {.name = "redo",
      .synonyms = "again forward repeat",
-     .summary = "do again what undo has undone",
+     .summary = "make the change again that undo has undone",
      .example = "set s 0.3; undo; redo; print s",
      .see = "undo",
      .unswept = "it computes nothing",
@@ -261,7 +262,7 @@ const struct command session_commands[] = {
                    .optional = true,
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
-     .summary = "the value of an expression, also in another unit",
+     .summary = "the value of an expression, if you like in another unit",
      .help = "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
              "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
              "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "
@@ -288,8 +289,8 @@ const struct command session_commands[] = {
      .summary = "give a value a name, or define a function",
      .help =
          "'let x = 0.9*rmax' keeps the value that the expression has now, and every expression can use x. "
-         "'let f(s) = rmax(s)*s' keeps the text, and f(0.3) evaluates it with s = 0.3. A function has 1 to 4 "
-         "values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
+         "'let f(s) = rmax(s)*s' keeps the text, and f(0.3) evaluates it with s = 0.3. A function takes 1 to "
+         "4 values and cannot use itself. 'x' and 'let x' show the value, 'x = 2' changes it, and 'reset x' "
          "forgets it. 'let' lists all variables and functions, and 'save' writes them into its file.",
      .example = "let f(s) = rmax(s)*s; let x = f(0.4); 2*x; sweep s 0.2 0.6 3 : print f(s)",
      .see = "print set show",
@@ -311,9 +312,9 @@ const struct command session_commands[] = {
      .act = run_quit},
     {.name = "quit",
      .synonyms = "exit end close bye stop",
-     .summary = "leave; so does the end of the input (^D)",
-     .help = "If 'change' has changed the row and the changes are in no file, the first 'quit' at the prompt "
-             "only says so, and the second one leaves.",
+     .summary = "leave the program; the end of the input (^D) does so, too",
+     .help = "If 'change' has changed the row and the changes are not saved, the first 'quit' at the prompt "
+             "only warns, and the second one leaves.",
      .act = run_quit},
     {.name = NULL},
 };

@@ -127,7 +127,8 @@ const char *start_problem(const struct query *query, const struct start *start, 
     if (isfinite(start->push))
         snprintf(push, sizeof push, "; a push of %.4g rad/s is enough", (double)start->push);
     else if (!start->engine && start->end != DOM_ROW_MISSES)
-        snprintf(push, sizeof push, "; no push is enough that leaves the first domino on the floor");
+        snprintf(push, sizeof push,
+                 "; a push that is strong enough would lift the first domino off the floor");
     snprintf(text, START_TEXT, "%s the row ends at domino %zu: %s%s", start_words(query, words),
              start->stops_at,
              start->end == DOM_ROW_LEANS ? "the first touches the second before it tips over"

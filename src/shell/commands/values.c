@@ -12,7 +12,7 @@
 /* ---- print ---- */
 
 const struct column print_columns[] = {
-    {"value", "", "in SI units, angles in the session's unit, or in the unit after 'to'", 0},
+    {"value", "", "the value in SI units (angles in the session's unit), or in the unit after 'to'", 0},
     {"unit", "", "the unit of the value; empty for a plain number", 6},
     {NULL, NULL, NULL, 0},
 };
@@ -155,8 +155,8 @@ static bool name_free(struct problem *problem, const char *name)
     const char *is = parameter_find(name)                             ? "a parameter"
                      : command_find(name)                             ? "a command"
                      : names_exact(expression_units, NULL, name) >= 0 ? "a unit"
-                     : names_exact(value_names, NULL, name) >= 0      ? "a value of the language"
-                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the language"
+                     : names_exact(value_names, NULL, name) >= 0      ? "a built-in value"
+                     : names_exact(language_words, NULL, name) >= 0   ? "a word of the expression language"
                                                                       : NULL;
     return !is || problem_error(problem, "'%s' is %s; choose another name, such as 'my_%s'", name, is, name);
 }
@@ -267,6 +267,6 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
         return show_variables(query, a);
     struct variables *all = &query->next->variables;
     if (!variable_find(all, v->name) && all->count == VARIABLES_MOST)
-        return problem_error(problem, "there are %d variables, and that is the most", VARIABLES_MOST);
+        return problem_error(problem, "there can be no more than %d variables", VARIABLES_MOST);
     return variable_put(all, v) || problem_status(problem, query->scene, DOM_NO_MEMORY);
 }

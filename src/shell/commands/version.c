@@ -17,7 +17,7 @@ const struct column version_columns[] = {
     {"version", "", "the version of this program and of its library", 0},
     {"system", "", "the operating system and the machine", 0},
     {"compiler", "", "the compiler of this program", 0},
-    {"quad", "", "the type of C that quad precision uses", 0},
+    {"quad", "", "the C type that quad precision uses", 0},
     {"quad_bits", "", "the bits of its significand; 0 if there is no quad precision", 0},
     {"gsl", "", "the version of the GNU Scientific Library", 0},
     {"readline", "", "the version of GNU Readline", 0},

@@ -34,8 +34,8 @@ static const char tol_help[] =
     "precision changes. 'cost rmax' shows how much time each digit costs.";
 static const char precision_help[] =
     "The equations are solved in float, double or quad arithmetic. Parameters are kept with all their "
-    "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If tol has its "
-    "default, it changes with the precision. 'set digits 33' shows all digits that quad gives.";
+    "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
+    "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
     "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors of the "
     "computation, the terms that are left out because of tol, and the digits that are not printed. While "
@@ -48,8 +48,8 @@ static const char hints_help[] =
     "terminal without colours there are no hints.";
 static const char method_help[] =
     "With 'engine' a rigid-body engine, Chipmunk 7, runs every row, as an independent check. The engine uses "
-    "no equation of this program, and includes contacts that the model lacks, such as a fallen domino that "
-    "touches the foot of the next one. The time step is halved until the verdict no longer changes. An "
+    "none of the program's equations, and includes contacts that the model lacks, such as a fallen domino "
+    "that touches the foot of the next one. The time step is halved until the verdict no longer changes. An "
     "answer takes about a thousand times as long, and a row can have at most 200 dominoes. With 'model' the "
     "engine runs only rows with effects that the model lacks, 'effect feet' and 'effect bounce'. Endless "
     "trains always use the model.";

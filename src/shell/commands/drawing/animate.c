@@ -160,9 +160,9 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
         .query = query, .problem = problem, .answer = answer_for_people(a) ? NULL : a, .what = what};
     bool row = query->scene->effect[DOM_EFFECT_row].on && !what->train && !what->has[DRAW_CYCLES];
     if ((what->has[DRAW_SPEED] || what->has[DRAW_RATE]) && !row && !what->tower)
-        return problem_error(problem,
-                             "'speed' and 'rate' are of a row; first enter 'effect row N', for example "
-                             "'effect row 10'");
+        return problem_error(
+            problem,
+            "'speed' and 'rate' are for rows; first enter 'effect row N', for example 'effect row 10'");
     if (a->path && !film.answer)
         return problem_error(problem, "the animation is written into FILE, and nothing is left for the file "
                                       "after '>'; leave out the '>'");

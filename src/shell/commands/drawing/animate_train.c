@@ -92,8 +92,8 @@ static bool train_film_make(struct train_film *f)
         return false;
     enum dom_status status = domq_cycle_events(&f->train, &f->compute, events, &count);
     if (status == DOM_NO_MARGIN)
-        return problem_error(
-            problem, "the margin is 0 to rounding: a cycle lasts for ever; a slightly smaller r has an end");
+        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
+                                      "ever; use a slightly smaller r");
     if (status == DOM_NO_FUEL)
         return train_comes_to(f->film.query, problem, 0);
     if (status != DOM_OK && status != DOM_STOPS)

@@ -259,18 +259,16 @@ const struct command draw_commands[] = {
      .argument =
          {{.name = "WHAT", .kind = ARGUMENT_WORDS, .optional = true, .parse = draw_parse, .bind = draw_bind}},
      .summary = "a picture of the row or the train, to scale, at a moment",
-     .help =
-         "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the row. "
-         "'draw at 2.5 s', 'draw at domino 8' (when that is hit) and 'draw at end' show the row as it "
-         "falls; a domino that has detached is shown as it was when it detached. Without a row, or with "
-         "'draw train', the endless train is drawn: at the tilt that you give, as in 'draw 0.3', or where "
-         "'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw forces' add the contact "
-         "forces. 'draw tower' after 'count 112 m' shows the row of that answer with a tower of 112 m at its "
-         "end, and its smallest dominoes once more, enlarged. "
-         "In the terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
-         ".svg, .png or .pdf (with gnuplot), .gp for gnuplot's script, or .txt. csv and json have the "
-         "corners, in m for a row, and "
-         "the contacts and forces of a train.",
+     .help = "'draw' shows the row as it is set up, and marks the weakest domino and the one that stops the "
+             "row. 'draw at 2.5 s', 'draw at domino 8' (when domino 8 is hit) and 'draw at end' show the row "
+             "as it falls; a domino that has detached is shown at the tilt at which it detached. Without a "
+             "row, or with 'draw train', the endless train is drawn: at the tilt that you give, as in 'draw "
+             "0.3', or where 'step' and 'goto' have led, or at the launch. 'draw 0.3 forces' and 'draw "
+             "forces' add the contact forces. 'draw tower' after 'count 112 m' shows the row of that answer "
+             "with a tower of 112 m at its end, and its smallest dominoes once more, enlarged. In the "
+             "terminal the picture is made of characters. 'draw > row.svg' makes a file, whose ending is "
+             ".svg, .png or .pdf (with gnuplot), .gp for gnuplot's script, or .txt. csv and json have the "
+             "corners, in m for a row, and the contacts and forces of a train.",
      .equation = "(12; b8) (27; A2)",
      .example = "draw 0.3",
      .see = "chain animate plot row fall",

@@ -9,20 +9,20 @@
 #include <string.h>
 
 const struct column plan_columns[] = {
-    {"domino", "", "its number, from 1", 6},
-    {"back", "m", "its back edge on the tape, which begins at the back of domino 1", 0},
-    {"front", "m", "its front edge on the tape", 0},
-    {"back_low", "m", "the smallest place of the back edge with which all fall, if it alone moves", 0},
+    {"domino", "", "number of the domino, from 1", 6},
+    {"back", "m", "back of the domino on the tape, which begins at the back of domino 1", 0},
+    {"front", "m", "front of the domino on the tape", 0},
+    {"back_low", "m", "the smallest place of the back with which all fall, if only this domino moves", 0},
     {"back_high", "m", "the largest such place", 0},
     {"gap", "m", "free distance to the domino before it", 0},
-    {"height", "m", "its height", 0},
+    {"height", "m", "height of the domino", 0},
     {"height_low", "m", "the smallest height with which all fall", 0},
     {"height_high", "m", "the largest such height", 0},
-    {"thickness", "m", "its thickness", 0},
+    {"thickness", "m", "thickness of the domino", 0},
     {"thickness_low", "m", "the smallest thickness with which all fall", 0},
     {"thickness_high", "m", "the largest such thickness", 0},
-    {"width", "m", "its width: half its height, unless the file of the row has widths", 0},
-    {"mass", "kg", "its mass, if masses are known", 0},
+    {"width", "m", "width of the domino: half its height, unless the file of the row has widths", 0},
+    {"mass", "kg", "mass of the domino, if masses are known", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -155,7 +155,8 @@ static void caption_write(struct plan *p)
         at = snprintf(text, room, " With errors (%s) %zu of %zu rows fall: a probability of %.1f to %.1f %%.",
                       errors, s->fall, s->rows, floor(1000 * s->low) / 10, ceil(1000 * s->high) / 10);
     else
-        at = snprintf(text, room, " How likely it falls is not known: 'effect placement 2 mm' gives errors.");
+        at = snprintf(text, room,
+                      " To see how likely it is to fall, enter errors, such as 'effect placement 2 mm'.");
     if (p->windows.count > 1 && at < (int)room)
         snprintf(text + at, room - (size_t)at,
                  " What matters most: the place of domino %zu, the height of domino %zu and the thickness of "

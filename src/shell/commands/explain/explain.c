@@ -15,13 +15,13 @@ static const struct column explain_columns[] = {
     {"quantity", "", "the quantity", 9},
     {"equation", "", "its equation, as expressions are typed; 'sum' stands for the sum over all dominoes i",
      40},
-    {"numbers", "", "the same with numbers; of a sum, its first terms and the sum of the others", 40},
+    {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
     {"value", "", "the number that the program computes", 0},
     {"unit", "", "its unit: h is the height of the head, mgh/2 its energy, tau its unit of time", 6},
     {"needs", "", "the quantities from which it comes", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
     {"depth", "", "how many equations lie between this quantity and the answer", 5},
-    {"meaning", "", "what the quantity is, and where no equation exists, why", 40},
+    {"meaning", "", "what the quantity is, and if no equation exists, why", 40},
     {NULL, NULL, NULL, 0},
 };
 
@@ -216,23 +216,17 @@ const struct command explain_commands[] = {
                    .parse = explain_parse,
                    .bind = explain_bind,
                    .choices = deep_names}},
-     .summary = "where a number comes from: its equations, with the numbers in them",
-     .help = "WHAT is a command, such as barrier. For each quantity of its answer, shows its equation in "
-             "symbols, the same with numbers, the "
-             "value, and "
-             "the quantities from which it comes. With 'deep', these are explained as well, down to the "
-             "parameters. "
-             "The values are those that the other commands compute. MORE begins with a tilt after theta1, "
-             "energy and "
-             "omega, "
-             "a separation after rmax, and a height after count. With a row, verdict is about the domino "
-             "that decides it. Where no equation in closed form exists, as "
-             "with "
-             "friction or rounded edges, or where a search finds a maximum, the derivation says so and ends. "
-             "'explain ... > lesson.pdf' writes it for a lesson, typeset by pdflatex; '> lesson.tex' and '> "
-             "lesson.md' write its formulas. json gives the tree: "
-             "'needs' "
-             "names the quantities below each one.",
+     .summary = "where a number comes from: its equations, with numbers filled in",
+     .help =
+         "WHAT is a command, such as barrier. For each quantity of its answer, 'explain' shows the equation "
+         "in symbols and with numbers, the value, and the quantities from which the value comes. With "
+         "'deep', these are explained as well, down to the parameters. The values are those that the other "
+         "commands compute. After theta1, energy and omega, MORE begins with a tilt; after rmax, with a "
+         "separation; after count, with a height. With a row, 'explain verdict' is about the domino that "
+         "decides the verdict. Where no equation in closed form exists, as with friction or rounded edges, "
+         "or where a search finds a maximum, the derivation says so and ends. 'explain ... > lesson.pdf' "
+         "writes the derivation for a lesson, typeset by pdflatex; '> lesson.tex' and '> lesson.md' write it "
+         "with formulas. json gives the tree: 'needs' names the quantities below each one.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",
@@ -243,12 +237,10 @@ const struct command explain_commands[] = {
      .synonyms = "paper method algorithm steps compare",
      .train = true,
      .summary = "the paper's recipe for the largest growth, beside this program",
-     .help =
-         "The section 'A general domino train' ends with five steps 'to find the maximum r'. Shows the "
-         "number that "
-         "each step gives at the session's s and r, by the steps and the fuel of the paper and by this "
-         "program, "
-         "and says where the two part and why. With friction, a slope or rounded edges there is no recipe.",
+     .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
+             "shows the number that each step gives at the session's s and r, computed as in the paper and "
+             "by this program, and says where the two differ and why. With friction, a slope or rounded "
+             "edges there is no recipe.",
      .example = "set q hollow; recipe",
      .see = "paper explain rmax best fuel",
      .unswept = "it compares the steps for one train",
@@ -257,11 +249,10 @@ const struct command explain_commands[] = {
     {.name = "paper",
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
      .summary = "all that the paper states or draws, recomputed with both fuels",
-     .help = "A table of the paper's figures by points, its limits and its optimum, its printed relations "
-             "and the "
-             "quiz: each with the paper's closed form of the fuel and with that of the balance of energy, "
-             "and why "
-             "they differ. The rows are about the paper's own dominoes and do not depend on the scene.",
+     .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
+             "and the quiz. Each is computed with the paper's closed form of the fuel and with the fuel from "
+             "the balance of energy, and the table says why the two differ. It is about the paper's own "
+             "dominoes and does not depend on the scene.",
      .example = "paper",
      .see = "recipe explain curve plot",
      .unswept = "it does not depend on the scene",

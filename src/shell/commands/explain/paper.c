@@ -160,9 +160,7 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
         "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
         "in print. A rigid-body engine agrees with the exact values. The two fuels agree at the reach, "
         "where the fuel does not matter.");
-    answer_say(
-        a,
-        "All rows are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the steps for "
-        "those of the session.");
+    answer_say(a, "All rows are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
+                  "steps for the dominoes of the session.");
     return true;
 }

@@ -8,8 +8,9 @@
 const struct column recipe_columns[] = {
     {"step", "", "the step of the recipe, from 1 to 5", 4},
     {"quantity", "", "what the step finds", 31},
-    {"paper", "", "by the recipe: its steps in theta and r, and its closed form of the fuel", 0},
-    {"program", "", "by this program", 0},
+    {"paper", "", "the number from the recipe, with its steps in theta and r and its closed form of the fuel",
+     0},
+    {"program", "", "the number from this program", 0},
     {"why", "", "why the two differ, or where the program does something else", 40},
     {NULL, NULL, NULL, 0},
 };
@@ -112,13 +113,13 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
     recipe_row(a, 2, "J(0) as (50; d8) prints it", 1 + quad(pow)(t->r, -(t->q + 1)), ours->J0,
                "the printed relation lost its last factor, J(theta_c)", false);
     recipe_row(a, 2, "P (25; c7)", paper->P, ours->P, weights, false);
-    recipe_row(a, 2, "tau^2 omega(0)^2 (24; c6)", paper->w0, ours->w0, "it is proportional to the fuel",
-               false);
+    recipe_row(a, 2, "tau^2 omega(0)^2 (24; c6)", paper->w0, ours->w0,
+               "this speed is proportional to the fuel", false);
     recipe_row(a, 3, "theta_m (19; c1)", paper->theta_m, ours->theta_m, NULL, false);
     recipe_row(a, 3, "H(theta_m) - H(0) (26; c8)", paper->barrier, ours->barrier,
                "the paper takes the first maximum of H, and the program the largest one", false);
     recipe_row(a, 3, "tau^2 omega(theta_m)^2 (21; c3)", paper->wm, ours->wm,
-               "the difference is that of the fuel; below 0 the train stops", false);
+               "this differs because the fuel differs; below 0 the train stops", false);
     recipe_row(a, 4, "r_max at this s", paper->r_max, ours->r_max, weights, false);
     recipe_row(a, 5, "s of the largest growth", paper->best_s, ours->best_s, weights, false);
     recipe_row(a, 5, "the largest growth", paper->best_r, ours->best_r, NULL, false);

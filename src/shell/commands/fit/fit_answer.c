@@ -63,16 +63,16 @@ bool fit_parse(struct reader *r, struct question *q)
 /* ---- The answer ---- */
 
 const struct column fit_columns[] = {
-    {"gap", "m", "of a speed: the free gap between equal dominoes", 0},
-    {"run", "", "of a hit or an angle: the number of the run", 5},
-    {"domino", "", "its domino", 0},
-    {"time", "s", "of an angle: its time", 0},
-    {"measured", "", "the measurement; in m/s, in s, or an angle", 0},
-    {"fitted", "", "what the fitted values give for it", 0},
-    {"residual", "", "measured - fitted; of a speed: measured / fitted - 1", 0},
-    {"friction", "", "the fitted value of each unknown, in every row, named after the parameter", 0},
-    {"friction_sd", "", "its standard deviation", 0},
-    {"friction_push", "", "with several unknowns: the correlation of each two of them", 0},
+    {"gap", "m", "for a speed: the free gap between the equal dominoes", 0},
+    {"run", "", "for a hit or an angle: the number of the run", 5},
+    {"domino", "", "for a hit or an angle: the number of the domino", 0},
+    {"time", "s", "for an angle: the time at which it was measured", 0},
+    {"measured", "", "the measurement: a speed in m/s, a time in s, or an angle", 0},
+    {"fitted", "", "what the model gives with the fitted values", 0},
+    {"residual", "", "measured - fitted; for a speed, measured / fitted - 1", 0},
+    {"friction", "", "the fitted value of the parameter; each fitted parameter has such a column", 0},
+    {"friction_sd", "", "the standard deviation of the fitted value", 0},
+    {"friction_push", "", "the correlation of two fitted parameters; each pair has such a column", 0},
     {NULL, NULL, NULL, 0},
 };
 enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
@@ -106,7 +106,7 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
         const struct parameter *p = f->unknown[i].parameter;
         snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
         *c++ = (struct column){p->name, "", "a fitted value", 0};
-        *c++ = (struct column){keys->deviation[i], "", "its standard deviation", 0};
+        *c++ = (struct column){keys->deviation[i], "", "the standard deviation of the fitted value", 0};
         for (int j = 0; j < i; j++, n++) {
             snprintf(keys->correlation[n], sizeof keys->correlation[n], "%.24s_%.24s",
                      f->unknown[j].parameter->name, p->name);
@@ -216,9 +216,8 @@ static void residuals_say(struct answer *a, const struct fit *f)
         }
     if (f->data.intervals)
         answer_say(
-            a,
-            "The times drift away from the model's, as they do where the gaps of a row are not all equal. So "
-            "the times between successive hits are compared, in the table too.");
+            a, "The measured times drift away from those of the model, as they do if the gaps of a row are "
+               "not all equal. The fit and the table therefore compare the times between successive hits.");
     else if (f->data.has_errors)
         answer_say(a, "The measurements are weighted by their errors%s.",
                    f->spread > 2 ? ", which are smaller than the residuals" : "");

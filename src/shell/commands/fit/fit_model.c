@@ -188,12 +188,11 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
     bool done = tilts_find(f, value, run, &w);
     *clock = level_time(at, measured, n, most / 2) - level_time(time, tilt, STEPS, most / 2);
     free(measured);
-    return done &&
-           (isfinite(*clock) ||
-            problem_no_answer(&f->problem,
-                              "run %g: domino %zu does not pass half of its largest measured angle, as "
-                              "it does in the model; measure it from before it moves",
-                              run->number, first->domino));
+    return done && (isfinite(*clock) ||
+                    problem_no_answer(&f->problem,
+                                      "run %g: no line shows domino %zu before it passes half of its largest "
+                                      "angle; begin the measurement before the domino moves",
+                                      run->number, first->domino));
 }
 
 bool fit_clocks(struct fit *f, const double *value, double *clock)

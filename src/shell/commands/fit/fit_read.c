@@ -122,7 +122,7 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
     for (size_t k = 0; d->run && k < d->runs; k++)
         if (d->run[k].number == number)
             return csv_wrong(&csv->file, csv_cell(csv, RUN).at,
-                             "run %g goes on after another run; put all its lines together", number);
+                             "the lines of run %g are interrupted by another run; put them together", number);
     struct fit_run *more = realloc(d->run, (d->runs + 1) * sizeof *more);
     if (!more)
         return csv_wrong(&csv->file, csv->row.at, "out of memory");

@@ -375,8 +375,8 @@ bool fit_solve(struct fit *f, struct problem *problem)
     if (status == GSL_EDOM)
         *problem = f->problem;
     else if (status != GSL_SUCCESS)
-        problem_no_answer(problem,
-                          "the values do not settle: many of them explain the measurements equally well; "
-                          "name fewer unknowns, or set the others closer to what they are");
+        problem_no_answer(
+            problem, "the search does not converge, because many values explain the measurements equally "
+                     "well; fit fewer parameters, or set the others closer to their true values");
     return status == GSL_SUCCESS;
 }

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 const struct column design_columns[] = {
-    {"s", "h", "the gap over the height", 0},
+    {"s", "h", "the gap divided by the height", 0},
     {"r", "", "the growth from domino to domino", 0},
     {"steps", "", "n, with h r^n = H: the row has n + 1 dominoes", 0},
     {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
@@ -16,10 +16,10 @@ const struct column design_columns[] = {
     {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
     {"surface", "m^2", "the surface of the walls of all dominoes, if q is 3", 0},
     {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
-    {"safety", "", "the smallest energy of a domino, over the energy that it needs", 0},
-    {"weakest", "", "the domino with this safety", 0},
+    {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
+    {"weakest", "", "the weakest domino, which has this safety", 0},
     {"train", "", "the safety of the endless train", 0},
-    {"seconds", "s", "the time until the last domino lies, on the clock of 'fall'", 0},
+    {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -222,8 +222,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s, and no push that was tried would do; a "
-                 "smaller safety may",
+                 "infeasible: the start is too weak for safety %s, and no push that was tried is enough; try "
+                 "a smaller safety",
                  safety.text);
     } else if (d->limit == DOM_DESIGN_ENGINE) {
         domq_real push = push_stronger(wish);
@@ -242,7 +242,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             snprintf(more, sizeof more, "; with a friction up to %.40s safety %.40s is possible",
                      measured(round_digits(mu, 3, false), "", 3).text, safety.text);
         if (d->needs > 1)
-            snprintf(text, size, "infeasible: no growth has safety %s here; a safety below %s has one%s",
+            snprintf(text, size,
+                     "infeasible: no growth gives safety %s here; a safety below %s is possible%s",
                      safety.text, measured(round_digits(d->needs, 4, false), "", 4).text, more);
         else
             snprintf(text, size, "infeasible: not even equal dominoes keep falling here at any gap%s", more);
@@ -260,9 +261,9 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w)
             "H = %s is not taller than the first domino, h = %s; enter a larger H, or another h with 'set h'",
             measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
-        return problem_no_answer(problem,
-                                 "safety %s is not above 1, where a domino just falls; 'safety 2' is usual",
-                                 quad_shown(w->safety).text);
+        return problem_no_answer(
+            problem, "safety %s is not above 1, with which a domino just falls; 'safety 2' is usual",
+            quad_shown(w->safety).text);
     return w->hall > w->height ||
            problem_no_answer(problem,
                              "a hall of %s has no room for the last domino, which is %s long when it has "

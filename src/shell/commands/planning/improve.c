@@ -184,20 +184,19 @@ static void improvement_say(const struct query *query, struct answer *a, const s
         answer_say(a, "Interrupted; this is the best row so far.");
     if (i->study[0].fall == i->study[0].rows)
         answer_say(
-            a, "All %zu rows fall, so that no change can be seen to help; the probability is at least %s.",
+            a, "All %zu random rows fall, so there is nothing to improve; the probability is at least %s.",
             i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
     else if (count < 2)
         answer_say(a, "A row of one domino has nothing to change.");
     else if (i->changed == 0)
-        answer_say(a, "No row was found of which more fall: of this one %s.%s",
-                   study_words(&i->study[0]).text,
+        answer_say(a, "No better row was found: for this one, %s.%s", study_words(&i->study[0]).text,
                    i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.");
     else
-        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other rows.",
+        answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other random rows.",
                    study_words(&i->study[0]).text, study_words(&i->study[1]).text);
     if (i->scene.row.engine)
         answer_say(a,
-                   "The search ran the model, in which feet are hinges. The rigid-body engine, which runs "
+                   "The search used the model, in which feet are hinges. The rigid-body engine, which runs "
                    "rows because %s, ran the rows that show the probability.",
                    scene_engine_why(query->scene));
     if (i->changed == 0)

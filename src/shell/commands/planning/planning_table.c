@@ -15,34 +15,31 @@ const struct command design_commands[] = {
                    .bind = wishes_bind,
                    .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
-     .help = "Finds the gaps and the growth with which each cycle has at least 'safety' times the energy "
-             "that it needs, both in the endless train and at each domino of the row after the first. The "
-             "first domino, its h, d and q, friction, slope and push are those of the scene. WISHES are "
-             "'safety 2' (if left out), 'hall 20 m', the most that the row with its last domino fallen may "
-             "measure, and 'minimise dominoes' (if left out), 'minimise length' or 'minimise mass', in any "
-             "order. The fewest dominoes weigh least. If the rigid-body engine runs rows ('effect feet', "
+     .help = "'design' finds the gaps and the growth with which each domino has at least 'safety' times the "
+             "energy that it needs, both in the endless train and in the row, except for the first domino. "
+             "The first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in "
+             "any order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its "
+             "last domino fallen), and 'minimise dominoes' (the default), 'minimise length' or 'minimise "
+             "mass'. The fewest dominoes weigh least. If the rigid-body engine runs rows ('effect feet', "
              "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine, while "
-             "'safety' is that of the model, in which feet are hinges. The row becomes the session's; "
-             "'design ... > hall.csv' writes it, for 'effect row hall.csv'.",
+             "'safety' is that of the model, in which feet are hinges. The session then has this row; "
+             "'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
-     .holds = "a row fits the wishes",
+     .holds = "a row meets the wishes",
      .changes = true,
      ANSWER(design)},
     {.name = "plan",
      .synonyms = "guide print sheet cut list boards tape workshop hall build",
      .argument = {{.name = "TITLE", .kind = ARGUMENT_WORDS, .optional = true, .parse = plan_parse}},
      .summary = "a guide for building the row: sizes, boards, places",
-     .help =
-         "For the hall, the places of the dominoes on a tape; for the workshop, their sizes and the boards "
-         "to "
-         "cut; each with the values between which all fall, as 'tolerance' finds them. If errors are on, "
-         "such "
-         "as 'effect placement 2 mm', the guide says how likely the row falls. 'plan title \"The hall\" > "
-         "hall.pdf' draws it on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg "
-         "and "
-         ".png are one long page. csv and json have the numbers, in m.",
+     .help = "The guide lists, for the hall, the places of the dominoes on a tape measure, and for the "
+             "workshop, their sizes and the boards to cut. Beside each value stand the limits between which "
+             "all dominoes fall, as 'tolerance' finds them. With errors such as 'effect placement 2 mm' the "
+             "guide says how likely the row is to fall. 'plan title \"The hall\" > hall.pdf' draws the guide "
+             "on pages of A4, with the row to scale and a person of 1.75 m beside it; .svg and .png are one "
+             "long page. csv and json have the numbers, in m.",
      .example = "effect row 5; plan",
      .see = "row tolerance placement draw",
      .unswept = "it is a text",
@@ -57,20 +54,18 @@ const struct command design_commands[] = {
                    .parse = improve_parse,
                    .bind = wishes_bind,
                    .choices = improve_wishes}},
-     .summary = "change the row so that it most likely falls",
-     .help =
-         "Changes the gaps of the row so that it most likely falls under the random errors of the scene: "
-         "first "
-         "enter 'effect placement 3 mm', or other errors. WISHES, in any order, are: 'sizes' to change the "
-         "sizes of all dominoes but the first and the last, too, in their proportions; 'hall 20 m', the most "
-         "that the row with its last domino fallen may measure (as long as it is now, if left out); 'boards "
-         "9, "
-         "12, 15 mm', the thicknesses to choose from; 'mass 50 kg', the most that a domino may weigh; and "
-         "'grid 1 mm' for measures in whole mm. A domino that becomes twice as large gets 2^(q-1) times the "
-         "mass. The search uses random rows, and other rows show the probability before and after. A row is "
-         "never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes the "
-         "changes back. If the rigid-body engine runs rows, the search runs the model, and the engine runs "
-         "the rows that show the probability.",
+     .summary = "change the row so that it is most likely to fall",
+     .help = "'improve' changes the gaps of the row so that it is most likely to fall in spite of the random "
+             "errors of the scene: first enter 'effect placement 3 mm', or other errors. WISHES, in any "
+             "order, are: 'sizes', with which all dominoes but the first and the last change their sizes, "
+             "too, and keep their proportions; 'hall 20 m', the greatest length of the row with its last "
+             "domino fallen (by default the length that it has now); 'boards 9, 12, 15 mm', the thicknesses "
+             "to choose from; 'mass 50 kg', the greatest mass of a domino; and 'grid 1 mm' for sizes and "
+             "gaps in whole mm. A domino that becomes twice as large gets 2^(q-1) times the mass. The search "
+             "uses random rows; other random rows show the probability before and after the changes. A row "
+             "is never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes "
+             "the changes back. If the rigid-body engine runs rows, the search still uses the model, and the "
+             "engine runs the rows that show the probability.",
      .example = "effect row 8; effect friction 0.2; set r 1.3; set s 0.5; effect placement 3 mm; improve",
      .see = "placement budget design change row",
      .principal = "probability",
@@ -84,14 +79,14 @@ const struct command design_commands[] = {
            .parse = solve_parse_answer,
            .bind = solve_bind,
            .choices = question_names}},
-     .summary = "where an answer takes a value, along a parameter",
-     .help =
-         "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. Finds the values of the "
-         "parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls there. ANSWER is "
-         "a command, or an expression with commands as names: 'solve s : rmax(s) - pair(s) = 0.1'. A range "
-         "may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= VALUE', and with a command that "
-         "'assert' takes, 'solve' finds where its verdict changes: 'solve friction : verdict'. The search "
-         "tries 241 values and looks between them; it can miss a dip that is narrower than their distance.",
+     .summary = "the values of a parameter with which ANSWER has a value",
+     .help = "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. 'solve' finds the "
+             "values of the parameter NAME with which ANSWER has this VALUE, and whether ANSWER rises or "
+             "falls there. ANSWER is a command, or an expression with commands as names: 'solve s : rmax(s) "
+             "- pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= "
+             "VALUE', and with a command that 'assert' takes, 'solve' finds where its verdict changes: "
+             "'solve friction : verdict'. The search tries 241 values and looks between them; it can miss a "
+             "dip that is narrower than one step.",
      .example = "solve d : rmax = 5/3; solve friction : barrier",
      .see = "sensitivity sweep assert",
      .unswept = "it varies a parameter itself",
@@ -106,9 +101,9 @@ const struct command design_commands[] = {
            .parse = watch_parse_answer,
            .bind = solve_bind,
            .choices = question_names}},
-     .summary = "keys change a parameter; its answer follows on a curve",
-     .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, up and down "
-             "small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
+     .summary = "change a parameter by keys, and see ANSWER move on a curve",
+     .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, and up and "
+             "down take small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
      .see = "solve sweep plot",
      .changes = true,
      .act = run_watch},
@@ -117,11 +112,12 @@ const struct command design_commands[] = {
                    .kind = ARGUMENT_COMMAND,
                    .parse = sensitivity_parse,
                    .choices = question_names}},
-     .summary = "how much each parameter changes the number of COMMAND",
-     .help = "Makes each parameter of the model smaller and larger by 1 %, or by 0.01 for friction and 1 "
-             "degree for slope, even if these are off. Answers with the change of the number in percent, the "
-             "largest first. COMMAND may have arguments and a key, 'sensitivity rmax 0.3', 'sensitivity "
-             "barrier.margin', or be an expression, 'sensitivity h*r^10'.",
+     .summary = "how much each parameter changes the answer of COMMAND",
+     .help = "'sensitivity' decreases and increases each parameter of the model by 1 %, friction and edges "
+             "by 0.01 and slope by 1 degree, even if these effects are off. The answer is the change of "
+             "COMMAND's number in percent, with the largest change first. COMMAND may have arguments and a "
+             "key, as in 'sensitivity rmax 0.3' and 'sensitivity barrier.margin', or be an expression, as in "
+             "'sensitivity h*r^10'.",
      .example = "effect friction 0.2; sensitivity rmax",
      .see = "solve sweep",
      .unswept = "it varies the parameters itself",
@@ -133,18 +129,18 @@ const struct command design_commands[] = {
                   {.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
-     .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
-             "'friction, push'. FILE is csv, of one of three kinds. With the columns 'domino' and "
-             "'time (s)' or 'frame' it says when each domino of the row is hit, as a camera shows it. "
-             "With 'time (s)' or 'frame', 'angle (deg)' and, unless it is the first, 'domino' it says "
-             "how a domino turns. With 'gap (mm)' and 'speed (m/s)' each line is the speed of one row "
-             "of equal dominoes. FPS is the number of frames in a second, unless a column 'rate' has "
-             "it. A column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' "
-             "gives the gap of each run; a column 'error' gives standard errors. The dominoes are "
-             "those of 'effect row', or else all have the growth r. Finds the values with the least "
-             "sum of squared residuals, each divided by its error, and their standard deviations and "
-             "correlations. 'plot fit ...' draws what was measured against what the best values give, as "
-             "does 'fit ... > fit.svg' (or .png, .pdf).",
+     .help =
+         "NAME is a parameter or an effect, or up to four of them with commas between them, as in 'friction, "
+         "push'. FILE is a csv file of one of three kinds. With the columns 'domino' and 'time (s)' (or "
+         "'frame'), it says when each domino of the row is hit, as a camera shows it. With the columns 'time "
+         "(s)' (or 'frame') and 'angle (deg)', it says how domino 1 turns, or the one in the column "
+         "'domino'. With the columns 'gap (mm)' and 'speed (m/s)', each line has the speed of one row of "
+         "equal dominoes. FPS is the number of frames in a second; a column 'rate' can give it instead. A "
+         "column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' gives the gap of "
+         "each run; a column 'error' gives standard errors. The dominoes are those of 'effect row', or else "
+         "all have the growth r. 'fit' finds the values with the least sum of squared residuals, each "
+         "divided by its error, and their standard deviations and correlations. 'plot fit ...' and 'fit ... "
+         "> fit.svg' (or .png, .pdf) draw the measurements against the values that the model gives.",
      .see = "plot solve duration fall sensitivity",
      .files = true,
      .rows = true,
@@ -157,10 +153,10 @@ const struct command design_commands[] = {
                    .parse = assert_parse,
                    .choices = assert_names}},
      .summary = "an error unless the verdict of COMMAND is true",
-     .help = "Runs the command, and gives an error if its answer is no: the row does not fall, or no row "
-             "meets the wishes. A script then ends at once with exit status 1; standard input goes on. "
-             "COMMAND is verdict, fall, design, barrier, count or prove; or it is a condition, as in 'assert "
-             "rmax(0.4) < 1.7'.",
+     .help = "'assert' runs the command, and reports an error if its verdict is no: the row does not fall, "
+             "for example, or no row meets the wishes. A script then ends at once with exit status 1; a "
+             "session on standard input goes on. COMMAND is verdict, fall, design, barrier, count or prove; "
+             "or it is a condition, as in 'assert rmax(0.4) < 1.7'.",
      .example = "effect row 5; assert verdict",
      .see = "verdict design barrier count",
      .unswept = "it is about one scene",

@@ -208,12 +208,12 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
         snprintf(text, size, "%s: %s for %s %s", asked, v->question->command->holds,
                  s->most.f > 0 ? "every" : "no", range);
     else if (below || s->least.f > 0)
-        snprintf(text, size, "%s does not take the value %s for %s: the %s is %s, at %s = %s", asked,
-                 value.text, range, below ? "largest" : "smallest",
-                 quad_shown(nearest->f + v->value.value).text, name, quad_shown(nearest->x).text);
+        snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", asked, value.text,
+                 range, below ? "largest" : "smallest", quad_shown(nearest->f + v->value.value).text, name,
+                 quad_shown(nearest->x).text);
     else
-        snprintf(text, size, "%s does not take the value %s for %s: it jumps over it at %s = %s", asked,
-                 value.text, range, name, quad_shown(s->jump).text);
+        snprintf(text, size, "%s is never %s for %s: it jumps over this value at %s = %s", asked, value.text,
+                 range, name, quad_shown(s->jump).text);
 }
 
 /* Returns false with a problem if the answer and the value have different units, or if the answer is

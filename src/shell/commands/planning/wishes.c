@@ -184,9 +184,8 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
             return false;
     w->has_hall = parsed->value[HALL].argument;
     if (!quantity_bare(unit[SAFETY]))
-        return problem_error(problem,
-                             "the safety is a number without a unit, such as 2: times the energy that "
-                             "a domino needs");
+        return problem_error(
+            problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
     if (parsed->value[MASS].argument &&
         !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
         return problem_error(problem, "the largest mass is in kg, as in 'mass 50 kg'");

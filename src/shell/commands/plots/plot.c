@@ -27,11 +27,12 @@ static const struct column plot_columns[] = {
     {"hollow_train", "", "marginal: r_max of a train of hollow dominoes", 0},
     {"reach", "", "growth, marginal: 1/s, or less with rounded edges", 0},
     {"domino", "", "fall, speed, gaps: number of the domino, from 1", 6},
-    {"barrier", "mgh/2", "fall: energy that the domino needs to go on", 0},
+    {"barrier", "mgh/2", "fall: energy that is needed to tip this domino over", 0},
     {"margin", "mgh/2", "fall: kinetic - barrier", 0},
-    {"spare", "", "fall: margin over barrier, or nothing where the barrier is not above 0", 0},
-    {"place", "m", "speed: distance from the front foot of the first domino to that of this one", 0},
-    {"speed", "m/s", "speed: speed of the front from the hit of this domino to the next hit", 0},
+    {"spare", "", "fall: margin divided by barrier; empty where the barrier is not above 0", 0},
+    {"place", "m", "speed: distance from the front foot of the first domino to the front foot of this one",
+     0},
+    {"speed", "m/s", "speed: speed of the front between the hit of this domino and the next hit", 0},
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
     {"low", "m", "gaps: the narrowest gap with which all fall", 0},
     {"high", "m", "gaps: the widest gap with which all fall", 0},
@@ -75,7 +76,7 @@ static const struct plot plots[] = {
      .x = {"place", "distance from the first domino"}, .y = {"speed", "speed"},
      .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
     {"gaps", plot_gaps, "domino gap low high others",
-     .title = "How far each gap may be off, the others being as planned",
+     .title = "How far each gap may be off while the others are as planned",
      .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
@@ -106,7 +107,8 @@ static const struct plot plots[] = {
      .x = {"theta", "tilt of the head"}, .y = {"omega", "angular velocity"},
      .curve = {{"omega", "", CHART_LINE, INK_BLUE, 0}}},
     {"inertia", plot_inertia, "theta J event", .title = "Inertia over a cycle",
-     .x = {"theta", "tilt of the head"}, .y = {NULL, "inertia J of all that move, 1 for the head alone"},
+     .x = {"theta", "tilt of the head"},
+     .y = {NULL, "inertia J of the moving dominoes, 1 for the head alone"},
      .curve = {{"J", "J (20; c2)", CHART_LINE, INK_BLUE, 0}}},
     {"chain", plot_chain, "i theta theta_i event", .title = "Tilts over a cycle",
      .x = {"theta", "tilt of the head"}, .y = {"theta_i", "tilt of domino i"},
@@ -243,26 +245,23 @@ const struct command plot_commands[] = {
           {.name = "MORE", .kind = ARGUMENT_GRID, .optional = true, .parse = more_parse, .bind = more_bind}},
      .summary = "a chart of the row, of limits, of a cycle, or of any sweep",
      .help =
-         "Of a row, 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
+         "For a row, 'plot fall' shows how much energy each domino has to spare, 'plot speed' how fast the "
          "front runs, and 'plot gaps' how far each gap may be off. 'plot placement 400' shows how likely the "
-         "whole row falls, from 400 random rows at each error of the gaps. Of trains, 'plot growth' shows "
-         "the largest growth, which 'plot growth paper' compares with that of the paper's fuel, and 'plot "
-         "marginal' with that of two dominoes. 'plot energy', 'plot omega', 'plot inertia' and 'plot chain' "
-         "show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot sweep s 0.1 0.9 33 : rmax' "
-         "shows any sweep over one or two parameters, and 'plot sweep s 0.1 0.9 33 : rmax, pair' the curves "
-         "of several answers. 'plot fit friction FILE' shows measurements against what the fitted friction "
-         "gives. In the terminal the picture is drawn at once. "
-         "'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; .tex is for "
-         "\\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings "
-         ".csv and .json give the data, and .gp gives gnuplot's script with the data in it, in which you can "
-         "change "
-         "whatever you like. 'plot growth title \"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look: "
-         "'title', 'xlabel' and 'ylabel' with a text; 'xrange' and 'yrange' with the two ends of an axis, in "
-         "the unit that its label names; 'xscale' and 'yscale' with 'log' or 'linear'; 'legend' with "
-         "'below', "
-         "'right' or 'off'; and of a file, "
-         "'width' and 'height' from 6 to 30 cm, 'font' in points, and 'family' with the name of a font. "
-         "These words stand in any order, and before the grid of a sweep or the parameters of a fit.",
+         "whole row is to fall, from 400 random rows for each size of the errors. For trains, 'plot growth' "
+         "shows the largest growth, 'plot growth paper' compares it with the growth that the paper's fuel "
+         "gives, and 'plot marginal' with the growth of two dominoes. 'plot energy', 'plot omega', 'plot "
+         "inertia' and 'plot chain' show one cycle, and 'plot cost rmax' shows what accuracy costs. 'plot "
+         "sweep s 0.1 0.9 33 : rmax' shows any sweep over one or two parameters, and 'plot sweep s 0.1 0.9 "
+         "33 : rmax, pair' the curves of several answers. 'plot fit friction FILE' shows measurements "
+         "against the values that the model gives with the fitted friction. The picture appears in the "
+         "terminal. 'plot fall > fall.svg' makes a file, whose ending is .svg, .png or .pdf, by gnuplot; "
+         ".tex is for \\input in a document with \\usepackage{gnuplot-lua-tikz}. The endings .csv and .json "
+         "give the data, and .gp gives gnuplot's script with the data, for you to change. 'plot growth title "
+         "\"Growth\" xrange 0.2 0.6 > a.pdf' chooses the look: 'title', 'xlabel' and 'ylabel' with a text; "
+         "'xrange' and 'yrange' with the two ends of an axis, in the unit that its label names; 'xscale' and "
+         "'yscale' with 'log' or 'linear'; 'legend' with 'below', 'right' or 'off'; and for a file, 'width' "
+         "and 'height' from 6 to 30 cm, 'font' in points, and 'family' with the name of a font. These words "
+         "can stand in any order, but before the grid of a sweep or the parameters of a fit.",
      .equation = "(19; c1) (20; c2) (21; c3) (27; A2), figures 'growth' and 'marginal'",
      .example = "plot growth",
      .see = "fall mend placement sweep curve fit draw",

@@ -44,8 +44,8 @@ static bool cycle_find(struct cycle *c, struct problem *problem)
     if (status == DOM_NO_FUEL)
         return train_comes_to(c->query, problem, 0);
     if (status == DOM_NO_MARGIN)
-        return problem_error(
-            problem, "the margin is 0 to rounding: the cycle comes to no end; a slightly smaller r has one");
+        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
+                                      "ever; use a slightly smaller r");
     c->end = c->angles.theta_c;
     if (status == DOM_STOPS)
         c->end = quad_smaller(c->end, BEYOND_STOP * c->event[c->events - 1].theta);

@@ -55,7 +55,8 @@ static enum dom_status studies_write(const struct scene_row *scene, struct domq_
 static void placement_chart(const struct scene_row *scene, size_t rows, domq_real now, bool unknown,
                             struct chart *chart)
 {
-    snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu falls", scene->row.count);
+    snprintf(chart->title, sizeof chart->title, "How likely the whole row of %zu is to fall",
+             scene->row.count);
     snprintf(chart->curve[0].title, sizeof chart->curve[0].title,
              "%zu rows at each error, with the 95 %% interval", rows);
     if (unknown)

@@ -91,7 +91,7 @@ bool plot_fall(const struct query *query, struct answer *a, struct chart *chart,
     struct row_run run;
     if (scene_has_engine(query->scene))
         return problem_no_answer(problem,
-                                 "the rigid-body engine runs the row, since %s, and computes no energies; "
+                                 "the rigid-body engine runs the row, because %s, and computes no energies; "
                                  "'plot speed' shows its run",
                                  scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))

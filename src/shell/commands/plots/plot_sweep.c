@@ -177,8 +177,8 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                              axis[0].parameter->name);
     if (over < 0 && !(is_even(&p, 0) && is_even(&p, 1)))
         return problem_error(problem,
-                             "a map needs evenly spaced numbers on both axes; with at most %d values of one "
-                             "of them there is a curve each",
+                             "a map needs evenly spaced numbers on both axes; if one axis has at most %d "
+                             "values, each value gets a curve instead",
                              FAMILY);
     if (missing == rows->count * p.shape.answers)
         return problem_no_answer(problem, "none of the %zu points has a number to show; 'sweep' says why",
@@ -219,8 +219,8 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
             problem, "a picture has up to %d answers over one parameter, or one answer over two", FAMILY);
     if (chart && shape.command->rows)
         return problem_error(problem,
-                             "'%s' answers in rows, and a picture needs one number a point, such as "
-                             "'verdict' or 'print EXPRESSION'",
+                             "'%s' answers with a table, and a picture needs one number for each point; use "
+                             "a command such as 'verdict', or 'print EXPRESSION'",
                              shape.command->name);
     return run_sweep(query, a, problem);
 }

@@ -6,18 +6,20 @@
 #include "language/quad.h"
 
 const struct column fall_columns[] = {
-    {"domino", "", "its number, from 1", 6},
-    {"height", "m", "its height", 6},
-    {"hit", "s", "when it is hit; the clock starts with the push, or with the first hit", 7},
-    {"falls", "s", "when it hits the next domino, or lies on the floor", 7},
-    {"omega", "rad/s", "its angular velocity just after it is hit", 6},
-    {"kinetic", "mgh/2", "the energy of all dominoes that move then; in J if masses are known", 9},
-    {"barrier", "mgh/2", "the energy that it needs to go on", 9},
+    {"domino", "", "number of the domino, from 1", 6},
+    {"height", "m", "height of the domino", 6},
+    {"hit", "s", "time at which the domino is hit; the clock starts with the push, or with the first hit", 7},
+    {"falls", "s", "time at which the domino hits the next one, or lies on the floor", 7},
+    {"omega", "rad/s", "angular velocity of the domino just after it is hit", 6},
+    {"kinetic", "mgh/2",
+     "kinetic energy of all moving dominoes just after this hit; in J if masses are known", 9},
+    {"barrier", "mgh/2", "energy that is needed to tip this domino over", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
-    {"energy", "share", "kinetic / barrier: at 100 % it just goes on", 6},
-    {"floor", "", "the friction that feet need while it falls; with 'effect floor'", 5},
-    {"floor_hit", "", "the friction that feet need only in the instant when it is hit", 9},
-    {"slid", "m", "how far its foot has slid, backwards if negative; with 'effect feet'", 7},
+    {"energy", "share", "kinetic / barrier; at 100 % the domino just tips over", 6},
+    {"floor", "", "friction that feet need while this domino falls; with 'effect floor'", 5},
+    {"floor_hit", "", "friction that feet need in the instant when this domino is hit; with 'effect floor'",
+     9},
+    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); with 'effect feet'", 7},
     {NULL, NULL, NULL, 0},
 };
 
@@ -25,9 +27,9 @@ const struct column verdict_columns[] = {
     {"verdict", "", "all fall, stops, or another end of the row", 12},
     {"domino", "", "the last domino that is hit", 0},
     {"short_by", "mgh/2", "the energy that this domino lacks; in J if masses are known", 0},
-    {"seconds", "s", "the time until the last domino lies, on the clock of 'fall'", 0},
+    {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
     {"weakest", "", "the domino with the least energy to spare, of those that go on", 0},
-    {"spare", "share", "its spare energy, as a share of the energy that it needs", 0},
+    {"spare", "share", "the spare energy of this domino, divided by the energy that it needs", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -63,7 +65,8 @@ static void all_fall_say(struct answer *a, const struct falling *f)
         answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
                    measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
     else
-        answer_say(a, "%s, but one almost stops, so that its time cannot be computed.", fall.text);
+        answer_say(a, "%s, but one almost stops, so that the time of its fall cannot be computed.",
+                   fall.text);
 }
 
 /* Returns why the row ends before its last domino. */
@@ -71,7 +74,7 @@ static const char *end_reason(const struct row_run *run)
 {
     const struct domq_verdict *v = &run->verdict;
     if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
-        return "it falls, and the next one stays upright";
+        return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
         return "its energy is too small, and farther on friction locks, so that no energy is enough";
     return dom_row_end_text(v->end);
@@ -105,7 +108,7 @@ static void slide_say(struct answer *a, const struct scene_row *scene, size_t hi
     if (share < (domq_real)1 / 1000)
         answer_say(a, "No foot slides by more than a thousandth of the height of its domino.");
     else
-        answer_say(a, "Feet slide: that of domino %zu the farthest for its size, %s %s, %s of its height.",
+        answer_say(a, "Feet slide. Domino %zu slides farthest for its size: %s %s, %s of its height.",
                    most + 1, measured(quad(fabs)(foot_slid(scene, most)), "m", 3).text,
                    foot_slid(scene, most) > 0 ? "forwards" : "backwards", measured(share, "share", 2).text);
 }
@@ -118,8 +121,8 @@ static void engine_say(struct answer *a, const struct row_run *run)
         slide_say(a, &run->scene, run->verdict.domino);
     if (run->scene.row.engine)
         answer_say(a,
-                   "Chipmunk %s, a rigid-body engine, ran it with %g steps in sqrt(h/g): with half as many "
-                   "the verdict is the same, and times agree to %.2g %%.",
+                   "Chipmunk %s, a rigid-body engine, ran the row with %g steps in sqrt(h/g). With half as "
+                   "many steps the verdict is the same, and times agree within %.2g %%.",
                    engine_version(), s->grain.steps, 100 * s->change);
 }
 

@@ -114,8 +114,8 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     enum dom_precision precision = query->scene->compute.precision;
     if (status == DOM_NOT_CONVERGED && engine)
         return problem_no_answer(
-            problem, "the rigid-body engine cannot decide: this row comes to no end, or its "
-                     "verdict still changes with ever shorter steps; try a slightly different row");
+            problem, "the rigid-body engine cannot decide: this row does not come to rest, or its verdict "
+                     "still changes when the steps become shorter; try a slightly different row");
     if (status == DOM_NO_LEAN && engine)
         return problem_no_answer(
             problem,

@@ -63,7 +63,7 @@ static void slip_matters_say(struct answer *a, bool in_motion)
         a,
         in_motion
             ? "This answer is for feet that do not slip. If feet slip while dominoes fall, a row can stop "
-              "sooner than it says."
+              "sooner than this answer says."
             : "This answer is for feet that do not slip. A slip in the instant of a hit matters little: in a "
               "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by 3 %% at "
               "most where dominoes have a friction of 0.2, and by a tenth where they have none.");

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 const struct column mend_columns[] = {
-    {"domino", "", "the gap is the one before this domino", 6},
+    {"domino", "", "number of the domino after the gap", 6},
     {"gap", "m", "the gap as it is", 12},
     {"to", "m", "the nearest gap with which all fall", 12},
     {"until", "m", "all fall with gaps from 'to' to this one", 12},

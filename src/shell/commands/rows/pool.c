@@ -24,16 +24,16 @@ static const struct column block_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
     {"heights", "", "relative standard deviation of every height", 0},
     {"seed", "", "seed of the random rows", 0},
-    {"scene", "", "checksum of the row and of all that decides how it falls", 8},
+    {"scene", "", "checksum of the row and of everything that decides how it falls", 8},
     {"dominoes", "", "number of dominoes in the row", 8},
     {"of", "", "number of rows in the whole study", 8},
     {"first", "", "number of the first row of this block, from 1", 8},
     {"rows", "", "number of rows in this block", 4},
-    {"fall", "", "number of them that fall completely", 4},
-    {"unknown", "", "number of them that the model cannot follow", 7},
-    {"stops", "", "the others: domino at which they stop, and how many", 20},
+    {"fall", "", "number of these rows that fall completely", 4},
+    {"unknown", "", "number of these rows that the model cannot decide", 7},
+    {"stops", "", "dominoes at which the other rows stop, each with the number of rows", 20},
     {"errors", "", "the errors of the rows", 20},
-    {"without", "", "rows that fall without one error, and where those stop that stop with it", 20},
+    {"without", "", "for each error: how many rows fall without it, and where they stop because of it", 20},
     {NULL, NULL, NULL, 0},
 };
 
@@ -293,8 +293,9 @@ static bool block_add(struct pool *p, struct csv_table *csv)
     for (int k = 0; k < FIRST; k++)
         same = same && (k == SCENE || value[k] == p->common[k]);
     if (!same)
-        return csv_wrong(&csv->file, csv->row.at,
-                         "this block is of another study: errors, seed, row or number of rows differ");
+        return csv_wrong(
+            &csv->file, csv->row.at,
+            "this block belongs to another study: its errors, seed, row or number of rows differ");
     size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
            unknown = (size_t)value[UNKNOWN], stopped;
     if (first + rows - 1 > (size_t)value[OF] || !stops_add(p, csv_cell(csv, STOPS).text, &stopped) ||
@@ -332,7 +333,7 @@ static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, s
             return csv_wrong(&csv->file, b->at,
                              "row %zu of the study is in the file twice; leave one part out", b->first);
         if (b->first > next && !*missing)
-            snprintf(missing, size, "%zu of the %zu rows are missing, the first is number %zu",
+            snprintf(missing, size, "%zu of the %zu rows are missing; the first missing row is number %zu",
                      all - p->study.counts.rows, all, next);
         next = b->first + b->rows;
     }

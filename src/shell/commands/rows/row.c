@@ -9,14 +9,14 @@
 /* ---- row ---- */
 
 static const struct column row_columns[] = {
-    {"domino", "", "its number, from 1", 6},
-    {"height", "m", "its height", 0},
-    {"thickness", "m", "its thickness", 0},
+    {"domino", "", "number of the domino, from 1", 6},
+    {"height", "m", "height of the domino", 0},
+    {"thickness", "m", "thickness of the domino", 0},
     {"gap", "m", "free distance to the domino before it", 0},
-    {"mass", "kg", "its mass, if masses are known", 0},
-    {"relative", "", "its mass over that of the first, if masses are not known", 0},
-    {"radius", "m", "the radius of its edges, if the file has radii; with 'effect edges'", 0},
-    {"lean", "m", "how far its top is off plumb, if the file has leans; negative: backwards", 0},
+    {"mass", "kg", "mass of the domino, if masses are known", 0},
+    {"relative", "", "mass divided by the mass of the first domino, if masses are not known", 0},
+    {"radius", "m", "radius of the edges, if the file has radii; used with 'effect edges'", 0},
+    {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -62,7 +62,7 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
 static const struct column rowmax_columns[] = {
     {"s", "h", "the separation", 0},
     {"count", "", "the number of dominoes in the row", 0},
-    {"r_max", "", "the largest growth at which all of them fall", 0},
+    {"r_max", "", "the largest growth at which all dominoes fall", 0},
     {"r_train", "", "the largest growth of the endless train", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -102,7 +102,8 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
         answer_say(a,
-                   "All fall from r = %.6g on; with a smaller growth the row ends earlier: 'set r 1; fall'.",
+                   "All dominoes fall from r = %.6g on; with a smaller growth the row ends earlier, as 'set "
+                   "r 1; fall' shows.",
                    (double)growth.r_min);
     return more;
 }
@@ -111,8 +112,8 @@ const struct command row_commands[] = {
     {.name = "fall",
      .synonyms = "simulate simulation run topple time speed",
      .summary = "run the row, domino by domino",
-     .help = "For each domino that is hit, says when it is hit, when it hits the next one, how fast it "
-             "starts, and how its energy compares with the energy that it needs. 'effect row' enters a row.",
+     .help = "Shows for each domino when it is hit, when it hits the next one, how fast it starts, and how "
+             "its energy compares with the energy that it needs. 'effect row' enters a row.",
      .example = "effect row 5; fall",
      .see = "verdict mend row effect",
      .rows = true,
@@ -121,7 +122,7 @@ const struct command row_commands[] = {
     {.name = "verdict",
      .shortest = "v",
      .synonyms = "result success topple stop",
-     .summary = "whether the whole row falls, and where it is weakest",
+     .summary = "whether the whole row falls, and which domino is weakest",
      .example = "effect row 5; verdict",
      .see = "fall mend",
      .principal = "seconds",
@@ -130,26 +131,26 @@ const struct command row_commands[] = {
     {.name = "mend",
      .synonyms = "repair fix spacing rescue",
      .summary = "the smallest change of one gap that saves a row",
-     .help =
-         "For each gap up to the end of the row, 'mend' finds the nearest gap with which all dominoes fall, "
-         "and lists the smallest change first. If a push is missing, the answer says so. The search takes 40 "
-         "steps each way and then bisects; it can miss a range of gaps that is narrower than a step.",
+     .help = "For each gap up to the domino at which the row ends, 'mend' finds the nearest value with which "
+             "all dominoes fall, and lists the smallest change first. If the row needs a push, the answer "
+             "says so. The search tries 40 smaller and 40 larger values of each gap and then bisects; it can "
+             "miss a range of gaps that is narrower than one step.",
      .see = "fall tolerance change budget",
      .rows = true,
      ANSWER(mend)},
     {.name = "tolerance",
      .synonyms = "window precision error plumb measure tape spacing height",
-     .summary = "how far each domino may be off, so that all still fall",
-     .help = "Finds windows for the place of each domino, for the gap before it, for its height and "
-             "thickness and for the "
-             "friction between dominoes. All dominoes fall with each value in a window, if the rest of the "
-             "row stays as it is. A place is what a tape measure shows from the back of domino 1: only the "
-             "domino itself moves. With another gap, all dominoes after it move along. With another height, "
-             "the domino keeps its density and the angle of its lean. A domino that is not set up plumb "
-             "leans about its front edge, and a window says how far its top may be off, backwards or "
-             "forwards. With rounded edges, and in the engine, the program does not compute how far a domino "
-             "may lean. The dominoes with the least room are marked. If the row does not fall, the windows "
-             "show which single changes save it. The search takes the steps of 'mend'.",
+     .summary = "how far each domino may be off while all still fall",
+     .help =
+         "Finds windows for the place of each domino, for the gap before it, for its height and thickness "
+         "and for the friction between dominoes. All dominoes fall with every value in a window, if the rest "
+         "of the row stays as it is. A place is measured along a tape from the back of domino 1; when a "
+         "place changes, only that domino moves. When a gap changes, all dominoes after it move along. A "
+         "domino whose height changes keeps its density and the angle of its lean. A domino that is not set "
+         "up plumb leans about its front edge, and a window says how far its top may be off, backwards or "
+         "forwards. With rounded edges, and in the engine, the program does not compute how far a domino may "
+         "lean. The dominoes with the least room are marked. If the row does not fall, the windows show "
+         "which single changes save it. The search takes the same steps as 'mend'.",
      .example = "effect row 5; tolerance",
      .see = "mend change budget",
      .rows = true,
@@ -159,18 +160,15 @@ const struct command row_commands[] = {
      .argument = {{.name = "K", .kind = ARGUMENT_WORDS, .parse = change_parse_dominoes},
                   {.name = "MEASURE", .kind = ARGUMENT_CHOICE, .of = "measure", .choices = row_measure_names},
                   {.name = "X", .kind = ARGUMENT_WORDS, .parse = change_parse_value, .bind = change_bind}},
-     .summary = "change a measure of some dominoes of the row",
-     .help = "K is the number of a domino, several as in 4,5 or 3-7, or 'all'. The MEASURE is height, "
-             "thickness, gap "
-             "(the one before the domino), mass, radius (of its edges) or lean (how far its top is off "
-             "plumb, or an "
-             "angle; negative is backwards). X is the new value, or with a sign it is added: 'change 4 gap "
-             "+1 cm', "
-             "or, as a share, 'change 4,5 thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A "
-             "domino "
-             "that becomes taller or thicker keeps its density, so that it becomes heavier, and the gaps "
-             "beside it. "
-             "The change lasts until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
+     .summary = "change the height, gap, mass or another measure of dominoes",
+     .help =
+         "K is the number of a domino, several numbers as in 4,5 or 3-7, or 'all'. MEASURE is height, "
+         "thickness, gap (the gap before the domino), mass, radius (of the edges) or lean (how far the top "
+         "is off plumb, or an angle; a negative lean is backwards). X is the new value. An X with a sign is "
+         "added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in 'change 4,5 "
+         "thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes taller or "
+         "thicker keeps the gaps beside it and its density, so that it becomes heavier. The change lasts "
+         "until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",
      .changes = true,
@@ -198,9 +196,9 @@ const struct command row_commands[] = {
      .synonyms = "maximum ratio factor",
      .summary = "the largest growth r at which the whole row falls",
      .help =
-         "The row is what 'effect row N' makes of s, d, q and h, and it starts with its push. If the first "
-         "domino just tips over, or its push is weak, the row can stop at the second domino. Otherwise "
-         "the answer for a long row approaches that of the endless train, 'rmax'.",
+         "The row is the one that 'effect row N' makes from s, d, q and h, and 'effect push' starts it. If "
+         "the first domino just tips over, or its push is weak, the row can stop at the second domino. "
+         "Otherwise the answer for a long row approaches the largest growth of the endless train, 'rmax'.",
      .example = "set q hollow; effect row 8; rowmax",
      .see = "rmax effect",
      .echo = "s",

@@ -93,7 +93,7 @@ static const struct column budget_columns[] = {
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
-    {"scaled", "", "the error of which sigma is the size; all: sigma multiplies all errors", 0},
+    {"scaled", "", "the error whose size is sigma, or 'all' if sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -208,7 +208,7 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
     return problem_no_answer(problem,
                              others
                                  ? "even without the error of the %s fewer rows than that fall; enter a "
-                                   "smaller P, or smaller other errors"
+                                   "smaller P, or make the other errors smaller"
                                  : "even with an exact %s the row does not fall; 'mend' finds a change that "
                                    "saves it",
                              call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
@@ -240,14 +240,15 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
         for (int i = 1; i < 4; i++)
             answer_unit(a, budget_columns[i].key, error_unit((int)call->kind));
     if (call->kind != DOM_ERROR_gap)
-        answer_means(a, "sigma", "the size of the error, or the factor of all, with which this share falls");
+        answer_means(a, "sigma",
+                     "the size of the error, or the factor of all errors, with which this share falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
                    cell_word(error_names(NULL, (int)call->kind))),
-               any ? "more rows than that fall even if errors are as large as the largest that is tried"
+               any ? "more rows than that fall even with the largest errors that are tried"
                : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
                                                       : NULL);
 }
@@ -293,17 +294,15 @@ const struct command study_commands[] = {
     {.name = "placement",
      .synonyms = "probability chance random risk precision",
      .argument = {{.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true}},
-     .summary = "the probability that all fall, and where rows stop",
-     .help =
-         "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene: first "
-         "enter 'effect placement 1 mm' for errors of the gaps, or another error, such as 'effect "
-         "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also run "
-         "without each of them, with the same random numbers for the others, and the answer says which "
-         "error costs most, and where rows stop because of it. With the same 'seed', row number i is always "
-         "the same, with any "
-         "number of 'threads'. ^C ends the study, and the answer is then about the rows so far. With "
-         "'domino --shard 2/7' the answer is the second of seven parts of the study: counts for blocks "
-         "of 100 rows, which 'pool' adds up.",
+     .summary = "the probability that the whole row falls, and where rows stop",
+     .help = "Sets up the row ROWS times (2000 if ROWS is left out), with the random errors of the scene: "
+             "first enter 'effect placement 1 mm' for errors of the gaps, or another error, such as 'effect "
+             "error_thickness 1 %' or 'effect error_friction 0.05'. With several errors, each row is also "
+             "run without each of them, with the same random numbers for the others, and the answer says "
+             "which error costs most, and where rows stop because of it. With the same 'seed', row number i "
+             "is always the same, with any number of 'threads'. ^C ends the study, and the answer is then "
+             "about the rows that have been run. With 'domino --shard 2/7' the answer is the second of seven "
+             "parts of the study: counts for blocks of 100 rows, which 'pool' adds up.",
      .example = "effect row 13; effect placement 3 mm; effect error_thickness 5 %; placement 500",
      .see = "pool budget effect",
      .principal = "probability",
@@ -313,9 +312,9 @@ const struct command study_commands[] = {
      .argument = {{.name = "FILE", .kind = ARGUMENT_FILE}},
      .summary = "the answer of 'placement', from the parts of a study",
      .help = "FILE, or '-' for standard input, has the outputs of 'domino --shard I/N' with 'set output csv' "
-             "and 'placement' for all I, concatenated in any order. The answer is that of the whole study, "
-             "digit for digit. If rows are missing, the answer says so; it is an error if rows are there "
-             "twice, or if blocks are of different studies.",
+             "and 'placement' for all I, concatenated in any order. The answer is the same as that of the "
+             "undivided study, digit for digit. If rows are missing, the answer says so. It is an error if a "
+             "row occurs twice, or if blocks come from different studies.",
      .see = "placement",
      .columns = placement_columns,
      .unswept = "it reads a file",
@@ -328,13 +327,13 @@ const struct command study_commands[] = {
          {{.name = "P", .kind = ARGUMENT_ANY, .of = "share"},
           {.name = "ROWS", .kind = ARGUMENT_COUNT, .optional = true},
           {.name = "E", .kind = ARGUMENT_CHOICE, .of = "error", .choices = error_names, .optional = true}},
-     .summary = "how precise gaps, or errors E, must be to fall with probability P",
+     .summary = "how precise gaps, or E, must be for rows to fall with probability P",
      .help = "Finds the standard deviation of the gaps, sigma, at which the share P of ROWS rows falls (1000 "
-             "rows if ROWS is left out). The random rows are the same at every sigma. The numbers after the "
-             "share are its 95 % interval. The errors of the scene other than those of gaps stay as they "
-             "are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and "
-             "'budget 0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends "
-             "the search, and the answer is then what it has found so far.",
+             "rows if ROWS is left out). The random rows are the same at every sigma. The answer includes "
+             "the 95 % interval of the share. The errors of the scene other than those of gaps stay as they "
+             "are. 'budget 0.95 1000 thickness' finds the size of another error in the same way, and 'budget "
+             "0.95 1000 all' the factor by which all errors of the scene may be multiplied. ^C ends the "
+             "search, and the answer is then the best estimate so far.",
      .example = "effect row 13; budget 0.9 200; budget 90 % 200 thickness",
      .see = "placement mend",
      .principal = "sigma",

@@ -14,10 +14,10 @@ const struct column placement_columns[] = {
     {"probability", "share", "fall / rows", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
     {"high", "share", "the upper end of this interval", 0},
-    {"unknown", "", "the number of rows that the model cannot follow, which widen the interval", 0},
+    {"unknown", "", "the number of rows that the model cannot decide; they widen the interval", 0},
     {"stops_most", "", "the domino at which most of the other rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
-    {"costs_most", "", "the error without which most rows would fall, if there are several", 0},
+    {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
     {"without", "share", "the share of the rows that would fall without that error", 0},
     {"stops_there", "", "the domino at which most rows stop because of that error", 0},
     {NULL, NULL, NULL, 0},
@@ -115,7 +115,7 @@ static void causes_say(struct answer *a, const struct study *s)
         answer_say(a, "Most rows are lost to %s: without %s %zu of %zu would fall%s. %s.", names[worst], it,
                    s->without[worst], s->counts.rows, stops, others);
     else
-        answer_say(a, "Without any one of its errors no more of these rows would fall.");
+        answer_say(a, "Leaving out any one of the errors would not make more of these rows fall.");
 }
 
 void study_answer(struct answer *a, const struct study *s, const char *reason)

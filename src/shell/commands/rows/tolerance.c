@@ -8,27 +8,26 @@
 #include <stdlib.h>
 
 const struct column tolerance_columns[] = {
-    {"domino", "", "its number, from 1", 6},
-    {"place", "m", "its place: from the back of domino 1 to its own back", 8},
-    {"from", "m", "the smallest place with which all fall, if it alone moves", 8},
+    {"domino", "", "number of the domino, from 1", 6},
+    {"place", "m", "place of the domino: from the back of domino 1 to the back of this one", 8},
+    {"from", "m", "the smallest place with which all fall, if only this domino moves", 8},
     {"to", "m", "the largest such place", 8},
     {"gap", "m", "free distance to the domino before it", 8},
-    {"gap_low", "m", "the smallest gap with which all fall, if all after it move along", 8},
+    {"gap_low", "m", "the smallest gap with which all fall, if all dominoes after the gap move along", 8},
     {"gap_high", "m", "the largest such gap", 8},
-    {"height", "m", "its height", 8},
+    {"height", "m", "height of the domino", 8},
     {"height_low", "m", "the smallest height with which all fall", 10},
-    {"height_high", "m", "the largest such height; 4 times its height if the search ended there", 11},
-    {"thickness", "m", "its thickness", 8},
+    {"height_high", "m", "the largest such height; the search ends at 4 times the height now", 11},
+    {"thickness", "m", "thickness of the domino", 8},
     {"thickness_low", "m", "the smallest thickness with which all fall", 10},
-    {"thickness_high", "m", "the largest such thickness; 4 times its thickness if the search ended there",
-     11},
-    {"lean", "m", "how far its top is off plumb when it is set up", 8},
-    {"lean_low", "m", "the smallest value of lean with which all fall; negative is backwards", 8},
+    {"thickness_high", "m", "the largest such thickness; the search ends at 4 times the thickness now", 11},
+    {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
+    {"lean_low", "m", "the smallest lean with which all fall (negative: backwards)", 8},
     {"lean_high", "m", "the largest such value", 9},
     {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
-    {"friction_high", "", "the largest such friction; none above 2, or 4 times the friction now, is tried",
+    {"friction_high", "", "the largest such friction; the search ends at 2, or at 4 times the friction now",
      8},
-    {"first", "", "whether its place, its height or both have the least room of all dominoes", 6},
+    {"first", "", "whether the place or the height of this domino has the least room of all, or both", 6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -246,8 +245,8 @@ static void tolerance_say(struct answer *a, const struct windows *w)
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
                   "is for one change, with the rest of the row as it is.");
     if (w->scene->row.engine)
-        answer_say(a, "A rigid-body engine runs this row: the ends of windows are right to about 1 %%, and a "
-                      "window also ends at a value for which the engine finds no verdict.");
+        answer_say(a, "A rigid-body engine runs this row: the ends of windows are accurate to about 1 %%, "
+                      "and a window also ends where the engine finds no verdict.");
     if (!w->falls)
         answer_say(a, "The row does not fall now: a change into one of these windows saves it.");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes && !w->falls; i++)

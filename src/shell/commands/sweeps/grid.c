@@ -75,7 +75,8 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
                 return problem_error(r->problem, "'%s' is in the grid twice; name each parameter once",
                                      p->name);
         if (grid->axes == ASSIGNED_MAX)
-            return problem_error(r->problem, "the grid has more than %d parameters; set the others before",
+            return problem_error(r->problem,
+                                 "the grid has more than %d parameters; set the others before the sweep",
                                  ASSIGNED_MAX);
         struct axis_parsed *axis = &grid->axis[grid->axes++];
         axis->parameter = p;
@@ -133,9 +134,10 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
-           problem_error(problem,
-                         "%s takes whole numbers, which %s to %s in %zu values are not; enter another N",
-                         name, quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
+           problem_error(
+               problem,
+               "%s takes whole numbers, but %s to %s in %zu values are not all whole; enter another N", name,
+               quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
 }
 
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,

@@ -179,7 +179,7 @@ static void tally_say(struct sweeper *w, struct answer *a)
     answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason,
                means_part(w->query->means, w->grid->points).count, t->with_reason == 1 ? "has" : "have",
                t->without_answer == t->with_reason ? "no answer" : "a missing value", where, t->reason,
-               t->with_reason == 1 ? "" : " csv and json give the reason of each.");
+               t->with_reason == 1 ? "" : " csv and json give the reason for each.");
 }
 
 bool run_sweep(const struct query *query, struct answer *a, struct problem *problem)

@@ -18,11 +18,11 @@ const struct command sweep_commands[] = {
      .help = "GRID has a part for each parameter or effect: NAME FROM TO N is N values in equal steps, NAME "
              "FROM TO N log is N values with equal ratios, and NAME VALUE, VALUE, ... is a list. The first "
              "parameter changes slowest. ANSWER is a command or an expression, evaluated at each point, as "
-             "in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several answers with commas between them have a "
-             "column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax with q hollow'. A row has the values "
-             "of the point and then the answer, which may take several rows. If a point has no answer, csv "
-             "and json give the reason. The parameters of the session do not change. Points are computed on "
-             "all cores ('set threads'), and the rows are the same bytes on any number of cores. 'domino "
+             "in 'sweep s 0.1 0.9 9 : count 112 0.9*rmax'. Several answers are separated by commas and have "
+             "a column each: 'sweep r 1 2 9 : barrier.margin, fuel, rmax with q hollow'. Each line has the "
+             "values of the parameters and then the answer, which may take several lines. If a point has no "
+             "answer, csv and json give the reason. The parameters of the session do not change. Points are "
+             "computed on all cores ('set threads'), and the output does not depend on their number. 'domino "
              "--shard 2/7' gives the second of seven parts.",
      .example = "sweep s 0.1 0.5 3 q hollow, solid : rmax",
      .see = "curve set effect",
