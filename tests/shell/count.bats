@@ -31,8 +31,8 @@ END
 
 @test "count 112 answers the quiz as a person asks it" {
     same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one of 112 m.
-toppled: 159.6 m; the 20th domino is 106.4 m tall
-can it fall? yes' "$("$DOMINO" -e 'count 112' | head -n 3)"
+The 20th domino is 106.4 m tall; it could topple one of up to 159.6 m.
+Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     answer=$("$DOMINO" -e 'count 112')
     for words in '^Falling with growth 1\.5 at s = 0\.4' '^ *hollow *yes;.* 2\.06377 .* 11 dominoes' \
         '^ *solid *yes;.* 1\.64423 .* 16 dominoes'; do
@@ -43,16 +43,16 @@ can it fall? yes' "$("$DOMINO" -e 'count 112' | head -n 3)"
     same 'r 2 with solid dominoes' false "$(json 'count 112 2' | values feasible)"
     same 'r 2 with hollow dominoes' true "$(json 'set q hollow; count 112 2' | values feasible)"
     answer=$("$DOMINO" -e 'count 112 2')
-    for words in '^12 dominoes, .* would be needed' '^can it fall? no$' '^Falling with growth 2 ' '^ *hollow *yes' \
+    for words in '^12 dominoes, .* would be needed' '^Such a row does not fall\.$' '^Falling with growth 2 ' '^ *hollow *yes' \
         '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
     # A mass exponent that has no word gets its own line; a synonym gets none.
     "$DOMINO" -e 'set q 3.5; count 112' | grep -q '^ *q = 3\.5 *yes'
     same 'hollow and solid' 2 "$("$DOMINO" -e 'count 112' | grep -c '^ .*growth up to')"
-    for pair in '0.05|the first domino is 4.8 cm tall' '0.1|the 2nd domino' '0.15|the 3rd domino' '0.2|the 4th domino' \
-        '4|the 11th domino' '6|the 12th domino' '9|the 13th domino' '200|the 21st domino'; do
-        [[ $("$DOMINO" -e "count ${pair%|*}") == *"; ${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
+    for pair in '0.05|The first domino is 4.8 cm tall' '0.1|The 2nd domino' '0.15|The 3rd domino' '0.2|The 4th domino' \
+        '4|The 11th domino' '6|The 12th domino' '9|The 13th domino' '200|The 21st domino'; do
+        [[ $("$DOMINO" -e "count ${pair%|*}") == *"${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
     done
     same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
     # A train that misses the next domino is a "no", too: the number is there all the same.
@@ -102,7 +102,7 @@ END
 
 @test "count says how a row ends that does not start, and how few start by themselves" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
-    for words in '^16 dominoes, .* would be needed' '^can it fall? no$' \
+    for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
         'just tips over the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
         'A train that is already moving keeps falling\.' 'solid *no;.* 1\.64423 .* 16 dominoes; .* up to 1\.59459: 17 dominoes'; do
         grep -q "$words" <<<"$answer" || same 'count 112 m 1.64' "$words" "$answer"
@@ -115,7 +115,7 @@ END
     json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over the row ends at domino 2'
     # A short row with a push may fall although an endless train would stop.
     answer=$("$DOMINO" -e 'effect row 2; effect push 19; set r 1.66; count 5 cm')
-    grep -q '^can it fall? yes$' <<<"$answer"
+    grep -q '^Such a row falls\.$' <<<"$answer"
     grep -q 'The first 2 dominoes fall, but a longer row stops' <<<"$answer"
 }
 

@@ -105,7 +105,7 @@ END
     wrong 'design 4 cm' 'H = 4 cm is not taller than the first domino, h = 4\.8 cm'
     wrong 'design 8 m hall 7 m' 'a hall of 7 m has no room for the last domino, which is 8 m long'
     wrong 'design 8 m safety 1' "safety 1 is not above 1.*'safety 2'"
-    wrong 'design 8 m safety 2 m' 'the safety is a number without a unit, such as 2'
+    wrong 'design 8 m safety 2 m' 'the safety is a number without a unit; 2 means'
     wrong 'design 8 m safty 2' "did you mean 'safety'"
     wrong 'design 8 m hall' "the value of 'hall' is missing"
     wrong 'design 8 m minimise time' 'use one of: dominoes, length, mass'

@@ -225,7 +225,7 @@ END
         same "silent, $ending" '(nothing)' "$("$DOMINO" -e "$record; draw > a.$ending; draw train > b.$ending" 2>&1)"
         "$DOMINO" -e "$record; draw 0.3 > c.$ending" 2>said
         grep -q 'endless train' said
-        run -1 grep -qa 'endless train at these' c.$ending
+        run -1 grep -qa 'endless train with these' c.$ending
     done
     xmllint --noout a.svg b.svg c.svg
 }
@@ -299,7 +299,7 @@ END
     one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate is a number of frames in a second in 1 .. 50' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; 'speed" "$record; animate a.gif speed 0.01"
-    one_line "'speed' and 'rate' are of a row; first enter 'effect row N'" 'animate a.gif speed 2'
+    one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
     one_line "'quickly' is neither a value nor one of the words; usage: animate row.gif" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"
 }

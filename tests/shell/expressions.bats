@@ -323,7 +323,7 @@ END
     wrong 'print 1 m < 2' 'a length and a plain number cannot be compared'
     wrong 'if(1 m, 1, 0)' 'a length is not a condition'
     wrong 'if(1, 2)' 'if takes a condition and two values'
-    wrong 'let and = 1' "'and' is a word of the language"
+    wrong 'let and = 1' "'and' is a word of the expression language"
 }
 
 @test "with: what holds for one answer, and nothing else changes" {
@@ -356,7 +356,7 @@ END
 @test "each command with a principal column stands for that column, each other one for nothing" {
     local name key list=''
     for name in $("$DOMINO" -e 'complete '); do
-        key=$("$DOMINO" -e "help $name" | sed -n "s/^In an expression '$name' stands for its \(.*\)\.\$/\1/p")
+        key=$("$DOMINO" -e "help $name" | sed -n "s/^In an expression, '$name' stands for the value \(.*\)\.\$/\1/p")
         if [ -n "$key" ]; then
             list+=" $name.$key"
         else

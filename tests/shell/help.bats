@@ -35,7 +35,7 @@ load common
     same 'a hostile file' '0' "$("$DOMINO" -f hostile.dom | grep -c $'\xe2\x80\xae')"
     same 'its lines are shown' '2' "$("$DOMINO" -f hostile.dom | grep -cF '\u202e')"
     run -1 "$DOMINO" -e 'set output json; lesson'
-    [[ $output == *"a lesson is for people; 'set output table' comes first"* ]]
+    [[ $output == *"a lesson needs tables; first enter 'set output table'"* ]]
 }
 
 @test "the help of each effect has its source" {
@@ -231,6 +231,6 @@ speed duration
 degrees set angle
 END
     same 'first what is about it' 'effect slope' "$("$DOMINO" -e 'apropos slope' | sed -n '1s/ \{2,\}.*//p')"
-    wrong 'apropos money' "^-e:1: apropos: nothing is about 'money'; try another word, such as"
+    wrong 'apropos money' "^-e:1: apropos: nothing was found about 'money'; try another word, such as"
     for word in picture gap; do expects "$word" "$("$DOMINO" -e "apropos $word")"; done
 }

@@ -85,7 +85,7 @@ parts() { # PARTS ROWS
 @test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
     parts 3 400 >all
     grep -v ',101,100,' all >less
-    same missing '"reason":"100 of the 400 rows are missing, the first is number 101"}' \
+    same missing '"reason":"100 of the 400 rows are missing; the first missing row is number 101"}' \
         "$(json "pool less" | grep -o '"reason".*')"
     same 'of fewer' 300 "$(json "pool less" | values rows)"
     pool_fails() { # PATTERN < blocks

@@ -234,7 +234,7 @@ END
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
-    wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers in rows, and a picture needs one number a point"
+    wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, and a picture needs one number for each point"
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, and this grid has 3'
     wrong 'plot sweep fuel exact, paper : rmax' 'has words here, and a curve needs numbers'
     wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
@@ -245,7 +245,7 @@ END
     wrong 'effect row 1; plot gaps > a.svg' 'a row of one domino has no gap'
     wrong 'effect row 1; plot speed > a.svg' "a front needs two dominoes; 'effect row 5' sets up five"
     wrong 'effect row 1; plot fall' 'the only domino is tipped over its edge, and needs no energy'
-    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'since bounce is on, and computes no energies'
+    wrong 'effect row 3; effect bounce 0.2; plot fall > a.csv' 'because bounce is on, and computes no energies'
     wrong 'set q 4; set r 1.7; effect row 8; plot speed > a.svg' 'the row ends before the front has a speed'
     wrong 'set d 0.3; effect row 5; plot placement > a.svg' "fewer than half of the rows fall"
     for what in 'energy > a.svg' omega chain inertia; do

@@ -38,7 +38,7 @@ root=$BATS_TEST_DIRNAME/../..
             values result | paste -sd ' ' -)"
     same 'a power that is exact' '12 13' "$(json 'set r 2; prove count 196.608 m; prove count 196.7 m' | values low | paste -sd ' ' -)"
     same 'and for sure' '12 13' "$(json 'set r 2; prove count 196.608 m; prove count 196.7 m' | values high | paste -sd ' ' -)"
-    [[ $("$DOMINO" -e 'prove count 112 m') == *'Proved: 20 dominoes are as many as it takes at growth 1.5, and no fewer.'* ]]
+    [[ $("$DOMINO" -e 'prove count 112 m') == *'Proved: 20 dominoes are enough at growth 1.5, and fewer are not.'* ]]
 }
 
 @test "no bound is rounded to more than is proved" {
@@ -47,7 +47,7 @@ root=$BATS_TEST_DIRNAME/../..
     same 'the upper bound' 10.00000000004 "$(json "$ten" | values high)"
     [[ $("$DOMINO" -e "$ten") == *$'\n'high*' 10.00000000004 '* ]]
     # 9.99999999997566 has 12 digits in the sentence.
-    [[ $("$DOMINO" -e "set tol 3e-14; ${ten/set tol 1e-12; /}") == *'Proved, but no more: for every growth from 1 to 9.99999999992 the'* ]]
+    [[ $("$DOMINO" -e "set tol 3e-14; ${ten/set tol 1e-12; /}") == *'Only this is proved: for every growth from 1 to 9.99999999992 the'* ]]
     # Close dominoes of one height approach their last tilt slowly: by 0.2 % each time here.
     row=$(json 'set s 0.001; set d 0.001; set r 1; prove verdict')
     within 'close dominoes' "$(values low <<<"$row")" "$(values high <<<"$row")" 'd >= 0 && d < 1e-6'

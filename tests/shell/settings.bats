@@ -147,7 +147,7 @@ END
 
 @test "set s and set r say that they do not change a row from a file, and what would" {
     for name in s r; do
-        same "$name" "$name does not change the row, whose dominoes are from record.csv; 'effect row N' makes a row of s and r." \
+        same "$name" "$name does not change the row, whose dominoes come from record.csv; 'effect row N' makes a row from s and r." \
             "$("$DOMINO" -e "effect row $root/examples/record.csv; set $name 1")"
         run -0 --separate-stderr "$DOMINO" -e "set output json; effect row $root/examples/record.csv; set $name 1"
         grep -q "does not change the row" <<<"$stderr"

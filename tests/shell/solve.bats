@@ -78,9 +78,9 @@ END
 
 @test "solve: none is an answer with its reason, and what is wrong is one line" {
     run -0 "$DOMINO" -e 'solve d : rmax = 5'
-    same largest 'rmax does not take the value 5 for d = 0.01 .. 1: the largest is 2.5, at d = 0.01.' "$output"
+    same largest 'rmax is never 5 for d = 0.01 .. 1: the largest value is 2.5, at d = 0.01.' "$output"
     run -0 "$DOMINO" -e 'solve s 0.3 0.5 : rmax = 1.1'
-    grep -qE '^rmax does not take the value 1\.1 for s = 0\.3 \.\. 0\.5: the smallest is 1\.5' <<<"$output"
+    grep -qE '^rmax is never 1\.1 for s = 0\.3 \.\. 0\.5: the smallest value is 1\.5' <<<"$output"
     same csv 'value,answer,branch,reason' "$("$DOMINO" -e 'set output csv; solve d : rmax = 5' | head -n 1)"
     wrong 'solve g : rmax = 1.5' "rmax does not depend on g: it is 1.64.*'sensitivity' shows"
     wrong 'solve h : duration.speed = 1 m' 'duration.speed is in m s\^-1, and VALUE is a length'

@@ -46,8 +46,8 @@ END
         grep . | paste -sd ' ' -)"
     same 'no change' 0.4 "$("$DOMINO" -e 's = 0.2; s = 0.2; undo > /dev/null; print s')"
     wrong undo 'there is no change to undo'
-    wrong redo 'there is nothing to do again'
-    wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to do again'
+    wrong redo 'there is nothing to redo'
+    wrong 's = 0.2; undo > /dev/null; s = 0.3; redo' 'there is nothing to redo'
     for i in {1..150}; do echo "seed = $i"; done >many.dom
     for i in {1..100}; do echo 'undo > /dev/null'; done >>many.dom
     same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"

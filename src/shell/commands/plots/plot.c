@@ -76,7 +76,7 @@ static const struct plot plots[] = {
      .x = {"place", "distance from the first domino"}, .y = {"speed", "speed"},
      .curve = {{"speed", "", CHART_STEPS, INK_BLUE}}},
     {"gaps", plot_gaps, "domino gap low high others",
-     .title = "How far each gap may be off while the others are as planned",
+     .title = "How far each gap may be off, the others being as planned",
      .x = {"domino", "gap before domino"}, .y = {"gap", "gap"},
      .curve = {{NULL, "all fall", CHART_RANGES, INK_BLUE}, {"gap", "planned", CHART_POINTS, INK_TEXT}}},
     {"placement", plot_placement, "sigma probability low high rows", .title = "",
