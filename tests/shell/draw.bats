@@ -108,7 +108,7 @@ record="effect row \"$root/examples/record.csv\""
         one_line 'r s = 3.6 > 1' "set r 9; $what"
     done
     r=$(json 'set precision quad; rmax' | values r_max)
-    one_line 'the margin is 0 to rounding' "set r $r; animate a.gif"
+    one_line 'the margin is 0 within rounding' "set r $r; animate a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
     # What was there stays.
     echo old >a.gif

@@ -6,7 +6,7 @@
 #include "session/engine.h"
 #include <string.h>
 
-#define TRAIN_NOTE "this is the endless train with these parameters; 'fall' runs the row."
+#define TRAIN_NOTE "the endless train with these parameters, and not the row: 'fall' runs the row."
 
 /* Tells the user that the answer is not about the row. This note goes below the answer, or to standard error
  * if the answer is a picture in a file. */
