@@ -259,13 +259,13 @@ END
     count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
     for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
         # The heads of numbers end where the numbers do.
-        "$DOMINO" -e "$scene; effects" | sed '/^A time is/,$d' | awk -v count="$count" '
+        "$DOMINO" -e "$scene; effects" | sed '/^Each time is/,$d' | awk -v count="$count" '
             NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
             END { exit bad || rows != count }'
     done
     # The method that each effect needs, and that of the scene, which the plan names too.
-    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*is used, which is now ([a-z]*)\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
+    methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene, which is ([a-z]*) now\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
     same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
     same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"
     same engine 'engine,rigid-body engine' "$(methods 'effect row 2; effect push 9; effect feet 0.5')"

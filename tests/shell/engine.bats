@@ -44,8 +44,8 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 
 @test "feet slide, and the answer says how far and how sure it is" {
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
-    [[ $output == *' slid'* && $output == *'Feet slide: that of domino '*' of its height.'* ]]
-    [[ $output == *'Chipmunk 7'*'with half as many the verdict is the same, and times agree to '*' %.'* ]]
+    [[ $output == *' slid'* && $output == *'Feet slide. Domino '*' of its height.'* ]]
+    [[ $output == *'Chipmunk 7'*'With half as many steps the verdict is the same, and times agree within '*' %.'* ]]
     # On hinges no column says so; with bounds the times have theirs.
     run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall"
     [[ $output != *slid* && $output == *'Chipmunk 7'* ]]
@@ -101,7 +101,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -0 "$DOMINO" -n -e "$three; tolerance"
     [[ $output == *"3 windows of heights end where the upper edge"* ]]
     run -0 "$DOMINO" -n -e "$two; effect feet 0.4; tolerance"
-    [[ $output == *'right to about 1 %'* && $output != *'where the upper edge'* ]]
+    [[ $output == *'accurate to about 1 %'* && $output != *'where the upper edge'* ]]
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; tolerance'
 }
 

@@ -88,7 +88,7 @@ END
     printf 'domino, place (m)\n1, 0.2\n2, 0.1\n' >timeless.csv
     printf 'time (s), angle\n0, 1\n1, 12\n' >angle.csv
     wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: .fit ... FILE 240.'
-    wrong 'fit friction mixed.csv' 'mixed.csv:4:9: run 1 goes on after another run'
+    wrong 'fit friction mixed.csv' 'mixed.csv:4:9: the lines of run 1 are interrupted by another run'
     wrong 'fit friction twice.csv' 'twice.csv:3:1: domino 2 comes after domino 2'
     wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s does not come after 0.2 s'
     wrong 'fit friction timeless.csv' "timeless.csv:1:1: there is neither a column 'time \(s\)' nor a column 'frame'"
@@ -138,7 +138,7 @@ noisy_hits() { # SEED
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
     grep -q '^The best fit is friction 0, the limit of its range\.$' <<<"$fit"
-    grep -q '^The times drift away' <<<"$fit"
+    grep -q '^The measured times drift away' <<<"$fit"
     run ! "$DOMINO" -e 'set r 1; fit q exact.csv'
     "$DOMINO" -e 'set r 1; set s 0.4; effect row 12; effect push 4; fall > exact.csv'
     run "$DOMINO" -e 'set r 1; set s 0.4; effect row 12; effect push 4; fit q exact.csv'
