@@ -37,6 +37,7 @@ check=$root/tests/derivations/check.py
     # At the largest growth nothing is to spare, and r is that growth.
     close r "$(json 'rmax 0.3' | values r_max)" "$(json 'explain rmax 0.3 deep' | grep '"quantity":"r",' | values value)"
     close margin 0 "$(json 'explain rmax 0.3' | grep '"quantity":"margin"' | values value)" 1e-9
+    "$DOMINO" -e 'explain rmax 0.3' | grep -qx '      = 0 mgh/2' # and no rounding error
     # A variable of the same name does not hide a quantity.
     same 'let' "$(json 'explain why' | head -n 1)" "$(json 'let K = 3; explain why' | head -n 1)"
 }
