@@ -174,7 +174,9 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     struct grid g = {.ground = rows - BELOW};
     if (!canvas_make(&g.canvas, look, width, rows))
         return false;
-    double across = (stage->right - stage->left) / (width - LEFT), up = 1.02 * stage->top / (2 * g.ground);
+    /* A column is left free on either side, so that the outlines at the ends are whole. */
+    double across = (stage->right - stage->left) / (width - LEFT - 2),
+           up = 1.02 * stage->top / (2 * g.ground);
     g.unit = across > up ? across : up;
     g.left = stage->left - (LEFT + 1) * g.unit;
     dominoes_draw(&g, stage);
