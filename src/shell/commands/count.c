@@ -127,8 +127,8 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
         kind.q = w->value;
         const bool is_own = kind.q == train->q;
         has_name = has_name || is_own;
-        if (w[1].name &&
-            w[1].value == w->value) /* of synonyms, which are neighbours, the last one is printed */
+        if (w[1].name && w[1].value == w->value) /* synonyms stand next to each other in the list, and only
+                                                    the last one is printed */
             continue;
         if (!is_own && !tower_find(query, &kind, dominoes, &other, problem))
             return false;

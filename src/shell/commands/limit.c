@@ -80,8 +80,8 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* If a row that has to start tolerates less growth than a moving train, prints up to which growth it starts,
- * and which push it needs with the session's growth. */
+/* If a row that starts from rest needs a smaller growth than a moving train, prints the largest growth with
+ * which it starts, and the push that it needs with the session's growth. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used, domq_real r_start)
 {
@@ -111,8 +111,8 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
     return true;
 }
 
-/* Returns why there is no largest growth with which a row starts, although a moving train has one. Returns
- * NULL if a sentence says this. */
+/* Returns why r_start has no value although a moving train has a largest growth. Returns NULL if a sentence
+ * of the answer already says why. */
 static const char *start_missing(const struct query *query, const struct answer *a, char reason[START_TEXT])
 {
     char words[START_WORDS];

@@ -12,7 +12,8 @@
  */
 enum { START_DOMINOES = 64, START_SEARCHED = 24 };
 
-/* A growth is searched to this relative tolerance, and rounded down to START_DIGITS digits. */
+/* The search for a growth has this relative tolerance, and its result is rounded down to START_DIGITS digits.
+ */
 #define START_TOL ((domq_real)1e-9)
 enum { START_DIGITS = 9 };
 

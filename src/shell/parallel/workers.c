@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The duration that a block should have: long compared with taking the lock and writing, but too short for a
- * person to notice. */
+/* The duration that a block should have: long compared with the time for taking the lock and writing, but too
+ * short for a person to notice. */
 #define BLOCK_SECONDS 1e-3
 
 enum {

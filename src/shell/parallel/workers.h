@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The thread pool, which computes the points of a curve or a sweep, and tasks of the library, in parallel.
- * Each worker takes one block of points after another.  The rows of the blocks are written in the order of
- * the points as soon as possible, so that the output has the same bytes for any number of workers.  Only one
- * lock is needed, which is taken once for each block, and a block takes about a millisecond.
+ * Each worker takes one block of points after another. The rows of the blocks are written in the order of the
+ * points as soon as possible, so that the output has the same bytes for any number of workers. There is only
+ * one lock. A worker takes it once for each block, which is about once in a millisecond.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H

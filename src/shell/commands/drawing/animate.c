@@ -27,7 +27,7 @@ struct row_film {
     domq_real *time; /* time of each frame, in s */
     domq_real speed; /* seconds of the row in one second of the film */
     bool follows;
-    size_t towers; /* 1 if a tower stands behind the row, else 0 */
+    size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
 
 /* Points the view of a frame at the front and at the dominoes that have just fallen. `head` is the number,
@@ -169,7 +169,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)
-        /* The note says that the answer is about the train: wrong for a row, obvious after 'train'. */
+        /* The note that the answer is about the train would be wrong for a row, and is not needed after
+         * 'train'. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (what->tower) {

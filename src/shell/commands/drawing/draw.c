@@ -211,8 +211,8 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
-    /* Data for programs includes the forces whenever they can be computed, which too small a margin prevents.
-     */
+    /* Data for programs includes the forces whenever they can be computed. They cannot if the margin is too
+     * small. */
     if (status == DOM_OK && (what->forces || !people))
         forces = stage_forces(&stage, train, compute, theta);
     if (status == DOM_OK && what->forces)

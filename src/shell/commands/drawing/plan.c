@@ -43,7 +43,7 @@ bool plan_parse(struct reader *r, struct question *q)
 
 /* ---- The numbers ---- */
 
-/* The number of random rows; with the engine, each takes as long as hundreds of the model. */
+/* The number of random rows. The engine takes as long for a row as the model does for hundreds of rows. */
 enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)
@@ -55,7 +55,7 @@ static void plan_free(struct plan *p)
     falling_row_free(&p->row);
 }
 
-/* Computes what a builder must know. Returns false with a problem; nothing needs to be freed then. */
+/* Computes everything that the guide shows. Returns false with a problem; nothing needs to be freed then. */
 static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
                       struct plan *p)
 {
@@ -110,7 +110,7 @@ static bool person_add(struct stage *stage)
     return true;
 }
 
-/* Adds the start of the row: the push as a speed, which people can judge. */
+/* Writes how to start the row. A push is given as a speed, because people can judge a speed. */
 static void push_words(const struct scene_row *scene, char *text, size_t size)
 {
     const struct domq_row *row = &scene->row;

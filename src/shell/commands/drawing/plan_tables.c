@@ -25,7 +25,8 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
         snprintf(cell, GUIDE_CELL, "%.1f", tenths / 10);
 }
 
-/* Writes a measure with its window into three cells, and makes them bold if its room is the least of all. */
+/* Writes a value and the two ends of its window into three cells, and makes them bold if this window has the
+ * least room of all. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {
@@ -99,7 +100,7 @@ bool plan_size_table(struct plan *p, bool has_masses)
 
 /* ---- Boards ---- */
 
-/* Equal pieces of a board, which belong to one domino. */
+/* Pieces of equal size that are cut from one board for one domino. */
 struct piece {
     double board, length, width; /* m */
     size_t domino;

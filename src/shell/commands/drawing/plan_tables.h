@@ -7,7 +7,7 @@
 #include "commands/rows/windows.h"
 #include "picture/guide.h"
 
-/* A row that falls, and what a builder must know of it. */
+/* A row that falls, and what a builder must know about it. */
 struct plan {
     struct falling_row row;
     struct windows windows;
@@ -19,7 +19,7 @@ struct plan {
     struct guide guide;
 };
 
-/* Returns the width of domino k, from 0, and its window of some kind. */
+/* plan_width returns the width of domino k, counted from 0, and plan_window its window of one kind. */
 domq_real plan_width(const struct plan *plan, size_t k);
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 

@@ -38,8 +38,8 @@ const struct given given_list[] = {
 #define RUB_END                                                                                              \
     "; with friction no energy is conserved and the motion is integrated: 'help friction' has its equation"
 
-/* A row: the name in three forms, conditions, a sum, the equation, the number of the library, the unit, the
- * number of the equation in the paper, and words. */
+/* An entry of the list: the name in three forms, the conditions, the sum, the equation, the expression for
+ * the library's number, the unit, the number of the equation in the paper, and the words. */
 #define Q(plain, letters, tex, with_, without_, sum_, equation_, library_, unit_, number_, words_)           \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, without_, sum_, equation_, library_, unit_, number_, words_          \

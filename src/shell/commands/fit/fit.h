@@ -23,14 +23,14 @@ enum fit_kind { FIT_SPEEDS, FIT_ANGLES, FIT_HITS };
 struct fit_point {
     double gap;      /* for a speed */
     size_t domino;   /* for a hit and an angle: the number of the domino, from 1 */
-    double time;     /* for an angle: on the clock of its run */
+    double time;     /* for an angle: its time on the clock of its run */
     double measured; /* the speed, the time of the hit on the clock of its run, or the angle */
     double error;    /* the standard error of `measured`; 0 if it is not known */
 };
 
 /* The measurements of one run of a row, which share a clock. Speeds are all in one run. */
 struct fit_run {
-    double number; /* as the file numbers the runs */
+    double number; /* the number of the run in the file */
     double gap;    /* the gap of this run's row, or NaN if the row is that of the scene */
     size_t first, count;
     size_t dominoes; /* the largest number of a domino that was measured */
@@ -66,17 +66,18 @@ struct fit {
     struct fit_unknown unknown[FIT_UNKNOWNS];
     int unknowns;
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS];
-    double spread;    /* the sum of the squared residuals, each divided by its error, over the freedom */
-    size_t freedom;   /* the number of measurements less the number of fitted numbers */
-    double *computed; /* for each measurement: what the best values give */
+    double spread; /* the sum of the squares of residual / error, divided by the freedom */
+    size_t
+        freedom; /* the degrees of freedom: the number of measurements minus the number of fitted numbers */
+    double *computed;       /* for each measurement: what the model gives with the best values */
     struct problem problem; /* why the last computation gave no answer */
 };
 
 /*
- * Computes what should have been measured with these values of the unknowns. Times of hits are on the clocks
- * of their runs, which are set so that the residuals are least. For angles, clock[k] is the time at which the
- * motion of run k begins. Returns false, with fit->problem, if the row does not get as far as it was
- * measured, or if there is no answer.
+ * Computes what the model gives for each measurement with these values of the unknowns. The clock of each run
+ * of hits is set so that the residuals of its times are least. For angles, clock[k] is the time at which the
+ * motion of run k begins. Returns false and sets fit->problem if there is no answer, or if the row of the
+ * model ends before the last domino that was measured.
  */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
@@ -102,7 +103,7 @@ const char *fit_names(const void *context, int k); /* a names_list of the parame
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Fits, and adds to the chart what was measured against what the fitted values give. */
+/* Fits, and adds the measurements to the chart, against the values that the model gives. */
 struct chart;
 bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
                struct problem *problem);

@@ -50,7 +50,8 @@ bool fit_parse(struct reader *r, struct question *q)
         r->at = skip_blanks(r->at + length);
         more = *r->at == ',';
         r->at = skip_blanks(r->at + more);
-        /* A name after a blank would be read as a file that hardly exists. */
+        /* Without this check, a name after a blank would be taken for the name of a file, and the message
+         * would be that this file does not exist. */
         const size_t next = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)next, r->at);
         if (!more && names_exact(fit_names, NULL, name) >= 0)
@@ -116,7 +117,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
     *c = (struct column){NULL, NULL, NULL, 0};
 }
 
-/* Returns the measured number and the fitted one of point k, which for intervals are differences. */
+/* Finds the measured number and the fitted number of point k. If times are compared as intervals, these
+ * numbers are differences of times. */
 static void compared(const struct fit *f, const struct fit_run *run, size_t k, double *measured_,
                      double *fitted)
 {

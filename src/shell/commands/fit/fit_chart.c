@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The picture of a fit: what was measured against what the fitted values give. */
+/* The picture of a fit: measurements against the values that the model gives with the fitted parameters. */
 #include "commands/fit/fit.h"
 #include "picture/show.h"
 #include <string.h>
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
 
-/* Adds the points of a run, or with `after` all runs from it on. Times are counted from the first hit of each
- * run. */
+/* Adds the points of a run or, if `after` is true, of this run and all later runs. Times are counted from the
+ * first hit of each run. */
 static void run_points(struct chart *chart, const struct fit *f, size_t i, size_t after, double unit,
                        double *most)
 {
@@ -31,7 +31,7 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
     }
 }
 
-/* Makes a chart with a point for each measurement, whose distance from a straight line is the residual. */
+/* Makes a chart with a point for each measurement, whose distance from the straight line is the residual. */
 static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
 {
     static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};

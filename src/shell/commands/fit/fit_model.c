@@ -10,8 +10,8 @@ struct trial {
     struct query query;
 };
 
-/* Prepares the scene for a run. Speeds are those of equal dominoes with the gap of the point. Returns false
- * with fit->problem. */
+/* Prepares the scene for a run. For a speed, the scene has equal dominoes with the gap of the point. Returns
+ * false with fit->problem. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -50,8 +50,8 @@ static bool speeds_compute(struct fit *f, const double *value, double *computed)
 
 /* ---- Rows ---- */
 
-/* Reports that the row of the scene, or the part of it that falls, is shorter than what was measured, unless
- * `dominoes` are enough. */
+/* Returns true if the part of the row that falls has as many dominoes as were measured; `dominoes` is the
+ * length of this part. Otherwise reports that the row is too short, and returns false. */
 static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dominoes)
 {
     return dominoes >= run->dominoes ||
@@ -211,8 +211,8 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Adds to the computed times of a run the time at which its motion begins, which makes the sum of the squared
- * residuals least. */
+/* Adds the same time to all computed times of a run, so that the sum of the squared residuals becomes least.
+ */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {
     double sum = 0, weights = 0;

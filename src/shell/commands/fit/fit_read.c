@@ -21,7 +21,7 @@
             "more than 0, up to " range                                                                      \
     }
 
-/* The columns that hits and angles have in common, but for the error. Angles have one more. */
+/* The columns that hits and angles have in common, apart from the error. Angles have one more column. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
     [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \
@@ -204,7 +204,7 @@ bool fit_read(const struct query *query, const char *name, double rate, struct f
         data->kind = csv->kind == &speeds ? FIT_SPEEDS : csv->kind == &angles ? FIT_ANGLES : FIT_HITS;
     while (csv && csv_next(csv) && row_add(data, csv, rate))
         ;
-    /* The dominoes of a run may have been measured one after the other. */
+    /* The file may list the angles of one domino after those of another, so that times do not increase. */
     for (size_t k = 0; k < data->runs && data->kind == FIT_ANGLES; k++)
         qsort(&data->point[data->run[k].first], data->run[k].count, sizeof *data->point, earlier);
     return csv_end(csv, problem);

@@ -33,8 +33,8 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Moves a value that lies outside the range of its parameter to the other side of the limit. The sum of
- * squares is then defined for all values, and has its minimum at the limit if it decreases towards it. */
+/* Reflects a value outside the range of its parameter at the limit of the range. The sum of squares is then
+ * defined for all values, and has a minimum at the limit if it decreases towards the limit. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -52,7 +52,7 @@ static void residuals_fill(const struct fit *f, gsl_vector *residual)
             double left = f->computed[k] - d->point[k].measured;
             if (d->intervals && k == d->run[i].first)
                 continue;
-            if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one */
+            if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one gap */
                 left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
                        sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
             gsl_vector_set(residual, n++, left / fit_error(f, k));
@@ -96,8 +96,8 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
     return GSL_SUCCESS;
 }
 
-/* Returns the step of the difference quotients: the error of a step h is of the order h^2 + tol / h, and the
- * engine's answers have about three digits. */
+/* Returns the step of the difference quotients. The error of a quotient with the step h is of the order h^2 +
+ * tol / h. The engine's answers have about three digits. */
 static double step_of(const struct fit *f, size_t i, double x)
 {
     const bool engine = scene_has_engine(f->query->scene);
@@ -113,8 +113,8 @@ static double step_of(const struct fit *f, size_t i, double x)
     return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
 }
 
-/* Fills in the derivatives of the residuals, by central differences, or to one side where the model has no
- * answer on the other. */
+/* Fills in the derivatives of the residuals, by central differences, or by one-sided differences if the model
+ * has an answer on only one side. */
 static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 {
     struct fit *f = context;
@@ -202,7 +202,8 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     const bool done = J && covariance && size;
     if (done) {
         gsl_matrix_memcpy(J, derivatives);
-        for (size_t i = 0; i < n; i++) { /* in units in which all unknowns matter equally */
+        /* The columns are scaled to the same length, so that all unknowns matter equally. */
+        for (size_t i = 0; i < n; i++) {
             gsl_vector_view column = gsl_matrix_column(J, i);
             const double norm = gsl_blas_dnrm2(&column.vector);
             gsl_vector_set(size, i, norm);
@@ -275,8 +276,8 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* If an unknown has come so near to a limit of its range, relative to the range of the search, sets it to
- * that limit and returns true. */
+/* If the distance of an unknown from a limit of its range is less than `near` times the searched range, sets
+ * the unknown to this limit and returns true. */
 static bool limit_take(struct fit *f, double near)
 {
     for (int i = 0; i < f->unknowns; i++) {
@@ -295,9 +296,9 @@ static bool limit_take(struct fit *f, double near)
     return false;
 }
 
-/* Finds the minimum. Where the sum of squares decreases towards a limit of a range, the search swings from
- * one side of the limit to the other, so that unknown is set to the limit, and the others are searched again.
- */
+/* Finds the minimum. If the sum of squares decreases towards a limit of the range of an unknown, the search
+ * would jump to and fro across the limit. Such an unknown is therefore set to the limit, and the others are
+ * searched again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;
@@ -343,7 +344,7 @@ static int fit_once(struct fit *f)
     int status = !clock || !residual               ? GSL_ENOMEM
                  : !start_find(f, clock, residual) ? GSL_EDOM
                                                    : minimum_find(f, clock, residual);
-    /* Where gaps are not all equal, the times of hits drift away from the model's. */
+    /* If the gaps are not all equal, the times of hits drift away from the times of the model. */
     const bool drifts = status == GSL_SUCCESS && f->data.kind == FIT_HITS && !f->data.has_errors &&
                         !f->data.intervals && f->freedom >= 8 && drift_of(f, residual) < 1;
     gsl_vector_free(residual);

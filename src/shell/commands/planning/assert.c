@@ -47,7 +47,7 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     const struct question *asserted = query->given->bound;
     const struct command *c = asserted->command;
     struct quantity value;
-    if (!c->holds) { /* not a command with a verdict, but a condition */
+    if (!c->holds) { /* the question is a condition such as rmax < 2, not a command with a verdict */
         if (!question_value(asserted, query, &value, problem))
             return false;
         return value.value != 0 || problem_error(problem, "not true: %s", asserted->name);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command improve, which changes the row of the session so that it most likely falls. */
+/* The command improve, which changes the row of the session so that it is most likely to fall. */
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "io/terminal.h"
@@ -21,7 +21,8 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The number of rows that show the probability. An engine takes thousands of times as long for a row. */
+/* The number of random rows with which the probability is estimated. An engine takes thousands of times as
+ * long for a row as the model. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
 /* A row and its improvement. Do not copy this struct: it contains a pointer to the pool inside it. */
@@ -32,7 +33,7 @@ struct improvement {
     struct domq_placement placement;
     struct task_pool pool;
     struct domq_study study[2];
-    domq_real before, after; /* m, the lengths with the last domino fallen */
+    domq_real before, after; /* length in m with the last domino fallen, before and after the changes */
     size_t changed;          /* the number of dominoes that have changed */
 };
 
@@ -102,7 +103,7 @@ static bool change_to(struct scene *scene, size_t k, enum row_measure measure, b
     return scene_row_change(scene, &change, &(struct row_range){k + 1, k + 1}, 1, problem);
 }
 
-/* Makes the new dominoes those of the scene. */
+/* Stores the improved dominoes in the scene. */
 static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
 {
     struct scene_row now;
@@ -116,7 +117,7 @@ static bool improvement_keep(struct scene *scene, const struct improvement *i, s
                 change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
                (b->radius == a->radius || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
-    /* Those changes kept the densities. */
+    /* The changes kept the density of each domino. */
     if (!good || !i->limits.sizes || !scene_row_list(scene, &now, problem))
         return good && !i->limits.sizes;
     for (size_t k = 0; k < count && good; k++) {
@@ -128,7 +129,7 @@ static bool improvement_keep(struct scene *scene, const struct improvement *i, s
     return good;
 }
 
-/* Lists the measures of the dominoes that have changed, before and after. */
+/* Lists the dominoes that have changed, with their sizes and gaps before and after the changes. */
 static void changes_list(struct answer *a, const struct improvement *i)
 {
     static const struct column columns[] = {

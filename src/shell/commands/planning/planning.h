@@ -64,7 +64,7 @@ enum { BOARDS_MOST = 32 };
 
 struct wishes {
     domq_real safety; /* the least safety of a design */
-    domq_real hall;   /* m, the greatest length of the row */
+    domq_real hall;   /* the greatest length of the row, in m */
     enum dom_least least;
     bool has_hall;                            /* the user has typed 'hall' */
     bool sizes;                               /* 'improve' also changes sizes */

@@ -190,7 +190,7 @@ const struct column solve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes why the answer is nowhere in the range equal to the value. */
+/* Writes why the answer does not have the value anywhere in the range. */
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;

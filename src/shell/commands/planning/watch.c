@@ -23,7 +23,7 @@ struct watch {
     const struct solve *solve;
     struct probe probe;
     double from, to;
-    double curve[STEPS / COARSE + 1]; /* the answers along the curve; NaN if there is no answer */
+    double curve[STEPS / COARSE + 1]; /* the answers along the curve; NaN where there is no answer */
     double x;                         /* the value of the parameter at the moving point */
     int step;                         /* number of the small step nearest to x, 0 .. STEPS */
     enum { WATCH_ON, WATCH_KEEP, WATCH_LEAVE, WATCH_STOP } state;

@@ -142,8 +142,8 @@ static int compare(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* Computes the thicknesses of the boards, in increasing order. Numbers without a unit are in mm, as boards
- * are sold. */
+/* Computes the thicknesses of the boards and sorts them in increasing order. A number without a unit is in
+ * mm, because boards are sold in mm. */
 static bool boards_bind(const struct question *q, const struct query *query, struct wishes *w,
                         struct problem *problem)
 {

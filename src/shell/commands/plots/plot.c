@@ -65,7 +65,7 @@ static const struct argument answer_argument = {.name = "NAME",
                              fit_argument = {.name = "NAME FILE", .kind = ARGUMENT_COMMAND};
 
 /* The plots, in the order in which completion offers them. Members that an axis or a curve leaves out are 0
- * on purpose, but clang would warn of them. */
+ * on purpose, but clang would warn about them. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 static const struct plot plots[] = {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot fit: what was measured, against what the fitted values give. */
+/* plot fit: measurements, plotted against the values that the model gives with the fitted parameters. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
 

@@ -4,7 +4,8 @@
 #include "commands/plots/plots.h"
 #include <string.h>
 
-/* The words that choose the look. Of words with the same kind of value, the one for the x axis is first. */
+/* The words that choose the look. Where two words take the same kind of value, the word for the x axis comes
+ * first. */
 enum look_word {
     LOOK_WIDTH,
     LOOK_HEIGHT,

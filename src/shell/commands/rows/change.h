@@ -6,7 +6,8 @@
 #include "interpreter/question.h"
 
 /* change_parse_dominoes parses which dominoes change, as in "4,6-8" or "all". change_parse_value parses the
- * value, such as "16 mm", "+1 cm" or "-10 %". change_bind belongs to the value, and evaluates both. */
+ * value, such as "16 mm", "+1 cm" or "-10 %". change_bind is the binding function of the value; it evaluates
+ * both arguments. */
 bool change_parse_dominoes(struct reader *reader, struct question *question);
 bool change_parse_value(struct reader *reader, struct question *question);
 bool change_bind(const struct question *question, const struct query *query, struct arguments *given,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command tolerance, which finds how far each domino of a row may differ from its place, its height and
- * plumb while all dominoes still fall. */
+/* The command tolerance, which finds how far each domino of a row may differ from its place, its size and its
+ * upright position while all dominoes still fall. */
 #include "commands/rows/rows.h"
 #include "commands/rows/windows.h"
 #include "io/terminal.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The windows of a row: how far each domino may be off, so that all still fall. */
+/* The windows of a row: how far each domino may be off while all dominoes still fall. */
 #ifndef SHELL_WINDOWS_H
 #define SHELL_WINDOWS_H
 
