@@ -23,11 +23,16 @@ static double train_ratio(const struct domq_train *train, double s, double r)
     return status == DOM_OK || status == DOM_STOPS ? (double)(b.kinetic / b.barrier) : 0;
 }
 
+/* The first domino with the smallest ratio after domino 1. */
+static size_t weakest;
+
 static bool least_seen(const struct domq_fall *fall, void *context)
 {
     double *least = context, ratio = (double)(fall->kinetic / fall->barrier);
-    if (fall->domino > 1)
-        *least = fmin(*least, ratio);
+    if (fall->domino > 1 && ratio < *least) {
+        *least = ratio;
+        weakest = fall->domino;
+    }
     return true;
 }
 
@@ -60,6 +65,7 @@ static void row_holds(const struct domq_train *train, const struct domq_wish *w,
     double feet = 0, least = row_least(train, w, (double)d->s, d->steps, true, &v);
     assert_int_equal(v.end, DOM_ROW_FALLS);
     assert_true((isinf(least) && isinf(d->row)) || fabs((double)d->row / least - 1) < 1e-8);
+    assert_true(isinf(least) || d->weakest == weakest);
     assert_near("seconds", (double)d->seconds, (double)v.seconds, 1e-8);
     for (size_t k = 0; k <= d->steps; k++)
         feet += (double)(domino[k].gap + domino[k].thickness);
@@ -242,6 +248,30 @@ TEST(shortest_is_shortest)
             assert_true(feet + 2 >= length * (1 - 1e-9) || train_ratio(&train, k / 1000.0, r) < 2.5 ||
                         row_least(&train, &w, k / 1000.0, n, false, &v) < 2.5);
         }
+}
+
+/* Checks rows of thin dominoes that stand as close as the steps of the search allow: a step closer they lack
+ * the safety, or there is no closer step. */
+TEST(closest_of_thin_dominoes)
+{
+    static const struct {
+        double d, height;
+        int k;
+    } cases[] = {{0.001, 0.053, 2}, {0.0005, 0.05, 1}};
+    for (int i = 0; i < 2; i++) {
+        struct domq_train train = domq_train_default();
+        struct domq_design d;
+        struct domq_verdict v;
+        train.d = cases[i].d;
+        struct domq_wish w = wish_of(cases[i].height, 1.01, HUGE_VAL, DOM_LEAST_LENGTH);
+        assert_status(domq_design_find(&train, &w, NULL, &d), DOM_OK);
+        assert_int_equal(d.limit, DOM_DESIGN_FITS);
+        assert_near("s", (double)d.s, cases[i].k / 1000.0, 1e-12);
+        row_holds(&train, &w, &d);
+        double closer = (cases[i].k - 1) / 1000.0;
+        assert_true(closer == 0 || train_ratio(&train, closer, (double)d.r) < 1.01 ||
+                    row_least(&train, &w, closer, d.steps, false, &v) < 1.01);
+    }
 }
 
 /* Checks that both headers design the same row. */

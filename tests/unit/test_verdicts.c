@@ -4,6 +4,7 @@
  * an engine that runs each row in full with this library, and must get the same verdicts.
  */
 #include "ask.h"
+#include "planning/draw.c"
 #include "support.h"
 #include <string.h>
 
@@ -194,4 +195,88 @@ TEST(interrupted_in_the_middle)
     compute.interrupt = &raised;
     assert_status(domq_placement_study(&row, &compute, &p, &part, stops), DOM_INTERRUPTED);
     assert_memory_equal(&part, &whole, sizeof part);
+}
+
+/* ---- What is drawn ---- */
+
+enum { DRAWS = 3000, DRAWN = 4 };
+
+/* Returns the change of a measure of domino k, relative to the size of the error. */
+static double drawn(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind, size_t k,
+                    double size)
+{
+    const struct dom_domino *a = &draw->domino[k], *b = &row->domino[k];
+    switch (kind) {
+    case DOM_ERROR_gap:
+    case DOM_ERROR_place:
+        return (a->gap - b->gap) / size;
+    case DOM_ERROR_height:
+        assert_near("density", a->mass / b->mass, a->height / b->height, 1e-14);
+        return (a->height / b->height - 1) / size;
+    case DOM_ERROR_thickness:
+        assert_near("density", a->mass / b->mass, a->thickness / b->thickness, 1e-14);
+        return (a->thickness / b->thickness - 1) / size;
+    case DOM_ERROR_mass:
+        return (a->mass / b->mass - 1) / size;
+    case DOM_ERROR_radius:
+        return (a->radius / b->radius - 1) / size;
+    case DOM_ERROR_lean:
+        return (a->lean - b->lean) / size;
+    case DOM_ERROR_friction:
+        return (draw->row.mu - row->mu) / size;
+    case DOM_ERROR_slope:
+        return (draw->row.alpha - row->alpha) / size;
+    case DOM_ERROR_floor:
+        return (draw->row.feet - row->feet) / size;
+    default:
+        return (draw->row.push - row->push) / size;
+    }
+}
+
+/* Checks that each kind of error changes what it is about, in every domino, by as much as its size says, and
+ * nothing else. Only the gap before the first domino means nothing. */
+TEST(every_measure_is_drawn)
+{
+    struct dom_domino domino[DRAWN];
+    for (size_t k = 0; k < DRAWN; k++)
+        domino[k] = (struct dom_domino){
+            .height = 0.05, .thickness = 0.008, .gap = 0.02, .mass = 0.01, .radius = 0.001, .lean = 0.01};
+    struct dom_row row = dom_row_default();
+    row.domino = domino;
+    row.count = DRAWN;
+    row.mu = 0.3;
+    row.rho = 0.01;
+    row.feet = 0.5;
+    row.push = 3;
+    struct draw draw;
+    assert_status(draw_begin(&draw, &row), DOM_OK);
+    for (int kind = 0; kind < DOM_ERROR_COUNT; kind++)
+        for (size_t k = kind == DOM_ERROR_gap || kind == DOM_ERROR_place; k < DRAWN; k++) {
+            struct dom_placement p = {.seed = 5};
+            p.error[kind].size = 1e-3;
+            double sum = 0, squares = 0, moved = kind == DOM_ERROR_place && k > 1 ? sqrt(2) : 1;
+            for (size_t i = 0; i < DRAWS; i++) {
+                draw_row(&draw, &row, &p, i, 0);
+                const double by = drawn(&draw, &row, (enum dom_error_of)kind, k, (double)p.error[kind].size);
+                sum += by;
+                squares += by * by;
+                for (int other = 0; i < 10 && other < DOM_ERROR_COUNT; other++)
+                    if (other != kind && other > DOM_ERROR_mass)
+                        assert_true(drawn(&draw, &row, (enum dom_error_of)other, k, 1) == 0);
+            }
+            assert_true(fabs(sum) < 4 * moved * sqrt(DRAWS));
+            assert_near("standard deviation", sqrt(squares / DRAWS), moved, 0.06);
+            draw_row(&draw, &row, &p, 7, 1U << kind);
+            assert_true(drawn(&draw, &row, (enum dom_error_of)kind, k, 1) == 0);
+            assert_true(draws_gaps(&p) == (kind == DOM_ERROR_gap || kind == DOM_ERROR_place));
+        }
+    draw_end(&draw);
+    /* The domino that stands on the gentlest slope decides. */
+    for (size_t k = 0; k < DRAWN; k++) {
+        domino[k].thickness = 0.004;
+        domino[k].lean = -0.02;
+        assert_near("steepest", row_steepest(&row), atan(0.002 / 0.05) - 0.02, 1e-14);
+        domino[k].thickness = 0.008;
+        domino[k].lean = 0.01;
+    }
 }

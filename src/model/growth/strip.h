@@ -18,7 +18,9 @@
 #include "energy/barrier.h"
 
 struct strip {
-    real kinetic_least, kinetic_most; /* bounds of K over the strip; kinetic_most is infinite if unknown */
+    /* Bounds of K over the strip. kinetic_least is a bound only if it is positive, and kinetic_most is
+     * infinite if it is unknown. */
+    real kinetic_least, kinetic_most;
     /*
      * Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g = sin - d cos.
      * Infinite if a follower is before theta_u.
