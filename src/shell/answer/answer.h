@@ -72,7 +72,7 @@ struct answer {
     struct quantity value;
     struct cell *kept;                                 /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
-    bool told;                                         /* text for people was written without a row */
+    bool wrote_text;                                   /* text for people was written without a row */
     int error;                                         /* errno of the first write that failed, or 0 */
     char late_reason[ANSWER_REASON]; /* the reason that could not be written with its row, or "" */
 

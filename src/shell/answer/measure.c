@@ -19,7 +19,7 @@ static const struct {
 
 struct measure measure_of(const char *unit, domq_real largest)
 {
-    /* So that 10 mm is shown as 1 cm in spite of rounding errors. */
+    /* With this factor, 10 mm is shown as 1 cm in spite of rounding errors. */
     const domq_real almost = 1 + (domq_real)1e-12;
     for (size_t i = 0; *unit && i < sizeof measures / sizeof *measures; i++)
         if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
@@ -53,7 +53,7 @@ struct measured measured(domq_real value, const char *unit, int digits)
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
         limit *= 10;
-    /* so that 99.9 does not become 1e+02 */
+    /* With more digits, a number that is rounded up to 100 is not printed as 1e+02. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
     snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits, number),

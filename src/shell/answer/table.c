@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum {
-    NUMBER_MARGIN = 6, /* the width of a number without its digits: "-0." and "e-300" */
+    NUMBER_MARGIN = 6, /* the width of a number apart from its digits: "-0." and "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* a last column of words that has less room than this goes below its row */
@@ -39,15 +39,15 @@ static int number_width(const struct answer *a, int digits)
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
 }
 
-/* Returns the largest number of digits that are shown.  If error bounds are shown, the digits are limited
- * only by them. */
+/* Returns the largest number of digits that are shown. If error bounds are shown, only these bounds limit the
+ * digits. */
 static int table_digits(const struct answer *a)
 {
     return a->style.errors ? a->style.all_digits : (int)a->style.digits;
 }
 
-/* Returns the text of a cell in the unit of the measure.  A number with an error bound has as many digits as
- * the bound leaves certain, and any other number as many as the style or the tolerance allows. */
+/* Returns the text of a cell in the unit of the measure. A number with an error bound has the digits that are
+ * certain, and any other number has as many digits as the style and the tolerance allow. */
 static const char *table_text(const struct answer *a, struct measure measure, struct cell cell, int digits,
                               char text[CELL_TEXT])
 {

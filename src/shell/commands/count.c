@@ -110,11 +110,11 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_text(query, height, t->limit.r_max, moving), starts);
 }
 
-/* Calls kind_say for each kind of domino that has a name. If the kind of the session, about which `own`
- * tells, has no name, calls kind_say for this kind, too. */
+/* Calls kind_say for each kind of domino that has a name. `session_tower` is the result for the kind of the
+ * session. If this kind has no name, calls kind_say for it, too. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
-                      const struct tower *own)
+                      const struct tower *session_tower)
 {
     bool has_name = false;
     char number[WIDE_TEXT];
@@ -125,17 +125,17 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
         kind.q = w->value;
-        const bool is_own = kind.q == train->q;
-        has_name = has_name || is_own;
+        const bool is_session_kind = kind.q == train->q;
+        has_name = has_name || is_session_kind;
         if (w[1].name && w[1].value == w->value) /* synonyms stand next to each other in the list, and only
                                                     the last one is printed */
             continue;
-        if (!is_own && !tower_find(query, &kind, dominoes, &other, problem))
+        if (!is_session_kind && !tower_find(query, &kind, dominoes, &other, problem))
             return false;
-        kind_say(query, a, kind.q, height, is_own ? own : &other);
+        kind_say(query, a, kind.q, height, is_session_kind ? session_tower : &other);
     }
     if (!has_name)
-        kind_say(query, a, train->q, height, own);
+        kind_say(query, a, train->q, height, session_tower);
     return true;
 }
 

@@ -238,10 +238,10 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
                  "always");
     part_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
     struct domq_error error[DOM_ERROR_COUNT];
-    const bool placed = scene->effect[DOM_EFFECT_placement].on;
+    const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
     if (scene_errors(scene, error))
-        part_row(a, placed ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
-                 placed ? "placement is on" : "errors are on");
+        part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
+                 has_placement ? "placement is on" : "errors are on");
     if (scene->effect[DOM_EFFECT_floor].on)
         part_row(a, "floor", domq_effect(DOM_EFFECT_floor)->plan, 0, "floor is on");
 }

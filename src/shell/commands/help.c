@@ -232,7 +232,7 @@ static void help_several(FILE *out, const char *word)
 {
     const char *name;
     help_say(out, "'%s' can mean one of these; 'help NAME' explains each:", word);
-    for (int k = 0; (name = topic_meant(word, k)) != NULL; k++) {
+    for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++) {
         const struct command *c = command_find(name);
         topic_entry(out, "", name, c ? c->summary : parameter_meaning(parameter_find(name)));
     }
@@ -250,12 +250,12 @@ static bool run_help(struct session *session, const struct arguments *given, str
         help_variable(session, given, a);
     else if (people && !given->count)
         help_list(session->output->out);
-    else if (people && word && topic_meant(word, 1))
+    else if (people && word && topic_by_synonym(word, 1))
         help_several(session->output->out, word);
     else if (!word)
         help_name(session, a, has_name ? topic_names(NULL, (int)given->number[0]) : NULL);
     else
-        for (int k = 0; (name = topic_meant(word, k)) != NULL; k++)
+        for (int k = 0; (name = topic_by_synonym(word, k)) != NULL; k++)
             help_name(session, a, name);
     return true;
 }

@@ -235,9 +235,9 @@ struct curve {
     enum dom_status status; /* status of the last point */
 };
 
-static bool curve_point(void *own, size_t k, FILE *out)
+static bool curve_point(void *context, size_t k, FILE *out)
 {
-    struct curve *c = own;
+    struct curve *c = context;
     struct domq_limit exact, paper, pair;
     struct answer a = answer_part(&c->answer, out, k == 0);
     domq_real f = c->n > 1 ? (domq_real)k / (c->n - 1) : 0;
@@ -253,9 +253,9 @@ static bool curve_point(void *own, size_t k, FILE *out)
     return true;
 }
 
-static void curve_gather(void *own, const void *worker)
+static void curve_gather(void *context, const void *worker)
 {
-    struct curve *c = own;
+    struct curve *c = context;
     c->has_missing = c->has_missing || ((const struct curve *)worker)->has_missing;
 }
 

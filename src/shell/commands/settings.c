@@ -14,8 +14,8 @@
  * error instead. */
 static void change_say(const struct query *query, struct answer *a, const char *text)
 {
-    a->told = answer_for_people(a);
-    if (a->told)
+    a->wrote_text = answer_for_people(a);
+    if (a->wrote_text)
         answer_say(a, "%s", text);
     else
         means_note(query->means, "%s", text);

@@ -58,9 +58,9 @@ const char *topic_names(const void *context, int k)
 static const struct parameter *parameter_for(const char *word)
 {
     bool usual;
-    const struct parameter *meant = parameter_by_synonym(word, &usual);
-    if (meant && usual)
-        return meant;
+    const struct parameter *suggested = parameter_by_synonym(word, &usual);
+    if (suggested && usual)
+        return suggested;
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (parameter_is_number(p) && names_exact(parameter_words, p, word) >= 0)
             return p;
@@ -77,7 +77,7 @@ static bool topic_has(const char *topic, const char *word)
            (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
 }
 
-const char *topic_meant(const char *word, int k)
+const char *topic_by_synonym(const char *word, int k)
 {
     const struct parameter *one = parameter_for(word);
     if (one)

@@ -145,7 +145,7 @@ const char *value_names(const void *context, int k);
 
 /* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of the
  * k-th topic that has this synonym, counted from 0, or NULL if there are not so many. */
-const char *topic_meant(const char *word, int k);
+const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);

@@ -210,7 +210,7 @@ static const char *synonym_command(const char *word)
  * result of names_find for the name. */
 static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
 {
-    const char *meant = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
+    const char *suggested = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
     bool usual;
     const struct parameter *p = parameter_by_synonym(name, &usual);
     char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
@@ -218,16 +218,16 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (!meant && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
+    else if (!suggested && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
         problem_error(r->problem, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
                       name);
-    else if (p && (usual || (!meant && !p->setting && k == NAMES_UNKNOWN)) && !effect_hint(name, message) &&
-             parameter_hint(name, plain, sizeof plain))
+    else if (p && (usual || (!suggested && !p->setting && k == NAMES_UNKNOWN)) &&
+             !effect_hint(name, message) && parameter_hint(name, plain, sizeof plain))
         problem_error(r->problem, "%s", plain);
-    else if (effect_hint(name, message) || (!meant && k != NAMES_UNKNOWN))
+    else if (effect_hint(name, message) || (!suggested && k != NAMES_UNKNOWN))
         problem_error(r->problem, "%s", message);
-    else if (meant)
-        problem_error(r->problem, "%s; did you mean '%s'?", message, meant);
+    else if (suggested)
+        problem_error(r->problem, "%s; did you mean '%s'?", message, suggested);
     else
         problem_error(r->problem, "%s; 'help' lists the commands", message);
 }

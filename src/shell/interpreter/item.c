@@ -246,9 +246,11 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
         return true;
     names_shown(word, shown);
     names_all(a->choices, all);
-    const struct parameter *meant = a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
-    if (meant && meant->effect && k != NAMES_CLOSE)
-        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, shown, meant->name);
+    const struct parameter *suggested =
+        a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
+    if (suggested && suggested->effect && k != NAMES_CLOSE)
+        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, shown,
+                             suggested->name);
     if (k != NAMES_CLOSE)
         return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, shown, all);
     return problem_error(r->problem, "%s", message);
@@ -290,14 +292,14 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
     if (k >= 0)
         return parameter_find(model_names(NULL, k));
     const struct parameter *setting = parameter_find(word),
-                           *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
+                           *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
     names_shown(word, shown);
     if (setting)
         problem_error(r->problem,
                       "'%s' is a setting of the calculator; use a parameter of the model or an effect here",
                       shown);
-    else if (meant)
-        problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, meant->name);
+    else if (suggested)
+        problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, suggested->name);
     else if (*r->at == ',')
         problem_error(r->problem, "',' separates values, not parameters; write only a blank before the next "
                                   "parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");

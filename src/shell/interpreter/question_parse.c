@@ -110,12 +110,12 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     if (k < 0 && is_topic && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;
-    if (k < 0 && is_topic && topic_meant(word, 0))
+    if (k < 0 && is_topic && topic_by_synonym(word, 0))
         return true;
     q->parameter = k >= 0 && !is_topic ? &session_parameters[k] : NULL;
-    const struct parameter *meant = k < 0 ? parameter_by_synonym(word, &usual) : NULL;
-    if (meant && (usual || k == NAMES_UNKNOWN))
-        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, word, meant->name);
+    const struct parameter *suggested = k < 0 ? parameter_by_synonym(word, &usual) : NULL;
+    if (suggested && (usual || k == NAMES_UNKNOWN))
+        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, word, suggested->name);
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 

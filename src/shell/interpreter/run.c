@@ -84,7 +84,7 @@ static bool run_command(struct session *session, const struct command *c, const 
     if (unsaid)
         session_note(session, "%s", unsaid);
     session->wrote = answer.has_rows;
-    end->answered = end->answered || (done && c->columns) || answer.told;
+    end->answered = end->answered || (done && c->columns) || answer.wrote_text;
     end->error = answer.error ? answer.error : end->error;
     if (done && (answer.is_value || c->principal))
         session->ans.printed = answer.is_value;

@@ -32,7 +32,8 @@ char *escape_copy(const char *text);
  * programs decode to the same character.  A byte that is not UTF-8 becomes U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
-/* Returns how a letter of a text is written for TeX, to which some letters are commands. */
+/* Returns a letter of a text in the form in which TeX prints it. Letters that are commands in TeX are
+ * escaped. */
 const char *escape_tex(char letter, char piece[ESCAPE_PIECE]);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Output files after '>' and '>>' are written completely or not at all.  The text first goes to a temporary
- * file without a name, which vanishes however the program ends.  At the end, '>' copies the text to a draft,
- * a new file in the same folder as the target, and renames the draft to the name of the target.  '>>' locks
- * the target and appends the text.  A target that has several hard links or another owner, or in whose folder
- * no file can be created, is locked and overwritten in place, since a rename would change more than its
- * contents.
+ * Output files after '>' and '>>' are written completely or not at all. The text first goes to a temporary
+ * file without a name, which vanishes however the program ends. At the end, '>' copies the text to a
+ * replacement, a new file in the same folder as the target, and renames the replacement to the name of the
+ * target. '>>' locks the target and appends the text. A target that has several hard links or another owner,
+ * or in whose folder no file can be created, is locked and overwritten in place, since a rename would change
+ * more than its contents.
  */
 #include "domino_quad.h"
 #include "io/io.h"
@@ -106,9 +106,9 @@ static bool file_fill(const struct file *f, int file)
     return is_copied && is_cut && is_closed;
 }
 
-/* Creates the draft, with the group and mode of the target if the target exists.  Returns -1 if that is not
- * allowed. */
-static int draft_open(const struct target *t, char **name)
+/* Creates the replacement, with the group and mode of the target if the target exists. Returns -1 if that is
+ * not allowed. */
+static int replacement_open(const struct target *t, char **name)
 {
     mode_t mask = umask(0);
     umask(mask);
@@ -131,7 +131,7 @@ static int draft_open(const struct target *t, char **name)
     return -1;
 }
 
-/* Opens the target itself, rather than a draft, and locks it.  Returns -1 with errno on failure. */
+/* Opens the target itself, rather than a replacement, and locks it. Returns -1 with errno on failure. */
 static int file_lock(const struct file *f)
 {
     enum { SECONDS = 10 };
@@ -152,20 +152,20 @@ static bool file_commit(const struct file *f)
     const struct target *t = &f->target;
     bool in_place =
         f->output.append || (t->exists && (t->status.st_nlink > 1 || t->status.st_uid != geteuid()));
-    char *draft = NULL;
+    char *replacement = NULL;
     sigset_t before = io_block();
-    int file = in_place ? -1 : draft_open(t, &draft);
+    int file = in_place ? -1 : replacement_open(t, &replacement);
     if (file < 0 && (in_place || t->exists)) {
         io_unblock(&before);
         file = file_lock(f);
         before = io_block();
     }
-    bool is_written = file >= 0 && file_fill(f, file) && (!draft || rename(draft, t->path) == 0);
+    bool is_written = file >= 0 && file_fill(f, file) && (!replacement || rename(replacement, t->path) == 0);
     int reason = errno;
-    if (draft && !is_written)
-        unlink(draft);
+    if (replacement && !is_written)
+        unlink(replacement);
     io_unblock(&before);
-    free(draft);
+    free(replacement);
     errno = reason;
     return is_written;
 }

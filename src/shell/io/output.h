@@ -20,7 +20,7 @@ struct output {
     FILE *messages;       /* receives errors and notes: stderr, or memory while a pager runs */
     const char *path;     /* the name of the file as it was typed, or NULL */
     bool append;          /* the file is appended to, because it comes after '>>' */
-    /* the format that the file extension selects, or NULL for that of 'set output' */
+    /* the format that the file extension selects, or NULL for the format of 'set output' */
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_head)(const char *line);

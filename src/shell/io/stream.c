@@ -119,9 +119,9 @@ struct channel {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Reads the bytes that are available.  If there are none yet, the program at the other end may be waiting for
- * answers before it writes its next command.  So the collected answers are written at this point, rather than
- * after each command. */
+/* Reads the bytes that are available. If there are none yet, the program at the other end may be waiting for
+ * answers before it writes its next command, so the collected answers are written first. They need not be
+ * written after each command. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;

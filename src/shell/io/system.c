@@ -27,9 +27,9 @@
 
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions)
 {
-    const cookie_io_functions_t own = {
+    const cookie_io_functions_t callbacks = {
         .read = functions.read, .write = functions.write, .close = functions.close};
-    return fopencookie(cookie, mode, own);
+    return fopencookie(cookie, mode, callbacks);
 }
 
 #elif defined HAVE_FUNOPEN
@@ -114,9 +114,10 @@ int system_reserve(int file, off_t from, off_t to)
 {
 #ifdef HAVE_FALLOCATE
     int reason = to > from ? posix_fallocate(file, from, to - from) : 0;
-    return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot tell */
+    return reason == EINVAL || reason == EOPNOTSUPP ? 0 : reason; /* the file system cannot reserve space */
 #else
-    /* A byte in each block past the end of the file. Blocks before its end are taken to be there. */
+    /* Write a byte into each block beyond the end of the file. The blocks before the end are assumed to have
+     * space on the disk already. */
     struct stat status;
     if (fstat(file, &status) != 0)
         return errno;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What differs between operating systems.  system.c does each of these with a function that the build has
- * found on this system (see the script `features`), and otherwise with those of POSIX.  'make portable' tests
- * what is used on systems that have none of the functions.
+ * Functions that differ between operating systems. Each of them uses a function that the build has found on
+ * this system (see the script `features`), or otherwise functions of POSIX. 'make portable' tests the
+ * versions that use only POSIX.
  */
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H

@@ -19,9 +19,9 @@ bool terminal_size(FILE *stream, int *width, int *height);
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
 int terminal_width(FILE *stream);
 
-/* If the stream `from` has stood for standard output until now, makes the stream `to` stand for it: text
- * written to `to` then counts as shown on the terminal of standard output.  'log', 'tee' and the pager use
- * such streams, which pass their text on. */
+/* If the stream `from` has represented standard output until now, makes the stream `to` represent standard
+ * output: text written to `to` then counts as shown on the terminal of standard output. 'log', 'tee' and the
+ * pager use such streams, which pass their text on. */
 void terminal_pass(const FILE *from, const FILE *to);
 
 /* Returns true if the character set of the locale is UTF-8. */

@@ -33,10 +33,10 @@ static enum binding binding(const struct tree *t)
 /* Returns how tightly the first operand of a chain must bind. A minus sign may stand before a product. */
 static enum binding first_binding(const struct tree *chain)
 {
-    enum binding own = chain_binding(chain);
-    return own == BINDS_POWER                                         ? BINDS_WORD
-           : own == BINDS_PRODUCT && chain->child->kind == TREE_MINUS ? BINDS_SUM
-                                                                      : own;
+    enum binding level = chain_binding(chain);
+    return level == BINDS_POWER                                         ? BINDS_WORD
+           : level == BINDS_PRODUCT && chain->child->kind == TREE_MINUS ? BINDS_SUM
+                                                                        : level;
 }
 
 /* Writes an operand, in parentheses unless it binds at least as tightly as `least`. */
@@ -115,21 +115,21 @@ static const char *operator_text(enum formula_style style, enum tree_operator op
 
 static void chain(const struct formula *f, const struct tree *t)
 {
-    enum binding own = chain_binding(t);
+    enum binding level = chain_binding(t);
     const struct tree *child = t->child;
-    if (own == BINDS_PRODUCT && f->style == FORMULA_TEX) {
+    if (level == BINDS_PRODUCT && f->style == FORMULA_TEX) {
         fraction(f, t);
         return;
     }
     operand(f, child, first_binding(t));
     for (child = child->next; child; child = child->next) {
         fputs(operator_text(f->style, child->op), f->out);
-        if (own == BINDS_POWER && f->style == FORMULA_TEX) {
+        if (level == BINDS_POWER && f->style == FORMULA_TEX) {
             putc('{', f->out);
             formula_write(f, child);
             putc('}', f->out);
         } else
-            operand(f, child, own == BINDS_POWER ? BINDS_WORD : own + 1);
+            operand(f, child, level == BINDS_POWER ? BINDS_WORD : level + 1);
     }
 }
 

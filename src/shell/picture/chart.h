@@ -55,8 +55,9 @@ struct chart_event {
 enum chart_scale { CHART_SCALE_USUAL, CHART_LINEAR, CHART_LOG };
 enum chart_legend { CHART_LEGEND_BELOW, CHART_LEGEND_RIGHT, CHART_LEGEND_OFF };
 
-/* What the user chooses about a chart. A text that the user has not chosen is NULL, and such a number is 0.
- * The arrays have the x axis first, and then the y axis. */
+/* What the user chooses about a chart. A text that the user has not chosen is NULL, and a number that the
+ * user has not chosen is 0. The first element of each array is for the x axis, and the second for the y axis.
+ */
 struct chart_look {
     const char *title, *x, *y; /* texts that replace the title and the labels of the axes */
     enum chart_scale scale[2];
@@ -86,7 +87,7 @@ struct chart {
     int events;
     struct chart_map map;
     struct chart_look look;
-    bool tex;    /* the texts go through TeX, to which some letters are commands */
+    bool tex;    /* the texts are processed by TeX, so letters that are commands in TeX have to be escaped */
     bool failed; /* memory for the data ran out */
 };
 

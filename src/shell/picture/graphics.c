@@ -68,8 +68,8 @@ enum graphics graphics_of(FILE *stream)
 {
     static const char *const kitty[] = {"xterm-kitty", "xterm-ghostty", NULL};
     static const char *const inside[] = {"tmux", "screen", NULL}; /* multiplexers, which pass on only sixel */
-    static const char *const asked[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
-                                        "tmux",  "screen", "yaft",   NULL};
+    static const char *const candidates[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
+                                             "tmux",  "screen", "yaft",   NULL};
     static int sixel = -1; /* -1 until the terminal has been asked, which happens only once */
     const char *wanted = getenv("DOMINO_GRAPHICS");
     if (!terminal_colour(stream))
@@ -81,7 +81,7 @@ enum graphics graphics_of(FILE *stream)
     if (term_begins(kitty) || (getenv("KITTY_WINDOW_ID") && !term_begins(inside)))
         return GRAPHICS_KITTY;
     if (sixel < 0)
-        sixel = term_begins(asked) && ask_sixel();
+        sixel = term_begins(candidates) && ask_sixel();
     return sixel ? GRAPHICS_SIXEL : GRAPHICS_NONE;
 }
 

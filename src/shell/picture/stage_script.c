@@ -158,16 +158,16 @@ static bool label_put(struct labels *l, double x, double height, bool upright, c
                       const char *text)
 {
     double dot = l->sheet->dot, length = (double)strlen(text) * LETTER + 4;
-    struct box own = {x / dot, height, length, SMALL};
+    struct box candidate = {x / dot, height, length, SMALL};
     if (upright)
-        own = (struct box){x / dot, height + length / 2 - 2, 1.25 * SMALL, length};
+        candidate = (struct box){x / dot, height + length / 2 - 2, 1.25 * SMALL, length};
     for (int i = 0; i < l->count; i++)
-        if (2 * fabs(own.x - l->taken[i].x) < own.wide + l->taken[i].wide &&
-            2 * fabs(own.y - l->taken[i].y) < own.high + l->taken[i].high)
+        if (2 * fabs(candidate.x - l->taken[i].x) < candidate.wide + l->taken[i].wide &&
+            2 * fabs(candidate.y - l->taken[i].y) < candidate.high + l->taken[i].high)
             return false;
     if (l->count == LABELS)
         return false;
-    l->taken[l->count++] = own;
+    l->taken[l->count++] = candidate;
     fprintf(l->script, "set label '%s' at %.8g,%.8g %s font ',%d' tc rgb '%s' front\n", text, x, height * dot,
             upright ? "left rotate by 90" : "center", SMALL, colour);
     return true;

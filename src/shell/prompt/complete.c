@@ -27,9 +27,9 @@ static bool accepted(const struct completion *c, const char *word)
     return line_preview(c->session, c->line, (size_t)(c->word - c->line), word, NULL) != PREVIEW_WRONG;
 }
 
-/* Emits the last word with its name completed to `name` and with `more` appended, if `name` begins with the
- * typed letters. If `is_checked`, the candidate is emitted only if the parser accepts it, either by itself or
- * as the first value of a list. */
+/* If `name` begins with the typed letters, emits the last word with its name completed to `name` and with
+ * `more` appended. If `is_checked`, the candidate is emitted only if the parser accepts it, either by itself
+ * or as the first value of a list. */
 static void emit_name(const struct completion *c, const char *name, const char *more, bool is_checked)
 {
     char whole[128], list[sizeof whole + 1];

@@ -31,7 +31,7 @@ static void history_fails(struct session *session, const char *reason)
     *history_file = '\0';
 }
 
-/* Returns true if the history file is a regular file. Otherwise no history is kept, and this is reported
+/* Returns true if the history file is a regular file. Otherwise no history is kept, and a message says so
  * unless the file is a device. */
 static bool is_regular(struct session *session, const struct stat *status)
 {

@@ -39,7 +39,7 @@ static const int watched[] = {SIGINT,  SIGWINCH, SIGTSTP, SIGTERM,   SIGHUP,  SI
 enum { WATCHED = sizeof watched / sizeof *watched };
 
 /* The earlier lines of a command that a backslash continues on the next line, or NULL. */
-static char *begun;
+static char *unfinished;
 
 static bool is_joined;  /* The running command was typed in several lines. */
 static bool has_warned; /* The user has been warned that unsaved changes will be lost. */
@@ -50,7 +50,7 @@ static void prompt_set(struct session *session);
 static void prompt_interrupt(void)
 {
     interrupted = 0;
-    bool empty = rl_end == 0 && !begun;
+    bool empty = rl_end == 0 && !unfinished;
     rl_free_line_state();
     rl_callback_sigcleanup();
     fputs("^C\n", rl_outstream);
@@ -58,9 +58,9 @@ static void prompt_interrupt(void)
         fputs("'quit' or ^D leaves\n", rl_outstream);
     rl_replace_line("", 1);
     rl_on_new_line();
-    if (begun) {
-        free(begun);
-        begun = NULL;
+    if (unfinished) {
+        free(unfinished);
+        unfinished = NULL;
         prompt_set(prompt_session);
     }
     rl_redisplay();
@@ -90,18 +90,18 @@ static void prompt_suspend(const sigset_t *awake)
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;
-    if (begun) {
-        if (asprintf(&whole, "%s%s", begun, text) < 0)
+    if (unfinished) {
+        if (asprintf(&whole, "%s%s", unfinished, text) < 0)
             whole = NULL;
         else
             free(text);
     }
-    bool before = is_joined = begun != NULL;
-    free(begun);
-    begun = whole && text_continues(whole) ? whole : NULL;
-    if (before || begun)
+    bool before = is_joined = unfinished != NULL;
+    free(unfinished);
+    unfinished = whole && text_continues(whole) ? whole : NULL;
+    if (before || unfinished)
         prompt_set(session);
-    return begun ? NULL : whole;
+    return unfinished ? NULL : whole;
 }
 
 /* If the session is about to end with unsaved changes of the row, warns the user and keeps the session open.
@@ -148,7 +148,7 @@ static void on_line(char *text)
 static const char *prompt_text(struct session *session, char *text, size_t size)
 {
     const char *mark = terminal_utf8() ? "❯" : ">";
-    if (begun) {
+    if (unfinished) {
         /* The caret of an error message cannot point into a command of several lines. */
         session->source.prompt_width = 0;
         snprintf(text, size, "  ...%s ", mark);
@@ -258,8 +258,8 @@ void line_prompt(struct session *session)
             prompt_suspend(&signals.awake);
     }
     rl_callback_handler_remove();
-    free(begun);
-    begun = NULL;
+    free(unfinished);
+    unfinished = NULL;
     session->state.scene.compute.interrupt = NULL;
     session->source.prompt_width = 0;
     signals_end(&signals);

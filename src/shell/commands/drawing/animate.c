@@ -35,10 +35,10 @@ struct row_film {
  * domino and grows geometrically to its size. */
 static void follow_front(struct row_film *f, size_t head, double time)
 {
-    const struct drawn *own = &f->row.stage.domino[head - 1];
-    double size = own->height, begun = falling_row_hit(&f->row, head - 1), at = own->foot;
+    const struct drawn *current = &f->row.stage.domino[head - 1];
+    double size = current->height, begun = falling_row_hit(&f->row, head - 1), at = current->foot;
     if (head < f->row.stage.count) {
-        const struct drawn *next = own + 1;
+        const struct drawn *next = current + 1;
         double until = falling_row_hit(&f->row, head);
         double part = until > begun ? fmin(fmax((time - begun) / (until - begun), 0), 1) : 0;
         double growth = pow(next->height / size, part), more = next->height - size;

@@ -35,9 +35,9 @@ bool fit_parse(struct reader *r, struct question *q)
         const size_t length = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)length, r->at);
         const int k = names_find(fit_names, NULL, "thing to fit", name, message);
-        const struct parameter *meant = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
-        if (meant)
-            return problem_error(r->problem, "%s; did you mean '%s'?", message, meant->name);
+        const struct parameter *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
+        if (suggested)
+            return problem_error(r->problem, "%s; did you mean '%s'?", message, suggested->name);
         if (k < 0)
             return problem_error(r->problem, "%s; the form is 'fit friction, push FILE'", message);
         if (g->count == FIT_UNKNOWNS)

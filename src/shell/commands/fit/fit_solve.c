@@ -215,16 +215,16 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
     for (int i = 0; i < f->unknowns && done; i++) {
         const size_t a = place_of(f, i);
-        const double own = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
+        const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
         if (f->unknown[i].is_at_limit)
             continue;
-        f->unknown[i].deviation = own > 0 && norm > 0 ? sqrt(factor * own) / norm : HUGE_VAL;
+        f->unknown[i].deviation = variance > 0 && norm > 0 ? sqrt(factor * variance) / norm : HUGE_VAL;
         for (int j = 0; j < i; j++) {
             const size_t b = place_of(f, j);
             f->correlation[j][i] =
                 f->unknown[j].is_at_limit
                     ? (double)NAN
-                    : gsl_matrix_get(covariance, a, b) / sqrt(own * gsl_matrix_get(covariance, b, b));
+                    : gsl_matrix_get(covariance, a, b) / sqrt(variance * gsl_matrix_get(covariance, b, b));
         }
     }
     gsl_matrix_free(J);

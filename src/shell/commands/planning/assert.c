@@ -56,6 +56,6 @@ bool run_assert(const struct query *query, struct answer *a, struct problem *pro
     a->rows = c->rows;
     if (!question_ask(asserted, query, a, problem))
         return false;
-    a->told = true;
+    a->wrote_text = true;
     return a->holds == ANSWER_YES || problem_error(problem, "not true: %s", c->holds);
 }

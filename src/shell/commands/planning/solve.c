@@ -194,7 +194,7 @@ const struct column solve_columns[] = {
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
-    const char *name = v->parameter->name, *unit = v->parameter->value->unit, *asked = v->question->name;
+    const char *name = v->parameter->name, *unit = v->parameter->value->unit, *question = v->question->name;
     const struct quad_shown value = quad_shown(v->value.value);
     const bool below = s->most.f < 0; /* the answer is always below the value */
     const struct point *nearest = below ? &s->most : &s->least;
@@ -203,17 +203,17 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
     snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
              *unit ? " " : "", unit);
     if (s->answers == 0)
-        snprintf(text, size, "%s has no answer for any %s: %s", asked, range, s->no_answer);
+        snprintf(text, size, "%s has no answer for any %s: %s", question, range, s->no_answer);
     else if (v->verdict)
-        snprintf(text, size, "%s: %s for %s %s", asked, v->question->command->holds,
+        snprintf(text, size, "%s: %s for %s %s", question, v->question->command->holds,
                  s->most.f > 0 ? "every" : "no", range);
     else if (below || s->least.f > 0)
-        snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", asked, value.text,
+        snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", question, value.text,
                  range, below ? "largest" : "smallest", quad_shown(nearest->f + v->value.value).text, name,
                  quad_shown(nearest->x).text);
     else
-        snprintf(text, size, "%s is never %s for %s: it jumps over this value at %s = %s", asked, value.text,
-                 range, name, quad_shown(s->jump).text);
+        snprintf(text, size, "%s is never %s for %s: it jumps over this value at %s = %s", question,
+                 value.text, range, name, quad_shown(s->jump).text);
 }
 
 /* Returns false with a problem if the answer and the value have different units, or if the answer is

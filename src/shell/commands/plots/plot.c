@@ -221,14 +221,14 @@ static bool run_plot(const struct query *query, struct answer *a, struct problem
     const struct chart_look usual = {.title = NULL};
     /* A plot sees only its own argument, without the look of the chart. */
     struct arguments given = *query->given;
-    struct query own = *query;
+    struct query plot_query = *query;
     given.count = more && more->has_argument ? 2 : 1;
     given.bound = more ? more->argument : NULL;
-    own.given = &given;
+    plot_query.given = &given;
     columns_choose(plot, a->copy);
     a->columns = a->copy;
     a->style.errors = 0; /* a picture shows no error bounds */
-    return plot_draw(plot, more ? &more->look : &usual, &own, a, problem);
+    return plot_draw(plot, more ? &more->look : &usual, &plot_query, a, problem);
 }
 
 bool plot_sweep(const struct query *query, struct answer *a, struct problem *problem)

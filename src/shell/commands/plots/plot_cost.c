@@ -50,10 +50,10 @@ bool plot_cost(const struct query *query, struct answer *a, struct chart *chart,
     if (!chart) { /* programs get the rows of the command 'cost' */
         const struct command *command = command_find("cost");
         const struct arguments given = {.count = 1, .number = {query->given->number[1]}};
-        struct query asked = *query;
-        asked.given = &given;
+        struct query cost_query = *query;
+        cost_query.given = &given;
         a->columns = command->columns;
-        return command->run(&asked, a, problem);
+        return command->run(&cost_query, a, problem);
     }
     if (!cost_measure(query, which, &cost, problem))
         return false;

@@ -80,8 +80,8 @@ bool plot_placement(const struct query *query, struct answer *a, struct chart *c
                                        .pool = &pool};
     bool unknown = false;
     scene_errors(query->scene, placement.error);
-    const bool placed = query->scene->effect[DOM_EFFECT_placement].on;
-    domq_real most, now = placed ? placement.error[DOM_ERROR_gap].size : DOMQ_NAN;
+    const bool has_placement = query->scene->effect[DOM_EFFECT_placement].on;
+    domq_real most, now = has_placement ? placement.error[DOM_ERROR_gap].size : DOMQ_NAN;
     if (!errors_check(query->scene, problem) || !scene_row_make(query->scene, &scene, problem))
         return false;
     if (query->given->count > 1)

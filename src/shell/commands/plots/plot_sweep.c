@@ -119,10 +119,11 @@ static void answers_draw(struct chart *chart, const struct points *p)
         is_one = is_one && strcmp(rows->unit[p->column + (int)k], unit) == 0;
     for (size_t k = 0; k < p->shape.answers; k++) {
         const int column = p->column + (int)k;
-        const char *name = rows->key[column], *own = is_one ? "" : rows->unit[column];
+        const char *name = rows->key[column], *unit_name = is_one ? "" : rows->unit[column];
         name += strncmp(name, "print ", 6) == 0 ? 6 : 0;
-        struct chart_curve *curve = chart_curve(chart, rows->count <= MARKED ? CHART_MARKED : CHART_LINE,
-                                                inks[k], (int)k, "%s%s%s", name, *own ? " in " : "", own);
+        struct chart_curve *curve =
+            chart_curve(chart, rows->count <= MARKED ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s%s%s",
+                        name, *unit_name ? " in " : "", unit_name);
         for (size_t i = 0; i < rows->count; i++)
             chart_point(chart, curve, rows->row[i].number[0], rows->row[i].number[column]);
     }

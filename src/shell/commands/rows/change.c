@@ -197,7 +197,7 @@ static void changes_say(const struct query *query, struct answer *a, const struc
                 more++;
     if (more > 0)
         answer_say(a, "and %zu more; 'row' lists the row", more);
-    a->told = true;
+    a->wrote_text = true;
 }
 
 bool run_change(const struct query *query, struct answer *a, struct problem *problem)

@@ -102,9 +102,9 @@ static void without_text(const struct study *study, char text[WITHOUT_TEXT])
     }
 }
 
-static bool block_write(void *own, size_t block, FILE *out)
+static bool block_write(void *context, size_t block, FILE *out)
 {
-    struct blocks *b = own;
+    struct blocks *b = context;
     const size_t all = b->placement->rows;
     struct domq_placement p = *b->placement;
     struct study study;
