@@ -41,7 +41,7 @@ def loop():
 
 
 def seconds(function):
-    """Returns the time of the processor in all threads, which other programs do not make longer."""
+    """Returns the processor time of all threads, which other programs hardly affect."""
     begun = time.process_time()
     function()
     return time.process_time() - begun
@@ -50,7 +50,7 @@ def seconds(function):
 if not numpy.array_equal(loop(), domino.rmax(separations).r_max):
     sys.exit("numpy_loop.py: the module and the loop differ")
 in_c = in_numpy = float("inf")
-for _ in range(REPEATS):  # in turns
+for _ in range(REPEATS):  # the two take turns
     in_c = min(in_c, seconds(lambda: lib.dom_trains_ask(api.dom_question.DOM_ASK_RMAX, trains, None, count,
                                                         ctypes.byref(compute), answers, statuses)))
     in_numpy = min(in_numpy, seconds(lambda: domino.rmax(separations)))

@@ -12,20 +12,20 @@ import time
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
-SAMPLES = 16  # of a cycle, before its barrier is refined
-FLAT = 1e-6  # share of the cycle in which a barrier that there is has begun to rise
-ROUNDING = 1e-15  # of the difference of two heights
+SAMPLES = 16  # number of samples of a cycle in the search for the barrier
+FLAT = 1e-6  # any barrier has begun to rise within this fraction of the cycle
+ROUNDING = 1e-15  # rounding error of a difference of two heights
 
 
 def highest(f, end, tol):
-    """The maximum of f over [0, end], f(0) = 0: the best of a few samples, refined by Brent's method."""
+    """Returns the maximum of f over [0, end], where f(0) = 0: the best of a few samples, refined by Brent's method."""
     step = end / SAMPLES
     heights = [0.0] + [f(k * step) for k in range(1, SAMPLES)] + [f(end)]
     top = max(range(SAMPLES + 1), key=heights.__getitem__)
     if top == SAMPLES or (top == 0 and f(FLAT * end) <= 0):
         return heights[top]
     around = (max(top - 1, 0) * step, (top + 1) * step)
-    # The height is right to the square of what its place is.
+    # The error of the height is of second order in the error of the tilt.
     found = minimize_scalar(
         lambda theta: -f(theta), bounds=around, method="bounded", options={"xatol": math.sqrt(tol) * step}
     )
@@ -33,13 +33,13 @@ def highest(f, end, tol):
 
 
 def unit(x, y):
-    """One Newton step back to x^2 + y^2 = 1, from which rounding drifts along a long train."""
+    """Makes a Newton step towards x^2 + y^2 = 1, to remove the drift by rounding errors along a long train."""
     norm = (3 - x * x - y * y) / 2
     return norm * x, norm * y
 
 
 class Train:
-    """An endless train: what one growth r has in common for all tilts."""
+    """An endless train with one growth r, and the values that all tilts share."""
 
     def __init__(self, s, r, d, q, tol):
         self.r, self.d, self.L = r, d, s + d
@@ -52,7 +52,7 @@ class Train:
             self.y_leave = (L * L + d * d - 1 / (r * r)) / (2 * d * L)
             x_f = min((1 + r * r * (L * L - d * d)) / (2 * r * L), 1)
             self.h_f = math.sqrt(1 - x_f * x_f) + d * x_f
-        # Heights of the upright train, as far as they are needed; in differences of energy they are always the same.
+        # Heights in the upright train, computed as far as they are needed. All energy differences use them.
         self.upright = [(0.0, 1.0, 1.0)]
         fall, J = self.rise(self.theta_c)
         T, rq = self.inertia * J, r**q
@@ -65,7 +65,7 @@ class Train:
         return unit(Y * x + X * y, Y * y - X * x)
 
     def rise(self, theta):
-        """H(theta) - H(0) and J(theta), term by term until the rest no longer matters."""
+        """Returns H(theta) - H(0) and J(theta), summed term by term until the remainder is negligible."""
         x, y = math.sin(theta), math.cos(theta)
         r, d, L, y_leave, upright, enough = self.r, self.d, self.L, self.y_leave, self.upright, self.enough
         H = J = size = 0.0
@@ -85,14 +85,14 @@ class Train:
             if i == len(upright):
                 x_1, y_1 = self.follower(upright[-1][0], y_0)
                 upright.append((x_1, y_1, y_1 + d * x_1))
-            if y <= y_leave:  # it falls off during this cycle, and keeps its energy
+            if y <= y_leave:  # this follower detaches during the cycle and keeps its energy
                 return H + weight * (self.h_f - upright[i][2]), J
             X = r * (L * y - d)
             Y = math.sqrt(1 - X * X) if abs(X) < 1 else 0.0
             if x > 0:
                 slope *= 1 - r * L * x / Y
             x, y = Y * x + X * y, Y * y - X * x
-            norm = (3 - x * x - y * y) / 2  # as unit(), written out since it is called most
+            norm = (3 - x * x - y * y) / 2  # same as unit(), inlined for speed
             x, y = norm * x, norm * y
             differs = abs(y + d * x - upright[i][2]) - ROUNDING
             if weight * differs + inertia * slope * slope < enough * size:
@@ -126,7 +126,7 @@ def duration(tol, s, r, d, q):
 
 
 def row(tol, n, growth, s, d, h, g, push):
-    """Seconds until the last domino of a row lies, each domino with its own measures."""
+    """Returns the seconds until the last domino of a row of any dominoes lies."""
     n = int(n)
     height = [h * growth**i for i in range(n)]
     thick = [d * a for a in height]
@@ -135,7 +135,7 @@ def row(tol, n, growth, s, d, h, g, push):
     inertia = [m * (a * a + t * t) / 3 for m, a, t in zip(mass, height, thick)]
 
     def moving(k, theta):
-        """Energy and inertia of domino k and all that lean on it, at its tilt."""
+        """Returns the energy and the inertia of domino k, at this tilt, and of all dominoes that lean on it."""
         x, y, slope, E, J = math.sin(theta), math.cos(theta), 1.0, 0.0, 0.0
         for j in range(k, -1, -1):
             E += mass[j] * g * (height[j] * y + thick[j] * x) / 2
@@ -151,7 +151,7 @@ def row(tol, n, growth, s, d, h, g, push):
     clock, momentum = 0.0, inertia[0] * push
     for k in range(n):
         E_0, J_0 = moving(k, 0.0)
-        kinetic = momentum * momentum / J_0  # twice
+        kinetic = momentum * momentum / J_0  # twice the kinetic energy
         end = math.asin(gap[k + 1] / height[k]) if k + 1 < n else math.pi / 2
         if kinetic < 2 * highest(lambda theta: moving(k, theta)[0] - E_0, end, tol):
             return math.nan

@@ -13,7 +13,7 @@ import sys
 
 
 def rounded(function):
-    """The function of a sine or cosine that may be larger than 1 by its rounding error."""
+    """Wraps asin or acos for an argument that may exceed 1 because of rounding."""
     return lambda x: function(max(-1, min(1, x)) if abs(x) < 1 + 1e-14 else x)
 
 

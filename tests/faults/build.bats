@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# How the program is built: hardened, and the same bytes in every folder.
+# The build: it is hardened, and gives the same bytes in every folder.
 # shellcheck disable=SC2154
 
 load faults
@@ -21,7 +21,8 @@ root=$BATS_TEST_DIRNAME/../..
         cmp "one/.build/$file" "the other folder/below/.build/$file"
     done
     if grep -aqF "$BATS_TEST_TMPDIR" one/.build/domino; then same 'the folder' 'not in the program' 'in there'; fi
-    # Every address is bound before main, in memory that is read-only then; wild writes are noticed.
+    # All addresses are bound before main, in memory that is then read-only, and there is a stack
+    # protector.
     readelf -d one/.build/domino | grep -q BIND_NOW
     readelf -lW one/.build/domino | grep -q GNU_RELRO
     for name in __stack_chk_fail __printf_chk; do nm -D one/.build/domino | grep -qw "$name"; done

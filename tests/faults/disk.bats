@@ -1,13 +1,14 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Disks that are full and files at their limit: an error that says so, and every file is whole, as before or new.
+# Full disks and limits of file size: there is an error message, and every file is whole, either the old or the
+# new one.
 # shellcheck disable=SC2154 # $full is set where the scripts run
 
 load faults
 
 teardown() { rm -rf "${away:-}"; }
 
-# Runs commands that cannot be written, each of which must say so; the session goes on.
+# Runs commands whose output cannot be written. Each must report this, and the session must go on.
 refused() { # COMMAND FILE
     local said
     said=$(soon "$DOMINO" -n -e "set output csv; $1; print 42" 2>&1) && same "$1: the status" 1 0
@@ -24,14 +25,14 @@ replaced() {
     refused 'curve 0.1 0.9 900 > new' new
     refused 'curve 0.1 0.9 900 >> new' new
     same 'the file' old "$(cat file)"
-    rm -f new # of no bytes
+    rm -f new # an empty file
     same 'no draft' 'file filler' "$(echo *)"
 }
 export -f replaced
-@test "full disk: '>' leaves the old file, and no draft" { disk replaced; }
+@test "full disk: '>' leaves the old file, and no temporary file" { disk replaced; }
 
 appended() {
-    # The last page of the disk has some room after the end of the file.
+    # The last block of the file has some room left.
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
     cp file before
     fill
@@ -39,10 +40,10 @@ appended() {
     cmp file before
     empty
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 >> file'
-    { cat before && sed 1d before; } | cmp - file # a file has one head
+    { cat before && sed 1d before; } | cmp - file # a file has a single header
 }
 export -f appended
-@test "full disk: '>>' takes back what it could not end" { disk appended; }
+@test "full disk: '>>' removes what it could not finish" { disk appended; }
 
 names() {
     echo old >file && ln file other
@@ -54,7 +55,7 @@ names() {
     same 'with room' "$("$DOMINO" -n -e fuel)" "$(cat other)"
 }
 export -f names
-@test "full disk: '>' on a file of two names leaves what is in it" { disk names; }
+@test "full disk: '>' onto a file with two hard links leaves its contents" { disk names; }
 
 saved() {
     echo old >file
@@ -77,10 +78,10 @@ export -f saved
     disk full_history
 }
 
-@test "a full folder for drafts: pictures and appended answers are errors" {
+@test "a full folder for temporary files: pictures and appended answers are errors" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     unshare --mount mount -t tmpfs tmpfs /tmp 2>/dev/null || skip 'nothing may be mounted here'
-    # The test's own folder is in /tmp; this one is not, and is removed in any case.
+    # The folder of the test is in /tmp. This one must be elsewhere, and is removed in any case.
     away=$(mktemp -d /var/tmp/domino.XXXXXX)
     cp "$DOMINO" "$away/domino"
     # shellcheck disable=SC2016
@@ -97,7 +98,7 @@ export -f saved
             ./domino -n -e "set output csv; curve 0.1 0.9 900 >> row" 2>&1
             echo " $? $(wc -l <row)"
         done' bash "$away" >"$BATS_TEST_TMPDIR/said"
-    # Each answer is there as a whole or not at all.
+    # Each answer must be written completely or not at all.
     rows=901
     grep -vE "^( 0( $((rows + 1)))?| 1( 1)?|-e:1: (plot: cannot draw|curve: cannot write 'row'): No space left on device)$" \
         "$BATS_TEST_TMPDIR/said" && false
@@ -109,7 +110,7 @@ export -f saved
     [ -z "$(find "$away" -mindepth 1 -name '*.??????')" ]
 }
 
-@test "a limit of size for files is an error like any other" {
+@test "a limit of file size is an error like any other" {
     enter
     export full='File too large'
     "$DOMINO" -n -e 'set output csv; curve 0.1 0.9 20 > file'
@@ -118,15 +119,15 @@ export -f saved
     ulimit -f 3
     refused 'curve 0.1 0.9 900 > new' new
     refused 'curve 0.1 0.9 900 > old' old
-    refused 'curve 0.1 0.9 900 >> file' file # the draft is too large
-    refused 'curve 0.1 0.9 20 >> file' file  # file and draft together are
+    refused 'curve 0.1 0.9 900 >> file' file # the temporary file is too large
+    refused 'curve 0.1 0.9 20 >> file' file  # the file and the temporary file together are too large
     cmp file before
     same 'the file of two names' old "$(cat other)"
     same 'nothing else' 'before file old other' "$(inside)"
     run -1 --separate-stderr soon "$DOMINO" -n -e 'plot energy > x.svg'
     [[ $stderr =~ (gnuplot did not draw it|cannot draw: File too large) ]] || same 'plot' 'an error' "$stderr"
     same 'no picture' 'before file old other' "$(inside)"
-    # And for standard output.
+    # The same for standard output.
     # shellcheck disable=SC2016
     run -1 --separate-stderr bash -c '"$DOMINO" -n -e "set output csv; curve 0.1 0.9 900" >out'
     same 'standard output' 'domino: cannot write the output: File too large' "$stderr"

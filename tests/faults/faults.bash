@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# The functions that the suites of faults share: a folder for each test, a limit for each wait, full disks.
+# Functions that the fault suites share: a folder for each test, a limit for each wait, and full disks.
 
 load ../shell/common
 
-# $BATS_TEST_TMPDIR is removed with the test, and all files in it.
+# Enters a folder that is removed after the test.
 enter() { mkdir -p "$BATS_TEST_TMPDIR/in" && cd "$BATS_TEST_TMPDIR/in" || exit; }
 
-# Runs a program with a time limit: the status is 124 if it did not end by itself.
+# Runs a program with a time limit. The status is 124 if the program did not end by itself.
 soon() { timeout -k 1 20 "$@"; }
 export -f soon
 
@@ -20,9 +20,9 @@ no_crash() { # WHAT STATUS
     [ "$2" -le 1 ] || same "$1: it ends by itself" '0 or 1' "$2"
 }
 
-# Runs a script of bash on a disk of its own with 64 kB, whose mount ends with the script. There 'fill' leaves no
-# block free, and 'empty' frees all of them. If mounting is not allowed, files have a limit of size instead, which 'fill'
-# sets. $full is the message of a full disk.
+# Runs a bash script on a separate disk of 64 kB, which is unmounted when the script ends. In the script, 'fill' fills
+# all blocks, and 'empty' frees them. If mounting is not allowed, 'fill' sets a limit of file size instead. $full is the
+# message for a full disk.
 disk() { # SCRIPT
     local own=() mounts=$BATS_TEST_TMPDIR/disk
     mkdir -p "$mounts"

@@ -1,12 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Allocations that fail, and a stack that is small: an error or the right answer, never a crash, never another answer.
+# Failing allocations and a small stack must lead to an error or to the right answer, but never to a crash or to a
+# wrong answer.
 # shellcheck disable=SC2030,SC2031,SC2154
 
 load faults
 
-# Of a session with --bail: every line that came out is one of the right ones, and what went wrong is said.  Sentences
-# that explain an answer may be missing, and then are no error.
+# Checks a session with --bail: every line of the output is one of the right lines, and errors are reported. Sentences
+# that explain an answer may be missing without an error.
 outcome() { # WHAT STATUS
     no_crash "$1" "$2"
     obtained=$(grep -vE '\.$' out) said=$(cat err)
@@ -21,7 +22,8 @@ outcome() { # WHAT STATUS
     [[ $left != *.?????? ]] || same "$1: no draft" '(nothing)' "$left"
 }
 
-# Lets each allocation fail alone, then with all after it: at most FAULTS_OF_MEMORY (60) of them, evenly spaced.
+# Makes each allocation fail, first alone and then with all later ones. At most FAULTS_OF_MEMORY (60)
+# allocations are tried, evenly spaced.
 every_allocation() { # SESSION
     enter
     printf 'fuel; theta1 0.1\n' >in.dom
@@ -54,7 +56,7 @@ every_allocation() { # SESSION
     every_allocation 'set precision quad; effect friction 0.2; barrier; reset; set errors on; rmax 0.3; curve 0.3 0.5 3'
 }
 
-# Chipmunk does not look whether it gets the memory that it asks for.
+# Chipmunk does not check whether an allocation fails.
 @test "the rigid-body engine under a limit of memory: the answer or a reason, no crash" {
     enter
     local k refused=0 solved=0

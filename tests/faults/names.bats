@@ -1,6 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Malicious names of files: each is used as it is, or is an error in one readable line; no other file is touched.
+# Malicious file names: each is used as it is, or leads to an error in one readable line, and no other file is
+# touched.
 # shellcheck disable=SC2154
 
 load faults
@@ -10,7 +11,7 @@ names=('with  blanks' -e --safe '%s%n%d' '*' '?' "'" '$(touch x)' '`x`' '\' '\n'
     "${long:0:255}" "${long:0:256}" "${long:0:249}" "${long:0:250}" ... '~x' 'a"b' '"' $'a\nquit' $'a\rb' $'\t' $'a\033[2Jb'
     $'\033]0;x\a' $'\001' $'\177' $'\302\233m' $'\377\376' $'\342\200\256gpj' $'\342\200\213')
 
-# Between quotes as a line takes it; '""' is a quote.
+# Quotes a name for a command line, in which '""' stands for a quote.
 quoted() { printf '"%s"' "${1//\"/\"\"}"; }
 
 readable() { # WHAT NAME: one line without letters that harm
@@ -23,7 +24,7 @@ readable() { # WHAT NAME: one line without letters that harm
     mkdir files && cd files
     answer=$("$DOMINO" -n -e fuel)
     for name in "${names[@]}"; do
-        [[ $name != *$'\n'* ]] || continue # it would end the line
+        [[ $name != *$'\n'* ]] || continue # a line break would end the command
         for call in 'fuel >' 'fuel >>' save; do
             soon "$DOMINO" -n -e "$call $(quoted "$name")" >../out 2>../err && status=0 || status=$?
             no_crash "$call $(printf %q "$name")" "$status"

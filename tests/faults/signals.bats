@@ -1,20 +1,22 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Signals while files are written, partners that do not come, streams that are closed, locks that others keep.
+# Signals while files are written, FIFOs that nobody opens, closed streams, and locks that other processes
+# hold.
 # shellcheck disable=SC2154
 
 load faults
 
-# Temporary files have six letters after their dot.
-drafts() { find . -name '*.??????' ! -name '*.script'; }
+# Lists temporary files, whose names end with a dot and six letters.
+temporary_files() { find . -name '*.??????' ! -name '*.script'; }
 
-# Starts the program in the background, as $child, with signals as a shell at a terminal gives them, also under nohup.
+# Starts the program in the background as $child. Signals have their default actions, as for a program that a shell
+# starts at a terminal, even under nohup.
 begin() { # ARGUMENT...
     env --default-signal "$DOMINO" -n "$@" >/dev/null 2>&1 3>&- &
     child=$!
 }
 
-# Sends it a signal, which must end it, and soon.
+# Sends a signal to the program, which must soon end.
 end_by() { # WHAT SIGNAL
     until [ "$(tr '\0' '\n' <"/proc/$child/cmdline" | head -n 1)" = "$DOMINO" ]; do kill -0 "$child"; done
     kill -s "$2" "$child"
@@ -42,12 +44,13 @@ every_file_command() { # SIGNAL
     "$DOMINO" -n -e 'set output csv; effect row 20; curve 0.2 0.6 40' >answer
     touch two log && ln two other
     local wait
-    # Moments all over the commands; the last come while files are written again and again.
+    # Send the signal at different moments during the commands, and at last while files are written
+    # again and again.
     for wait in 0.005 0.010 0.015 0.020 0.025 0.030 0.035 0.040 0.047 0.053; do
         begin all.script
         sleep "$wait"
         end_by "after $wait s" "$1"
-        same "drafts" '(nothing)' "$(drafts)"
+        same "temporary files" '(nothing)' "$(temporary_files)"
         [ ! -e new ] || cmp new answer
         [ ! -s two ] || cmp two answer
         [ ! -s log ] || same 'rows of the log, in whole answers below one head' 0 "$((($(wc -l <log) - 1) % ($(wc -l <answer) - 1)))"
@@ -63,7 +66,7 @@ every_file_command() { # SIGNAL
 @test "SIGXCPU while files are written" { ulimit -c 0 && every_file_command XCPU; }
 @test "SIGVTALRM while files are written" { every_file_command VTALRM; }
 
-@test "a limit of processor time leaves no draft" {
+@test "a limit of processor time leaves no temporary file" {
     enter
     ulimit -c 0
     ulimit -St 1
@@ -81,7 +84,7 @@ every_file_command() { # SIGNAL
     same 'what is left' '(nothing)' "$(inside)"
 }
 
-@test "gnuplot ends with the program, whatever signal ends that" {
+@test "gnuplot ends with the program, whatever signal ends the program" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     enter
     local drawing
@@ -114,7 +117,7 @@ END
 
 @test "eight sessions that end at once keep every line of the history" { prompt history_many 8 10; }
 
-@test "eight that append to one file tear no line" {
+@test "eight processes that append to one file do not mix their lines" {
     enter
     "$DOMINO" -n -e 'help; help; help' >answer # more than one block
     echo 'help; help; help' >three
@@ -125,7 +128,7 @@ END
     for _ in {1..200}; do cat answer; done | cmp - log
 }
 
-@test "a lock that another process keeps is reported, and the file is left alone" {
+@test "a lock that another process holds is reported, and the file is left alone" {
     enter
     echo old >file
     mkfifo over
@@ -139,7 +142,7 @@ END
     same 'the file' old "$(cat file)"
 }
 
-@test "closed streams: files have their answers, and nothing else" {
+@test "closed streams: files contain the answers, and nothing else" {
     enter
     command="set timing on; fuel > out; foo; fuel; save saved; fuel >> out"
     "$DOMINO" -n --keep-going -e "$command" >/dev/null 2>&1 || :

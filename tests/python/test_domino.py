@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Python module against the program: the same answers, and what Python adds. DOMINO is the program."""
+"""Compares the Python module with the program, and tests what Python adds. $DOMINO is the path of the program."""
 
 import json
 import math
@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def ask(lines):
-    """The answers of the program to the last command of each line: a list for each line, empty after an error."""
+    """Returns the program's answers to the last command of each line: a list for each line, empty after an error."""
     text = "set output json\n" + "".join(f"{line}\necho end\n" for line in lines)
     run = subprocess.run([PROGRAM, "-n"], input=text, capture_output=True, text=True, check=False)
     answers = [[]]

@@ -5,7 +5,7 @@
 
 load common
 
-# A gnuplot that keeps the script which it gets.
+# Replaces gnuplot by a program that stores its script.
 keep_scripts() {
     mkdir bin
     printf '#!/bin/sh\ntee "%s/script" | exec "%s" "$@"\n' "$PWD" "$(command -v gnuplot)" \
@@ -14,12 +14,13 @@ keep_scripts() {
     PATH=$PWD/bin:$PATH
 }
 
-# How many frames a gif has of each delay, in 1/100 s as little-endian hex.
+# Counts the frames of a gif by their delay, which is in 1/100 s as a little-endian hexadecimal
+# number.
 delays() { od -An -v -tx1 -w100000000 "$1" | tr -d ' \n' | grep -oE '21f904[0-9a-f]{2}[0-9a-f]{4}[0-9a-f]{2}00' | cut -c 9-12 | sort | uniq -c | awk '{ print $1, $2 }'; }
 
 record="effect row \"$root/examples/record.csv\""
 
-@test "animate: a gif, its frames equally far apart in time; each cycle lasts sqrt(r) longer" {
+@test "animate: the frames of a gif are evenly spaced in time, and each cycle lasts sqrt(r) times as long" {
     gif=$PWD/a.gif
     same silent '(nothing)' "$("$DOMINO" -e "animate $gif")"
     same gif GIF89a "$(head -c 6 "$gif")"
@@ -28,20 +29,21 @@ record="effect row \"$root/examples/record.csv\""
     same rows 96 "$(wc -l <frames)"
     awk -F, -v whole="$(json duration | values seconds)" 'NR == 3 { step = $1 } NR > 2 { d = $1 - before - step; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
         { before = $1; n[$2]++ }
-        # 1 + sqrt(r) + r cycles, as many frames in each as it lasts; theta grows in each, up to theta_c.
+        # There are 1 + sqrt(r) + r cycles. The number of frames of a cycle is proportional to its
+        # duration, and theta grows in each cycle up to theta_c.
         END { w = before / whole - (1 + sqrt(1.5) + 1.5); exit bad || !(w < 1e-6 && w > -1e-6 && n[2] / n[1] > 1.1 && n[2] / n[1] < 1.35 && n[3] > n[2] && $3 > 0.6435 && $3 < 0.64351) }' frames
     awk -F, 'NR > 2 && $2 == cycle { pairs++; if (!($3 > theta)) bad = 1 } { cycle = $2; theta = $3 }
         END { exit bad || pairs < 80 }' frames
     "$DOMINO" -e "animate $gif 1"
     same 'one cycle' '26 0400' "$(delays "$gif")"
     same 'data instead, and no file' '(nothing)' "$(csv "animate b.gif" >/dev/null; ls "$PWD" | grep 'b\.gif')"
-    # A train that stops is shown to its stop.
+    # A train that stops is shown until it stops.
     "$DOMINO" -e "set r 1.7; animate $gif"
     same 'it stops' "$(json 'set r 1.7; barrier' | sed -n 's/.*stops at theta = \([0-9.]*\).*/\1/p' | cut -c 1-8)" \
         "$(csv 'set r 1.7; animate a.gif' | tail -n 1 | cut -d, -f 3 | cut -c 1-8)"
 }
 
-@test "animate: the row in real time from before the first hit to the end, held for a second" {
+@test "animate: a row in real time, from before the first hit to the end, which is held for a second" {
     same silent '(nothing)' "$("$DOMINO" -e "$record; animate a.gif rate 10" 2>&1)"
     read -r width height frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
     same 'one delay of a tenth of a second' '10 ' "$delay $rest"
@@ -49,26 +51,26 @@ record="effect row \"$root/examples/record.csv\""
     csv "$record; animate a.gif rate 10" >data
     same keys 'time,domino,theta' "$(head -n 1 data)"
     same 'a frame each row, and ten more' "$frames" "$(($(wc -l <data) - 1 + 10))"
-    # Equally far apart, up to the end, which is that of 'fall'.
+    # The times are evenly spaced up to the end, which is the same as for 'fall'.
     awk -F, -v end="$(json "$record; verdict" | values seconds)" 'NR == 2 && !($1 < 0) { bad = 1 }
         NR > 3 && before < end - 0.1 { d = $1 - before - 0.1; if (d > 1e-9 || d < -1e-9) bad = 1 }
         NR > 2 && $2 < domino { bad = 1 } { before = $1; domino = $2 }
         END { d = before / end - 1; exit bad || domino != 10 || d > 1e-9 || d < -1e-9 }' data
-    # A push starts the clock; half as fast takes twice as many frames.
+    # With a push, times begin with the push. Half the speed takes twice as many frames.
     set_push='set r 1; effect row 12; effect push 6'
     same 'from the push' 0 "$(csv "$set_push; animate a.gif" | sed -n '2s/,.*//p')"
     "$DOMINO" -e "$set_push; animate a.gif speed 0.5; animate b.gif speed 0.25"
     read -r _ _ fast _ <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
     read -r _ _ slow _ <<<"$("$BATS_TEST_DIRNAME/gif" b.gif)"
     awk -v a=$((fast - 25)) -v b=$((slow - 25)) 'BEGIN { exit !(b / a > 1.9 && b / a < 2.1) }'
-    # Also a row that stops, and one whose view follows the front.
+    # The same for a row that stops, and for one in which the view follows the front.
     "$DOMINO" -e 'set r 1.6; effect row 12; animate a.gif; set r 1.5; effect row 12; animate b.gif rate 5'
     "$BATS_TEST_DIRNAME/gif" a.gif
     "$BATS_TEST_DIRNAME/gif" b.gif
     same 'the train, with a row on' "$(csv 'animate a.gif 2')" "$(csv 'effect row 3; animate a.gif train 2')"
 }
 
-@test "animate: .webm and .mp4 by ffmpeg, which gets every frame as a png" {
+@test "animate: ffmpeg makes .webm and .mp4 from a png of every frame" {
     mkdir bin none
     ln -s "$(command -v gnuplot)" none/gnuplot
     cat >bin/ffmpeg <<'END'
@@ -95,7 +97,7 @@ END
     [ ! -e a.mp4 ]
 }
 
-@test "the gallery has what examples/pictures.dom draws, and is small" {
+@test "the gallery has the pictures that examples/pictures.dom draws, and is small" {
     "$DOMINO" -f "$root/examples/pictures.dom" >/dev/null
     same pictures "$(ls "$root/examples/pictures")" "$(ls)"
     for picture in *; do
@@ -110,7 +112,8 @@ END
     local scene
     for scene in '' 'set r 1.1' 'set r 1.3; set q hollow; set d 0.05' 'set r 1.7'; do
         "$DOMINO" -e "$scene; animate a.gif"
-        # A frame has one domino of the head's part, after the data of which its number comes: between its feet.
+        # In a frame, the head is a part of its own. Its number follows in the data, and stands between the feet
+        # of the head.
         awk '/^\$part2/ { heads++; n = 0; next } /^END/ { n = -1 } n >= 0 && NF == 2 { x[n++] = $1 }
             /^set label .0. at/ {
                 labels++
@@ -127,7 +130,7 @@ END
     read -r _ _ frames delay rest <<<"$("$BATS_TEST_DIRNAME/gif" a.gif)"
     same 'one delay' '4 ' "$delay $rest"
     [ "$frames" -gt 200 ] && [ "$frames" -le 250 ] # 10 s
-    # The frames still reach from the first hit to the end.
+    # The frames still cover the time from the first hit to the end.
     csv 'effect row 20; animate a.gif' >data
     close 'the end' "$(json 'effect row 20; verdict' | values seconds)" "$(tail -n 1 data | cut -d, -f 1)"
     awk -F, 'NR == 4 { step = $1 - before } NR > 4 && NR < 200 { d = $1 - before - step; if (d > 1e-9 || d < -1e-9) exit 1 } { before = $1 }' data

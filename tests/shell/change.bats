@@ -1,14 +1,14 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Change: any measure of any dominoes of a row, absolute, by adding, or as a share.
+# Change: any property of any dominoes of a row, as a value, as a difference, or in percent.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# The column KEY of the row after COMMANDS, in one line.
+# Prints the column KEY of the row after COMMANDS, in one line.
 column() { json "$2; row" | values "$1" | paste -sd ' ' -; } # KEY COMMANDS
 
-@test "change: what it says of each kind of value, and of many dominoes" {
+@test "change: the sentence for each kind of value, and for many dominoes" {
     "$DOMINO" -e "effect row $root/examples/record.csv; change 4,5 thickness +10 %; change 6 height 1.2 m
         change 3-4 gap +1 cm; place 8 -4 cm; change 2 lean = -2 mm; change 2 lean +0.1 deg; change 1 mass -76 g
         change 1 thickness 3.5 cm; change all gap 110 %" | grep . >said
@@ -32,7 +32,7 @@ END
     same 'for programs' '{"command":"change"}' "$("$DOMINO" -e 'set output json; effect row 4; change 2 gap 1 cm' | tail -n 1)"
 }
 
-@test "change: a domino keeps its density; masses are shares, also without kilograms" {
+@test "change: a domino keeps its density; masses are relative if they are not known in kilograms" {
     csv=$root/examples/record.csv
     same thickness '0.76 2.2 6.71 17' "$(column mass "effect row $csv; change 3 thickness +10 %" | cut -d' ' -f1-4)"
     same 'and height' 13.42 "$(column mass "effect row $csv; change 3 thickness +10 %; change 3 height 200 %" | cut -d' ' -f3)"
@@ -40,11 +40,12 @@ END
     same 'of the first' 0.9 "$(column mass 'set mass 1; effect row 3; change 1 mass 0.9 kg' | cut -d' ' -f1)"
     same 'relative' '1 3.375 11.390625' "$(column relative 'effect row 3')"
     same 'relative, changed' '1 6.75 11.390625' "$(column relative 'effect row 3; change 2 mass 200 %')"
-    # The first domino has the mass that 'set mass' says, and then the change.
+    # The first domino has the mass of 'set mass', to which the change applies.
     same 'relative, first' '1 6.75 22.78125' "$(column relative 'effect row 3; change 1 mass 50 %')"
-    # Energies are in m g h / 2 of the first domino: with all masses doubled, nothing changes.
+    # Energies are in m g h / 2 of the first domino, so they do not change if all masses are
+    # doubled.
     same energy "$(json 'effect row 4; fall' | values kinetic)" "$(json 'effect row 4; change all mass 200 %; fall' | values kinetic)"
-    # A thicker domino is a wall with the same verdict as a file that says so.
+    # A changed row has the same verdict as a file with the same values.
     "$DOMINO" -e "effect row $csv; change 4,5 thickness +10 %; change 3 lean 4 mm; row > by.csv" >/dev/null
     sed -E 's/^4,( *680, *)100,( *[0-9]+, *)17/4,\1110,\218.7/; s/^5,( *960, *)140,( *[0-9]+, *)47/5,\1154,\251.7/' "$csv" >hand.csv
     [ "$(diff "$csv" hand.csv | grep -c '^>')" -eq 2 ]
@@ -66,7 +67,7 @@ END
         "$(json 'effect row 5; change 3 thickness 2 cm; sweep s 0.4, 0.5 : verdict' | tail -n 1 | values spare)"
 }
 
-@test "change: what is wrong is said, and nothing has changed" {
+@test "change: errors are reported, and change nothing" {
     local before command message
     before=$(json 'effect row 5; row')
     while IFS='|' read -r command message; do

@@ -1,12 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A program at the other end of the pipes; log, tee and echo.
+# Programs that control domino through pipes; log, tee and echo.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# A program that writes a command and waits for its answer: each of the table, and what replaces a line.
-# The timeout is for the failure alone.
+# A program that writes each command of the table, and also other kinds of lines, and waits for each
+# answer. The timeout matters only if the test fails.
 talk() { # READ-FROM WRITE-TO: descriptors
     local call line
     while IFS='|' read -r call _; do
@@ -41,7 +41,7 @@ setup() {
     local by
     for by in '-f commands' '-e source\ commands'; do
         eval "'$DOMINO' $by >answers &"
-        exec 6<answers 5>commands # in the order in which the program opens them
+        exec 6<answers 5>commands # in the order in which domino opens them
         echo 'set output json; effect row 4; effect placement 5 mm' >&5
         talk 6 5
         exec 5>&- 6<&-
@@ -50,7 +50,7 @@ setup() {
 }
 
 @test "answers are not sent one by one if no reader waits" {
-    # dd counts what it is given at a time; a read takes one write or more of them.
+    # dd counts its reads, each of which returns the data of one or more writes.
     for way in stdin file; do
         printf 'print 12345\n%.0s' {1..20000} >lines
         [ $way = stdin ] && ask=("$DOMINO") || ask=("$DOMINO" -f lines)
@@ -60,7 +60,7 @@ setup() {
     done
 }
 
-@test "what was not run is left to the program that reads on" {
+@test "lines that were not run are left in the input for the next program" {
     printf 'print 1\nquit\nthe rest\n' >lines
     same 'quit' $'1\nthe rest' "$({ "$DOMINO"; cat; } <lines)"
     same '-f -' $'1\nthe rest' "$({ "$DOMINO" -f -; cat; } <lines)"
@@ -82,7 +82,7 @@ setup() {
     done
 }
 
-# A study that would take minutes, after a quick answer.
+# A study that would take minutes follows a quick answer.
 long='print 41 + 1; effect row 13; effect placement 8 mm; placement 9000000'
 
 @test "a finished answer is written while the next one is computed, into pipes and files" {
@@ -109,7 +109,7 @@ def ask(line):
 domino.stdin.write("set output json\n")
 ask("effect row 13")
 answered = threading.Event()
-def interrupt(): # until the study has begun, and is answered
+def interrupt(): # until the study has begun, and the answer to the interrupt has come
     while not answered.wait(0.2):
         domino.send_signal(signal.SIGINT)
 thread = threading.Thread(target=interrupt)
@@ -135,7 +135,7 @@ END
     same 'as a script' '-2' "$(timeout 60 python3 interrupt.py | tail -n 1)"
 }
 
-@test "log: a script of the commands, with answers as comments; tee: the answers alone" {
+@test "log writes a script of the commands, with answers as comments; tee writes only the answers" {
     printf 'set s 0.3\nfuel\n' >script
     printf '%s\n' 'log l.dom' 'tee t' 'set q hollow; pair 0.2' 'foo' 'source script' 'tee off' 'log off' 'fuel' |
         "$DOMINO" >out 2>err || true

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=bash
-# The functions that the session suites share. "$DOMINO" is the program; nothing is written outside $BATS_TEST_TMPDIR.
+# Functions that the session suites share. "$DOMINO" is the program; nothing is written outside $BATS_TEST_TMPDIR.
 
 bats_require_minimum_version 1.5.0
 
-# The command table of the calculator: a call of each command, and the keys of its answer in their order.
+# A call of each command, and the keys of its answer in order.
 # shellcheck disable=SC2034
 commands='thetac|theta_c theta_u theta_inf theta_f theta_leave detaches
 theta1 0.1|theta theta_1 slope arm_a arm_b
@@ -64,16 +64,16 @@ json() {
     return "${PIPESTATUS[0]}"
 }
 
-# Leaves out of json what says which command answered: the key, and objects without an answer.
+# Removes from json the key that names the command, and objects without an answer.
 bare() {
     sed -uE '/^\{"command":"[a-z0-9]*"\}$/d; /^\{"command":[^,]*,"error":/d; s/^\{"command":"[a-z0-9]*",/{/'
 }
 
-# Print, of json answers on stdin, the keys of the first answer; and the value of a key in each answer that has it.
+# Print the keys of the first json answer on stdin, and the value of a key in each answer that has it.
 keys() { bare | head -n 1 | grep -o '"[A-Za-z0-9_]*":' | tr -d '":' | paste -sd ' ' -; }
 values() { sed -En "s/^(.*,|\{)\"$1\":(\"[^\"]*\"|[^,}]*).*/\2/p" | tr -d '"'; }
 
-# A row in a csv file.
+# The contents of a csv file with a row.
 # shellcheck disable=SC2034
 two_dominoes='height (mm), thickness (mm), gap (mm)
 48, 7, -
@@ -83,8 +83,8 @@ two_dominoes='height (mm), thickness (mm), gap (mm)
 # shellcheck disable=SC2034
 root=${BATS_TEST_DIRNAME%/tests/*}
 
-# Checks before every test that there is a program that answers: without one, a test that something is not done
-# would pass. Each test begins in an empty folder.
+# Checks before every test that the program runs, because otherwise tests that something does not happen would
+# pass. Each test begins in an empty folder.
 setup() { begin; }
 begin() { answers_at_all && mkdir -p "$BATS_TEST_TMPDIR/work" && cd "$BATS_TEST_TMPDIR/work" || exit; }
 answers_at_all() { same 'the program' 42 "$("$DOMINO" -e 'print 6*7' 2>&1)"; }
@@ -94,19 +94,20 @@ file() { cat >"$1"; }
 completed() { "$DOMINO" -e "complete $1" | paste -sd ' ' -; }
 inside() { find . ! -name . | sed 's,^\./,,' | LC_ALL=C sort | paste -sd , -; }
 mode() { find "$1" -prune -perm "$2"; }
-# No test may wait for ever.
+# Runs a program with a time limit, so that no test waits for ever.
 soon() { timeout 30 "$@"; }
 
-# Runs a scenario at a terminal: that of prompt.bats is in prompt.exp.
+# Runs a scenario at a terminal. The scenarios of NAME.bats are in NAME.exp.
 prompt() { timeout 300 expect -f "${BATS_TEST_FILENAME%.bats}.exp" "$@" </dev/null; }
 
-# Fails if an expectation is blank: a program that prints nothing would meet it. To expect nothing, write
-# '(nothing)'.
+# Fails if an expected text is empty, because a program that prints nothing would pass. Write '(nothing)'
+# to expect nothing.
 expects() { # WHAT EXPECTED
     [[ $2 == *[![:space:]]* ]] || { printf '%s: the expectation is empty\n' "$1" && false; }
 }
 
-# Checks that two texts are equal, and prints the difference.  Which command wrote an object does not matter.
+# Checks that two texts are equal, and prints the difference. In json, the key that names the command is
+# ignored.
 same() { # WHAT EXPECTED OBTAINED
     expects "$1" "$2" || return
     local expected=$2 obtained=$3
@@ -115,7 +116,7 @@ same() { # WHAT EXPECTED OBTAINED
     [ "$expected" = "$obtained" ] || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
-# Checks that two answers exist and differ: so what is compared elsewhere depends on the question.
+# Checks that two answers exist and differ, so that comparisons elsewhere mean something.
 differ() { # WHAT ONE OTHER
     expects "$1" "$2" && expects "$1" "$3" || return
     [ "$2" != "$3" ] || { printf '%s\ntwice: %s\n' "$1" "$2" && false; }
@@ -127,7 +128,8 @@ same_file() { # EXPECTED OBTAINED
     diff -u "$1" "$2"
 }
 
-# Checks that numbers agree to a relative error of BOUND (1e-10), and 1e-15 if the value is 0; '(nothing)' is null.
+# Checks that numbers agree to a relative error of BOUND, by default 1e-10, or to 1e-15 if the value is 0.
+# '(nothing)' stands for null.
 close() { # WHAT EXPECTED OBTAINED [BOUND]
     expects "$1" "$2" || return
     awk -v e="$2" -v o="$3" -v bound="${4:-1e-10}" 'BEGIN {
@@ -140,7 +142,7 @@ close() { # WHAT EXPECTED OBTAINED [BOUND]
     }' || { printf '%s\nexpected: %s\nobtained: %s\n' "$1" "$2" "$3" && false; }
 }
 
-# Checks a given awk condition (d: the relative difference of the two numbers).
+# Checks an awk condition, in which d is the relative difference of the two numbers.
 within() { # WHAT EXPECTED OBTAINED CONDITION
     if [[ $2 =~ [0-9] && $3 =~ [0-9] ]] && awk -v e="$2" -v o="$3" "BEGIN { d = o / e - 1; exit !($4) }"; then
         return 0
@@ -149,7 +151,8 @@ within() { # WHAT EXPECTED OBTAINED CONDITION
     return 1
 }
 
-# Checks that a command fails with this message, in one line, and that the session goes on; 'run' sets its variables.
+# Checks that a command fails with this message in one line, and that the session goes on. Sets the variables of
+# 'run'.
 # shellcheck disable=SC2154
 wrong() { # COMMANDS PATTERN
     run --separate-stderr "$DOMINO" --keep-going -e "$1; print 41 + 1"
@@ -176,7 +179,7 @@ all_fail() {
     done
 }
 
-# Checks that commands fail with one line, which has the text.
+# Checks that commands fail with a single line that contains the text.
 one_line() { # TEXT COMMANDS
     run -1 "$DOMINO" --keep-going -e "$2"
     same "$2: one line" 1 "${#lines[@]}"
@@ -195,7 +198,7 @@ all_mean() {
     while IFS='|' read -r line commands; do same "$line" "$(json "$commands")" "$(json "$line")"; done
 }
 
-# Rows of VALUE|UNIT|EXPRESSION on stdin, where '-' is no unit: what print makes of them.
+# Checks the output of 'print' for rows of VALUE|UNIT|EXPRESSION on stdin, where '-' means no unit.
 all_worth() {
     local value unit expression rows answers
     mapfile -t rows
@@ -209,8 +212,9 @@ all_worth() {
     done
 }
 
-# Checks rows of COLUMN|COMMAND|MESSAGE on stdin in one session: each command fails with one error at its place, which
-# matches the regular expression MESSAGE, and changes no parameter. At column 0 an error is about the whole command.
+# Checks rows of COLUMN|COMMAND|MESSAGE on stdin in one session. Each command must fail with one error at the column,
+# which matches the regular expression MESSAGE, and must change no parameter. Column 0 means that the error is about
+# the whole command.
 all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are written
     local column command message place way rows errors i each=()
     mapfile -t rows
@@ -244,7 +248,7 @@ all_wrong() { # [WAY...]: stdin, -e, or a file, in which the commands are writte
 }
 wrong_at() { all_wrong stdin <<<"$1|$2|$3"; } # COLUMN COMMANDS MESSAGE
 
-# The libraries that a program needs to link a library that was built for checkers.
+# Prints the libraries that are needed to link a library that was built with sanitizers.
 checked() {
     if nm "$1" 2>/dev/null | grep -q __asan_init; then echo -fsanitize=address,undefined; fi
     if nm "$1" 2>/dev/null | grep -q __gcov_init; then echo --coverage; fi

@@ -1,17 +1,17 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What programs rely on: 300 commands answer as version 1.0 did.
+# Compatibility for programs: 300 commands answer as version 1.0 did.
 
 load common
 
 @test "300 commands answer in json as version 1.0 did: each key, each value, each failure" {
     same commands 300 "$(grep -vc '^#' "$root/tests/compat/session.dom")"
-    # Some of them are wrong. Messages name the file as it was called.
+    # Some of these commands are wrong. Messages contain the file name as it was given.
     ! (cd "$root/tests/compat" && "$DOMINO" -n --keep-going -f session.dom) >answers.json 2>errors
     run -0 "$root/tests/compat/compare" "$root/tests/compat/answers.json" answers.json
 }
 
-@test "the comparison sees a key, a value and an answer that are gone, and lets new ones be" {
+@test "the comparison reports a missing key, value or answer, and accepts new ones" {
     kept=$root/tests/compat/answers.json
     while IFS='|' read -r status edit; do
         sed -E "$edit" "$kept" >edited.json

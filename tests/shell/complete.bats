@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion: what may follow on a line, by the command complete.
+# Completion: the command 'complete' shows how a line may continue.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "'complete LINE' takes the whole line, and nothing of it is run" {
+@test "'complete LINE' takes the whole line, and runs nothing of it" {
     run -0 --separate-stderr "$DOMINO" -e 'complete fuel; th'
     same "';'" "$("$DOMINO" -e 'complete th')" "$output"
     same "';': stderr" '(nothing)' "$stderr"
@@ -105,7 +105,8 @@ reset s |(nothing)
 foo |(nothing)
 fuel |(nothing)
 END
-    # In an expression: parameters with a number, commands with a value, functions; nothing else.
+    # In an expression, only parameters with a number, commands with a value, and functions are
+    # offered.
     names=" $(completed 'print ') "
     for name in s r d q tol h g rmax barrier 'count(' ans 'sin(' 'sqrt(' pi; do
         [[ $names == *" $name "* ]] || same 'print' "$name" "$names"
@@ -116,7 +117,7 @@ END
     for call in 'theta1 2*' 'count 1 + ' 'rmax (' 'curve 0.1 0.9*'; do
         same "$call" "$names" " $(completed "$call" | sed 's/[^ ]*[*(]\([a-z]\)/\1/g') "
     done
-    # Everything that is offered there has a value, or is a function.
+    # Every offered name has a value or is a function.
     [ "$(wc -w <<<"$names")" -ge 40 ]
     for name in $names; do
         [[ $name != *\( ]] || continue
@@ -159,7 +160,7 @@ END
     same 'nowhere else' '(nothing)' "$(completed 'theta1 alpha')"
 }
 
-@test "what completion offers after a word is no error there" {
+@test "words that completion offers after a word are accepted there" {
     local line word refused=''
     for line in draw 'draw forces' 'draw 0.3' 'draw 0.3 forces' 'plot chain' 'plot energy' 'plot growth' \
         'plot gr' 'plot sweep' 'plot marginal' 'plot omega' 'cycle 3' 'effect friction' 'effect friction on' \

@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What accuracy costs: cost and its picture.
+# The time that accuracy costs: 'cost' and its picture.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "cost: a row for each method, precision and tolerance, and the lesson in words" {
+@test "cost: a row for each method, precision and tolerance, and a summary in words" {
     run -0 "$DOMINO" -e 'cost rmax'
     for word in paper GSL ours proved float double quad; do grep -q "\b$word\b" <<<"$output"; done
     [[ ${lines[-1]} =~ ^A\ proof\ of\ 12\ digits\ takes\ [0-9.e+]+\ times\ our\ time\ without\ one\.$ ]]
@@ -14,28 +14,30 @@ load common
     grep -q '^To 6 digits the solvers of GSL take [0-9.e+]* times our time\.$' <<<"$output"
 }
 
-@test "cost: errors are as small as asked, for every method that answers; ours goes down to 1e-33" {
+@test "cost: errors are as small as requested for every method that answers, down to 1e-33 for our own" {
     for command in rmax barrier duration launch fuel pair; do
         "$DOMINO" -e "set output csv; cost $command" >cost
         same "$command" method,precision,tol,error,dominoes,passes,time,times "$(head -n 1 "$PWD/cost")"
         awk -F, -v command="$command" 'NR > 1 {
-            if ($1 == "GSL" && $4 == "") next # where its solver gives up
-            # Steps of half sqrt(tol), in the recipe of the paper, make errors of that order; a double and a float have their roundings.
+            if ($1 == "GSL" && $4 == "") next # the solver of GSL gives up here
+            # The recipe of the paper has steps of sqrt(tol) / 2, so its errors are of the order of tol. In double and float,
+            # rounding errors are added.
             room = $1 == "paper" ? 20 * $3 : $3
-            if ($1 == "proved") $5 = 1 # its passes are chains of any length
+            if ($1 == "proved") $5 = 1 # for a proof, the numbers of passes and dominoes are unrelated
             floor = $1 == "proved" ? 1e-13 : $2 == "float" ? 3e-6 : $2 == "double" ? 1e-14 : 1e-31
             if (!($4 <= room + floor && $5 >= 1 && $6 >= 1 && $7 > 0 && $8 >= 1)) { print command ": " $0; bad = 1 }
             if ($1 == "ours" && $2 == "quad" && $3 == 1e-33) finest = 1
             rows++
         } END { exit bad || !finest || rows < 20 }' cost
-        # More digits, more work. The number of dominoes may fall by one, where a series takes another order.
+        # More digits take more work, except that the number of dominoes may decrease by one where the order
+        # of a series changes.
         awk -F, '$1 == "ours" && $2 == "quad" { if ($5 < before - 1) bad = 1; before = $5; passes = $6; rows++
             if (rows == 1) { first = $5; few = $6 } } END { exit bad || rows < 3 || before < first || passes < few - (few > 20) * few / 3 }' \
             cost
     done
 }
 
-@test "cost: what has no tolerance, or no answer, is an error in one line" {
+@test "cost: commands without a tolerance or an answer are errors in one line" {
     run -1 "$DOMINO" --keep-going -e 'cost thetac'
     same thetac "-e:1:6: cost: unknown command with a tolerance 'thetac'; use one of: fuel, launch, barrier, duration, rmax, pair" "$output"
     run -1 "$DOMINO" --keep-going -e 'cost brier'
@@ -51,7 +53,7 @@ load common
     [[ $output == *'r s = 3.6 > 1'* ]]
 }
 
-@test "plot cost: what the picture says, and its data" {
+@test "plot cost: the labels of the picture, and its data" {
     run -0 "$DOMINO" -e 'plot cost launch'
     for words in 'What accuracy costs' 'time of one answer' 'this program, quad' 'recipe'; do
         grep -q "$words" <<<"$output"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# How many dominoes it takes: count.
+# The number of dominoes that topple a height: count.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -29,7 +29,7 @@ END
     grep -q '"reason":"[^"]' <<<"$answer"
 }
 
-@test "count 112 answers the quiz as a person asks it" {
+@test "count 112 answers the quiz in the words of the quiz" {
     same 'count 112' '20 dominoes, each 1.5 times as large as the one before, topple one of 112 m.
 The 20th domino is 106.4 m tall; it could topple one of up to 159.6 m.
 Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
@@ -47,7 +47,7 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
         '^ *solid *no;.*1\.64423' 'not possible at s = 0\.4 with solid dominoes: the train has too little energy'; do
         grep -q "$words" <<<"$answer" || same 'count 112 2' "$words" "$answer"
     done
-    # A mass exponent that has no word gets its own line; a synonym gets none.
+    # A mass exponent without a word gets a line of its own, but a synonym does not.
     "$DOMINO" -e 'set q 3.5; count 112' | grep -q '^ *q = 3\.5 *yes'
     same 'hollow and solid' 2 "$("$DOMINO" -e 'count 112' | grep -c '^ .*growth up to')"
     for pair in '0.05|The first domino is 4.8 cm tall' '0.1|The 2nd domino' '0.15|The 3rd domino' '0.2|The 4th domino' \
@@ -55,7 +55,7 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
         [[ $("$DOMINO" -e "count ${pair%|*}") == *"${pair#*|}"* ]] || same "$pair" "${pair#*|}" "$("$DOMINO" -e "count ${pair%|*}")"
     done
     same 'tall enough' 'No other domino is needed: the first is already 4.8 cm tall.' "$("$DOMINO" -e 'count 1 cm' | head -n 1)"
-    # A train that misses the next domino is a "no", too: the number is there all the same.
+    # A train that misses the next domino is also a "no", and the number is still printed.
     answer=$(json "set s 0.9; count 112")
     same "r s > 1" "20 false" "$(values dominoes <<<"$answer") $(values feasible <<<"$answer")"
     grep -q '"reason":"[^"]*without touching' <<<"$answer"
@@ -65,12 +65,12 @@ Such a row falls.' "$("$DOMINO" -e 'count 112' | head -n 3)"
     same 'feasible: no reason' '(nothing)' "$(values reason <<<"$answer")"
 }
 
-# The row of a count, run by 'fall': its first domino tips over, or has the push.
+# Runs the row of a count with 'fall'. Its first domino tips over or is pushed.
 falls() { # SCENE DOMINOES
     json "$1; effect row $(($2 + 1)); verdict" | values verdict
 }
 
-@test "count answers for a row that has to start, as 'verdict' runs it" {
+@test "count answers for a row with a start, as 'verdict' runs it" {
     while IFS='|' read -r scene dominoes feasible goes_on; do
         answer=$(json "$scene; count 112" | tail -n 1)
         same "$scene: dominoes" "$dominoes" "$(values dominoes <<<"$answer")"
@@ -100,7 +100,7 @@ effect edges 0.01; set r 1.5|20|true|true
 END
 }
 
-@test "count says how a row ends that does not start, and how few start by themselves" {
+@test "count says how a row ends that does not start, and how many dominoes start by themselves" {
     answer=$("$DOMINO" -e 'count 112 m 1.64')
     for words in '^16 dominoes, .* would be needed' '^Such a row does not fall\.$' \
         'just tips over the row ends at domino 2: it has too little energy .* a push of 6\.766 rad/s is enough' \
@@ -110,7 +110,7 @@ END
     answer=$("$DOMINO" -e 'set q hollow; set s 0.1; count 112 m 1.2')
     grep -q 'ends at domino 1: the first touches the second before it tips over' <<<"$answer"
     grep -q 'hollow *no; .* no such row starts by itself' <<<"$answer"
-    # The longest row that starts is that of 'rowmax', and the reason is in json.
+    # The longest row that starts agrees with 'rowmax', and json has the reason.
     close r_start "$(json 'effect row 24; rowmax' | values r_max)" "$(json 'count 112' | values r_start)" 1e-8
     json 'count 112 m 1.64' | grep -q '"reason":"with a first domino that just tips over the row ends at domino 2'
     # A short row with a push may fall although an endless train would stop.

@@ -1,20 +1,20 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One cycle as a table, and the walk through the cycles event by event.
+# A cycle as a table, and the walk through cycles event by event.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# Of json answers: values of a key, joined.
+# Prints the values of a key in json answers, in one line.
 all() { values "$1" | paste -sd ' ' -; }
 
-# The steps on stdin are alike, and so many.
+# Checks that there are COUNT steps on stdin, and that all are equal.
 evenly() { # COUNT
     awk -v count="$1" 'NR == 1 { step = $1 } { d = $1 / step - 1; if (!(d <= 1e-9 && d >= -1e-9)) bad = 1 }
         END { if (bad || NR != count) { print NR " steps, not even"; exit 1 } }'
 }
 
-# The rows of a table of known values, without its head.
+# Prints a table of known values without its header.
 reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; }
 
 @test "reference/points.csv: angles, energies, fuels, launch, barrier, speed and duration of a cycle" {
@@ -29,9 +29,10 @@ reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; 
                 " >answers
             fuel_in_use=fuel_$fuel launch=launch_$fuel omega=omega_$fuel duration=duration_$fuel
             while read -r key expected; do
-                # The square of no speed: the table goes on with (21; c3) and (24; c6) where a train stops.
+                # Where a train stops, the table has the negative values of (21; c3) and (24; c6), which
+                # are no squares of a speed.
                 [[ $key == omega*sq && $expected == -* ]] && expected=''
-                # The table leaves out some durations, which take long in 40 digits.
+                # The table has no value for durations that take long in 40 digits.
                 [ "$key $expected" = "duration " ] && continue
                 close "$name, fuel $fuel: $key" "${expected:-(nothing)}" "$(values "$key" <answers | head -n 1)"
             done <<END
@@ -83,7 +84,7 @@ END
         close theta_1 "$(json "theta1 $theta" | values theta_1)" "$(values theta_1 <<<"$row")"
         close theta_2 "$(json "chain $theta" | sed -n 3p | values theta_i)" "$(values theta_2 <<<"$row")"
     done <<<"$rows"
-    # Even in time, or in tilt.
+    # Rows are evenly spaced in time or in tilt.
     json 'cycle 5 tilt' | grep '"event":""' | values theta | awk 'NR > 1 { print $1 - before } { before = $1 }' |
         evenly 2
     json 'cycle 5' | grep -v '"event":"top"' | values t | awk 'NR > 1 { print $1 - before } { before = $1 }' | evenly 4
@@ -91,7 +92,7 @@ END
 
 @test "cycle: energies in J where a mass or a density is set" {
     plain=$(json 'cycle 2' | tail -n 1 | values kinetic)
-    # Five roundings of 1.1e-16, and 17 digits.
+    # There are five rounding errors of 1.1e-16, and 17 digits are printed.
     close mass "$(awk -v k="$plain" 'BEGIN { printf "%.17g", k * 0.008 * 9.81 * 0.048 / 2 }')" \
         "$(json 'set mass 0.008; cycle 2' | tail -n 1 | values kinetic)" 1e-15
     # 48 x 24 x 7 mm at 1000 kg/m^3 are 8.064 g.
@@ -108,7 +109,7 @@ END
         "$(json 'set q hollow; set s 0.5; set r 1.9; cycle 4' | values event | grep . | paste -sd ' ' -)"
 }
 
-@test "cycle where the train stops, or does not start: rows up to there, and the reason" {
+@test "cycle of a train that stops or does not start: rows up to the stop, and the reason" {
     rows=$(json 'set r 1.7; cycle 4')
     same 'stops' stop "$(tail -n 1 <<<"$rows" | values event)"
     same 'at rest' 0 "$(tail -n 1 <<<"$rows" | values omega)"
@@ -133,10 +134,10 @@ END
     done
 }
 
-@test "the ledger closes at every event and between, with and without friction" {
+@test "energies balance at every event and between events, with and without friction" {
     while IFS='|' read -r bound state; do
         for walk in 'step; goto 0.01; goto 0.02; goto launch' 'step 5'; do
-            json "$state; $walk" || : # where the train stops, no step follows
+            json "$state; $walk" || : # no step follows after a stop
         done >ledger
         columns=(before lost gained kinetic)
         [[ $state != *friction* ]] || columns+=(rubbed)
@@ -159,7 +160,7 @@ END
     "$DOMINO" -e 'set fuel paper; step' | grep -q "The balance of energy is off by -0.009769 mgh/2, because the paper's closed form of the fuel does not follow"
 }
 
-@test "step where the train stops: up to there, says where and why, and no further" {
+@test "step of a train that stops: goes to the stop, and says where and why" {
     run -1 "$DOMINO" --keep-going -e 'set r 1.7; step; step; step; print 1'
     [[ $output == *'The train stops at theta = 0.0280216 rad'* ]]
     [[ $output == *"step: the train has stopped; 'why' explains it"* ]]
@@ -207,7 +208,7 @@ END
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
     [[ $output == *'The growth is limited by the reach: with r above 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
-    # The first two sentences need no symbol, and advise: closer or farther apart, less growth, thinner dominoes.
+    # The first two sentences have no symbol, and give advice: other gaps, less growth, thinner dominoes.
     while IFS='|' read -r scene advice; do
         run -0 "$DOMINO" -e "$scene; why"
         same "$scene" "$advice" "${lines[1]}"
@@ -219,14 +220,14 @@ set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 hei
 set r 1.9|Make the dominoes grow less: with gaps of 0.5337 heights each can be 1.81 times as large as the one before, and with these gaps 1.644 times.
 set d 3|Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.
 END
-    # A share so close to 1 that it would be rounded to 100 % has more digits.
+    # A percentage that would be rounded to 100 % has more digits.
     run -0 "$DOMINO" -e 'set r 1.00001*rmax; barrier'
     [[ ${lines[0]} =~ ^'The train stops: it has 99.9'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '99.9... %' "${lines[0]}"
     run -0 "$DOMINO" -e 'set r 0.99999*rmax; barrier'
     [[ ${lines[0]} =~ ^'The train keeps falling: it has 100.0'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '100.0... %' "${lines[0]}"
 }
 
-@test "where and draw agree on whether the walk still is in this train" {
+@test "where and draw agree on whether the walk still belongs to this train" {
     while IFS='|' read -r change; do
         theta=$(json "goto 0.2; $change; where" | values theta | tail -n 1)
         drawn=$(json "goto 0.2; $change; draw" | values theta | sed -n 2p)
@@ -256,7 +257,7 @@ END
         same "$change" "$("$DOMINO" -e "$change; draw train 0.2")" \
             "$("$DOMINO" -e "goto 0.2 > /dev/null; $change; draw train")"
     done
-    # The walk is computed to a tolerance of its own, so that every state of the walk can be drawn.
+    # The walk has a tolerance of its own, so that every state of the walk can be drawn.
     for change in 'set tol 0.1' 'set tol 0.01' 'set tol 1e-13'; do
         same "$change" "$("$DOMINO" -e 'set r 1.7; goto stop > /dev/null; draw')" \
             "$("$DOMINO" -e "$change; set r 1.7; goto stop > /dev/null; draw")"

@@ -5,7 +5,7 @@
 
 load common
 
-# Puts programs into $PWD/bin: each package manager says what it was asked, and has only gsl installed.
+# Puts fake package managers into $PWD/bin. Each prints its arguments, and has only gsl installed.
 managers() {
     mkdir bin
     for manager in apt-get dnf pacman apk brew pkg dpkg-query rpm sudo; do

@@ -1,13 +1,14 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Design: a row for a wish.
+# Design: a row that fulfils a wish.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
 wood='set q hollow; effect friction 0.3'
 
-# The published cases were searched in steps of 0.02 in s: 0.46, 0.48, 0.54, the first with feet of 12.0 m.
+# The published rows were found in steps of 0.02 in s: 0.46, 0.48 and 0.54. The first has a length of 12.0
+# m while it stands.
 @test "design: rows from 48 mm to 8 m, with friction 0.3" {
     while read -r q safety s r steps feet; do
         answer=$(json "$wood; set q $q; design 8 m safety $safety")
@@ -24,7 +25,7 @@ massive 2 0.54 1.482 13 16.77
 END
 }
 
-@test "design: the train's numbers are those of barrier, the row's those of fall" {
+@test "design: the numbers agree with those of barrier and fall" {
     json "$wood; design 8 m; barrier; verdict" >answers
     close train "$(awk -v k="$(values kinetic <answers)" -v b="$(values barrier <answers)" 'BEGIN { printf "%.12g", k / b }')" \
         "$(values train <answers)" 1e-9
@@ -34,7 +35,7 @@ END
     close seconds "$(values seconds <answers | tail -n 1)" "$(values seconds <answers | head -n 1)" 1e-9
 }
 
-@test "design: its row is the session's, and in a file that effect row reads" {
+@test "design: the session gets the row, and a file has it in a form that effect row reads" {
     "$DOMINO" -e "$wood; design 8 m hall 20 m > hall.csv; fall > typed.csv; show s > s.json"
     same head 'domino,height (m),thickness (m),gap (m),relative' "$(head -n 1 hall.csv)"
     same last 12,8 "$(tail -n 1 hall.csv | cut -d , -f 1,2)"
@@ -43,16 +44,16 @@ END
     cut -d , -f 1-6 read.csv | sed 's/\([0-9]\.[0-9]\{7\}\)[0-9]*/\1/g' >read
     same_file typed read
     close s "$(values value <s.json)" "$(sed -n 3p hall.csv | awk -F , '{ printf "%.12g", $4 / $2 }')"
-    # As long as the hall, and no gap is wider than it must be for that.
+    # The row fits into the hall.
     awk -F , 'NR > 1 { sum += $3 + $4; last = $2 } END { exit !(sum + last <= 20 && sum + last > 19.97) }' hall.csv
     same off 1 "$("$DOMINO" -e "$wood; design 8; effect row off; verdict" 2>&1 | grep -c 'there is no row')"
-    # In an expression, and at the points of a sweep, the scene stays as it is.
+    # Expressions and sweeps do not change the scene.
     same expression '10 0.4' "$(json "$wood; print design(8); print s" | values value | paste -sd ' ')"
     same sweep '10 11 0.4' "$(json "$wood; sweep friction 0.3, 0.4 : design 8" | values steps | paste -sd ' ') $(
         json "$wood; sweep friction 0.3, 0.4 : design 8; print s" | values value)"
 }
 
-@test "design: people get a list to saw and to place by, with masses where they are known" {
+@test "design: a table lists sizes and places for the builder, with masses if they are known" {
     run -0 "$DOMINO" -e "$wood; set mass 0.01; design 8 m"
     grep -qE '^domino +height +thickness +gap +at +mass +surface$' <<<"$output"
     grep -qE '^ +11 +8 +1\.167 +3\.752 +11\.05 ' <<<"$output"
@@ -61,7 +62,7 @@ END
     grep -qE '^domino +height +thickness +gap +at +relative +volume$' <<<"$output"
 }
 
-@test "design: what does not fit, and the number that would" {
+@test "design: what does not fit, and the number that would fit" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
     same hall "infeasible: the shortest row with safety 2 is 19.59 m long with its last domino fallen; 'hall 19.6 m' would do." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
@@ -76,7 +77,7 @@ END
     run -0 "$DOMINO" -e "$wood; effect row 2; effect push 0.5; design 8 m"
     push=$(sed -n "s/.*'effect row 2; effect push \([0-9.]*\)'.*/\1/p" <<<"$output")
     same "push $push" 10 "$(json "$wood; effect row 2; effect push $push; design 8 m" | values steps)"
-    # No file takes the place of a row.
+    # Without a row, no file is written.
     run -1 "$DOMINO" --keep-going -e "$wood; design 8 m hall 18 m > hall.csv"
     [ ! -e hall.csv ]
 }
@@ -94,7 +95,7 @@ END
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
 }
 
-@test "design: with friction and rounded edges there is a row, too; a number that there is none of is null" {
+@test "design: a row with friction and rounded edges; numbers that do not exist are null" {
     answer=$(json 'set q hollow; set d 0.2208; effect friction 0.142; effect edges 0.0203; design 5 m safety 3; verdict')
     same rounded 'all fall' "$(values verdict <<<"$answer")"
     same 'no barrier' 'null null null' "$(json 'design 8 m safety 1000' | while read -r a; do

@@ -23,7 +23,7 @@ build=$(dirname "$DOMINO")
     done <examples
 }
 
-@test "every name that libdomino(3) mentions, or begins, is one of the headers" {
+@test "every name or beginning of a name in libdomino(3) exists in the headers" {
     cat "$root"/include/*.h "$build/include/domino_quad.h" >headers
     grep -oE '\b(dom|DOM)q?_\w+' "$root/man/libdomino.3" | sort -u >names
     [ "$(wc -l <names)" -gt 20 ]
@@ -33,7 +33,7 @@ build=$(dirname "$DOMINO")
 }
 
 @test "the example in libdomino(3) is examples/rmax.c, and does what the page says" {
-    # The first line of the file is its licence.
+    # The first line of the file, which is the licence, is left out.
     sed -n '/^\.Bd -literal/,/^\.Ed/{/^\./d;s/\\e/\\/g;p}' "$root/man/libdomino.3" >"$BATS_TEST_TMPDIR/rmax.c"
     diff -u <(sed 1d "$root/examples/rmax.c") "$BATS_TEST_TMPDIR/rmax.c"
     # shellcheck disable=SC2046
@@ -60,7 +60,7 @@ build=$(dirname "$DOMINO")
 }
 
 @test "the sessions of the README and the man pages are what the program prints" {
-    # The last digits of the 17 may differ with the C library's sine.
+    # The last of 17 digits may depend on the C library's sine.
     PATH=$(dirname "$DOMINO"):$PATH
     commands=0
     for text in "$root/README.md" "$root"/man/*.[0-9]; do
@@ -74,7 +74,7 @@ build=$(dirname "$DOMINO")
     [ "$commands" -ge 5 ]
 }
 
-@test "the README is read to its end: at most 180 lines, and its picture is there, and small" {
+@test "the README has at most 180 lines, and its picture exists and is small" {
     [ "$(wc -l <"$root/README.md")" -le 180 ]
     pictures=$(grep -oE '\(examples/pictures/[^)]*\)' "$root/README.md" | tr -d '()')
     expects pictures "$pictures"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of trains and rows: where dominoes stand, captions, files, and what cannot be drawn.
+# Pictures of trains and rows: positions of dominoes, captions, files, and errors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -12,17 +12,18 @@ record="effect row \"$root/examples/record.csv\""
         tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
 }
 
-@test "draw: csv has every domino, upright and where it stands, with its corners" {
+@test "draw: csv has the size, the position and the corners of every domino" {
     csv draw >rows
     same keys i,height,x,theta,top_front_x,top_front_z,top_back_x,top_back_z,foot_back_x,foot_back_z,contact_x,contact_z,force,of_own \
         "$(head -n 1 rows)"
     [ "$(wc -l <rows)" -gt 8 ]
-    # The next one, 1.5 high and (s + d) r in front of the head; the head; its first follower.
+    # The next domino, which is 1.5 high and (s + d) r in front of the head; the head; its first
+    # follower.
     csv 'set d 0.125; set s 0.375; draw' | sed -n 2,4p | cut -d , -f 1-10 >first
     same next -1,1.5,0.75,0,0.75,1.5,0.5625,1.5,0.5625,0 "$(sed -n 1p first)"
     same head 0,1,0,0,0,1,-0.125,1,-0.125,0 "$(sed -n 2p first)"
     close 'the first behind it' -0.5 "$(sed -n 3p first | cut -d , -f 3)"
-    # The head touches the next one when it has come to theta_c, at the height cos theta_c.
+    # At theta_c, the head touches the next domino at the height cos theta_c.
     head_hits=$(csv 'draw thetac' | sed -n 2p)
     close 'where the head hits' 0.6 "$(cut -d , -f 11 <<<"$head_hits")"
     close 'how high' 0.8 "$(cut -d , -f 12 <<<"$head_hits")"
@@ -59,7 +60,8 @@ record="effect row \"$root/examples/record.csv\""
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
     "$DOMINO" -e 'draw forces' | grep -q 'contact forces, in weights of the domino that is pushed: 0: '
     same 'a safe session draws in characters' "$output" "$("$DOMINO" --safe -e 'draw 0.3')"
-    # The next one is 1.5 times as tall as the head, whose width stays d/h up to a character.
+    # The next domino is 1.5 times as tall as the head, and the width of the head is right to a
+    # character.
     next=$(grep -c '#' <<<"$("$DOMINO" -e 'draw 0' | head -n -2)")
     head=$(grep -c '0 *#\|000' <<<"$("$DOMINO" -e 'draw 0' | sed '1d;/-----/,$d')")
     awk -v n="$next" -v h="$head" 'BEGIN { exit !(n / h > 1.3 && n / h < 1.7) }'
@@ -76,13 +78,13 @@ record="effect row \"$root/examples/record.csv\""
         "$("$DOMINO" -e 'goto 0.2 > /dev/null; set s 0.3; draw')"
 }
 
-@test "draw: a picture with forces says what its marks are, and a text file has the characters" {
+@test "draw: a picture with forces has a legend, and a text file has the characters" {
     "$DOMINO" -e 'draw 0.3 forces > a.svg; draw forces > a.txt'
     same text "$("$DOMINO" -e 'draw forces')" "$(cat a.txt)"
     for words in 'to scale' 'x \[h\]' '>next<' 'dots: contacts' 'arrows: the push'; do grep -q "$words" a.svg; done
 }
 
-@test "what cannot be drawn: one line that says what would be right, and no file" {
+@test "what cannot be drawn: an error in one line that says what to do, and no file" {
     dir=$PWD
     cd "$dir" || false
     one_line 'T = 9 rad is outside the cycle' 'draw 9 > a.svg'
@@ -110,7 +112,7 @@ record="effect row \"$root/examples/record.csv\""
     r=$(json 'set precision quad; rmax' | values r_max)
     one_line 'the margin is 0 within rounding' "set r $r; animate a.gif"
     same 'nothing is left' '(nothing)' "$(ls)"
-    # What was there stays.
+    # An existing file is not changed.
     echo old >a.gif
     run -1 "$DOMINO" --keep-going -e 'set s 0.001; animate a.gif'
     same 'an old file' old "$(cat a.gif)"
@@ -119,7 +121,7 @@ record="effect row \"$root/examples/record.csv\""
     [ -w full ] || one_line "cannot write 'full/a.gif'" 'animate full/a.gif'
 }
 
-@test "without gnuplot: one line that says what to install; the data is there" {
+@test "without gnuplot: an error in one line that says what to install, and the data are still available" {
     dir=$PWD
     mkdir "$dir/empty"
     for what in 'plot chain > a.svg' 'draw > a.png' "animate $dir/a.gif"; do
@@ -136,7 +138,7 @@ record="effect row \"$root/examples/record.csv\""
     [[ $output == *'a safe session cannot read or write files'* ]]
 }
 
-@test "a user's own settings of gnuplot change nothing" {
+@test "gnuplot settings of the user have no effect" {
     echo 'set terminal png; set title "mine"' >.gnuplot
     plain=$("$DOMINO" -e "plot energy > a.svg" && grep -v Produced a.svg)
     grep -q 'Energy' <<<"$plain"
@@ -144,7 +146,7 @@ record="effect row \"$root/examples/record.csv\""
     same 'plot energy' "$plain" "$(grep -v Produced b.svg)"
 }
 
-@test "draw: the dominoes of the row in the svg are where the model has them, standing, at a time and at the end" {
+@test "draw: dominoes in the svg are where the model has them: before the fall, at a time and at the end" {
     while IFS='|' read -r count row what; do
         "$DOMINO" -e "$row; $what > a.svg"
         xmllint --noout a.svg
@@ -160,14 +162,14 @@ record="effect row \"$root/examples/record.csv\""
 END
 }
 
-@test "draw: no text of the svg is written over another, and a height that repeats is written once" {
+@test "draw: texts in the svg do not overlap, and a repeated height is written once" {
     for row in "$record" 'set r 1.5; effect row 12' 'set q 4; set r 1.7; effect row 8' 'set r 1; effect row 60; effect push 3'; do
         "$DOMINO" -e "$row; draw > a.svg"
         "$BATS_TEST_DIRNAME/labels" a.svg >texts || same "$row" 'texts apart' "$(cat texts)"
         [ "$(grep -c ' 4.8 cm$' texts)" -lt 2 ]
         same "$row: the tape begins at domino 1" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '^-[0-9]')"
     done
-    # Heights of a row that is low in the picture are in the unit that stands at 0, too.
+    # In a low picture of a row, heights have the same unit as the 0.
     "$DOMINO" -e 'set r 1; effect row 12; effect push 5; draw at 0.2 > a.svg'
     "$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- >texts
     same 'the unit' cm "$(grep -x '[cm]*m' texts)"
@@ -175,7 +177,7 @@ END
     same 'no others' '(nothing)' "$(grep '^-\|^0\.0' texts)"
 }
 
-@test "draw: data of the row stands as 'row' says, leans on the tape measure, and moves in time" {
+@test "draw: data of the row agree with 'row' and with the tape measure, and change with time" {
     "$DOMINO" -e "set output json; $record; row" >row
     "$DOMINO" -e "set output json; $record; draw" >draw
     python3 - row draw <<'END'
@@ -189,7 +191,8 @@ for k, (own, seen) in enumerate(zip(row, draw)):
     at += own["thickness"]
     assert abs(seen["x"] - at) < 1e-12 and abs(seen["top_front_z"] - own["height"]) < 1e-12
 END
-    # When domino 8 is hit, domino 7 touches it: as far up as the cosine of its tilt says.
+    # When domino 8 is hit, domino 7 touches it at the height that follows from the cosine of its
+    # tilt.
     hit=$(csv "$record; fall" | awk -F, '$1 == 8 { print $3 }')
     same 'a time or its domino' "$(csv "$record; draw at domino 8" | cut -d, -f 4 | cut -c 1-9)" \
         "$(csv "$record; draw at $hit s" | cut -d, -f 4 | cut -c 1-9)"
@@ -220,7 +223,7 @@ effect row 1; effect push 5|draw at end|it lies.
 END
     share=$(json 'set r 1.6; effect row 12; fall' | tail -n 1)
     awk -v k="$(values kinetic <<<"$share")" -v b="$(values barrier <<<"$share")" 'BEGIN { p = 100 * k / b; exit !(p > 95.5 && p < 96.5) }'
-    # A picture is nothing but a picture.
+    # A file with a picture contains nothing else.
     for ending in svg png pdf; do
         same "silent, $ending" '(nothing)' "$("$DOMINO" -e "$record; draw > a.$ending; draw train > b.$ending" 2>&1)"
         "$DOMINO" -e "$record; draw 0.3 > c.$ending" 2>said
@@ -246,12 +249,13 @@ END
     same 'no blanks at the ends' '(nothing)' "$(grep ' $' <<<"$output")"
     for mark in 1 2 3 4 5 6 7 '\*' 9 0; do grep -q " *$mark" <<<"$(sed -n '4,/ 0 -/p' <<<"$output")"; done
     grep -q '^domino  1 .* 10$' <<<"$output"
-    # To scale: domino 10 is 5.5 / 2.9 times as tall as domino 8, a line being 2 columns.
+    # The picture is to scale: domino 10 is 5.5 / 2.9 times as tall as domino 8, and a line is as
+    # high as 2 columns are wide.
     awk '/0000/ { tall++ } /\*\*\*/ { eighth++ } END { exit !(tall / eighth > 1.6 && tall / eighth < 2.2) }' <<<"$output"
     differ 'it falls' "$output" "$("$DOMINO" -e "$record; draw at 4")"
 }
 
-@test "draw: on a terminal with UTF-8 the row is of braille, in colour, and has its size" {
+@test "draw: on a terminal with UTF-8 the row is drawn in braille and colour, and fits the terminal" {
     terminal() { env -u NO_COLOR -u DOMINO_GRAPHICS LC_ALL=C.UTF-8 TERM=xterm-256color "$@" python3 "$BATS_TEST_DIRNAME/terminal.py" 100 30 '62;22' "$DOMINO" -e "$record; draw at 5"; }
     terminal >seen
     grep -q $'\u28ff' seen || same braille 'a full cell' "$(cat seen)"
@@ -266,7 +270,7 @@ END
     terminal LC_ALL=C | grep -q 'Weakest: domino 8 (\*)'
 }
 
-@test "draw: every domino of a row of 14 has its number and its height in the picture, or in the line that says which do not" {
+@test "draw: each domino of a row of 14 has a number and a height, or a line says which dominoes have none" {
     local row sentence numbers
     while IFS='|' read -r row sentence numbers; do
         "$DOMINO" -e "$row; draw > a.svg"
@@ -282,7 +286,7 @@ set r 1; effect row 14; effect push 3|(nothing)|1 2 3 4 5 6 7 8 9 10 11 12 13 14
 END
 }
 
-@test "what cannot be drawn of a row: one line that says what works" {
+@test "rows that cannot be drawn: an error in one line that says what works" {
     one_line "'draw at' shows a moment of a row; first enter 'effect row N', for example 'effect row 10'" 'draw at 2 s'
     one_line "the motion ends at 7.648 s; 'draw at end' shows that" "$record; draw at 8 s > a.svg"
     one_line "there is no domino 11: this row has 10; 'draw at domino 10' shows the last" "$record; draw at domino 11"
@@ -304,7 +308,7 @@ END
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
-@test "a file with a picture holds the picture alone, also where a row is on and times are asked for" {
+@test "a file with a picture contains only the picture, even with a row and with timing" {
     local row='effect row 5; set timing on' what size
     for what in draw 'draw 0.3 forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal' \
         'plot cost fuel'; do
@@ -312,8 +316,8 @@ END
         same "$what: standard output" '(nothing)' "$(cat said)"
         xmllint --noout a.svg
         same "$what: the end of the svg" '</svg>' "$(grep . a.svg | tail -n 1)"
-        # Width and height, then bit depth, colour type; the last chunk is IEND with its checksum.
-        case $what in # a stage is as high as what stands on it
+        # Width, height, bit depth and colour type. The last chunk is IEND with its checksum.
+        case $what in # the height of a stage depends on the dominoes
         draw) size=0000050000000460 ;;
         draw*) size=0000050000000372 ;;
         *) size=000003c0000002d0 ;;
@@ -329,7 +333,7 @@ END
     "$DOMINO" -e "$row; animate a.gif 2" >said
     same 'the end of the gif' '3b' "$(tail -c 1 a.gif | od -An -tx1 | tr -d ' \n')"
     same 'the same picture' "$("$DOMINO" -e 'animate b.gif 2' && cksum <b.gif)" "$(cksum <a.gif)"
-    # Where people read the file, it has the note.
+    # A text file also has the note.
     "$DOMINO" -e 'effect row 5; duration > a.txt; barrier > b.txt'
     for what in a b; do grep -q '^(This is the endless train' $what.txt; done
 }
@@ -348,7 +352,7 @@ END
     done
 }
 
-@test "draw at end: a domino that leans and stops the row where it stands is drawn there, however small its lean" {
+@test "draw at end: a leaning domino that stops the row is drawn where it stands, however small the lean" {
     cd "$BATS_TEST_TMPDIR" || return
     for lean in 0.018 0.031 0.05 0.11 0.37 -0.2; do
         printf 'height (mm),thickness (mm),gap (mm),lean (mm)\n31.856,6.294,0,0\n39.594,9.852,12.261,%s\n' "$lean" >leans.csv
@@ -357,7 +361,7 @@ END
     done
 }
 
-@test "draw tower: the row of the last count, a tower as tall as that at its end, and the small end enlarged" {
+@test "draw tower: the row of the last count, a tower of the counted height at its end, and the small end enlarged" {
     cd "$BATS_TEST_TMPDIR"
     answer=$("$DOMINO" -e 'count 112 m; draw tower' | sed -n '/^20 dominoes, 4/,$p')
     for words in '^20 dominoes, 4.8 cm to 106 m tall' 'Behind the last domino: a tower of 112 m' \
@@ -366,11 +370,11 @@ END
     done
     # The spire is narrower than the foot, and the tower as tall as the picture.
     awk '/##/ { n = match($0, /#+$/); if (n && !top) top = length($0) - n; if (n) low = length($0) - n } END { exit !(top < low) }' <<<"$answer"
-    # The data are those of the row with the growth of the count, not of the session.
+    # The data are for the growth of the count, not for that of the session.
     same data "$(csv 'set r 1.6; effect row 17; draw')" "$(csv 'count 112 m 1.6; draw tower' | sed 1,2d)"
     "$DOMINO" -e 'count 112 m; draw tower > a.svg; draw tower > a.png; set r 1.2; count 60 m; draw tower > b.svg'
     grep -q '>tower<' a.svg && grep -q 'times larger: dominoes 1 to' b.svg
-    # What is drawn changes nothing in the session.
+    # Drawing does not change the session.
     same scene "$(json 'show')" "$(json 'count 112 m 1.6; draw tower' >/dev/null; json show)"
     all_fail <<END
 draw tower|shows the row of the last answer, if that was a count; first enter 'count 112 m'

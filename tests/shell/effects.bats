@@ -1,11 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Effects: on, off, their values, what they need; friction, slope, edges, walls, the floor.
+# Effects: how they are switched on and off, their values, and the effects that they need; friction,
+# slope, edges, walls and the floor.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "effects are off, and entered 0 times; each alone enters its own code" {
+@test "effects are off by default and enter no code; each effect enters only its own code" {
     run -0 json effects
     same states 'off off off off off off off off off off' "$(values state <<<"$output" | paste -sd ' ' -)"
     same entered '0 0 0 0 0 0 0 0 0 0' "$(values entered <<<"$output" | paste -sd ' ' -)"
@@ -31,7 +32,7 @@ effect row 4; effect push 5; effect bounce 0.2|0 0 0 0 x x 0 0 0 x
 END
 }
 
-@test "an effect that was on and is off again leaves no trace in any answer" {
+@test "an effect that has been switched off again changes no answer" {
     for effect in 'friction 0.3' 'row 9; effect push 3; verdict' 'floor 1; scene'; do
         differ "effect $effect" "$(json 'rmax; barrier; duration')" "$(json "effect $effect; rmax; barrier; duration")"
     done
@@ -43,7 +44,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same reset "$(json rmax)" "$(json 'effect friction 0.3; effect row 9; reset; rmax')"
 }
 
-@test "friction: r_max, front speeds, its verdicts; each smaller than without" {
+@test "friction: r_max, front speeds and verdicts; all are smaller than without friction" {
     close 's = 0.2' 1.48474793410 "$(json 'set q hollow; effect friction 0.2; rmax 0.2' | values r_max)"
     close 's = 0.4' 1.91495681184 "$(json 'set q hollow; effect friction 0.1; rmax 0.4' | values r_max)"
     for pair in '0 1.28427' '0.1 1.11545' '0.2 0.98392' '0.5 0.71678'; do
@@ -53,12 +54,12 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same stops stops "$(json 'effect friction 1; barrier' | values verdict)"
     same locks locks "$(json 'set s 0.5; set r 1.9; effect friction 5; barrier' | values verdict)"
     same 'no paper fuel' null "$(json 'effect friction 0.2; rmax' | values r_max_paper)"
-    # The curve and the count follow, too.
+    # The effect also applies to curves and counts.
     same curve "$(json 'effect friction 0.2; rmax 0.3' | values r_max)" "$(json 'effect friction 0.2; curve 0.3 0.3 1' | values exact)"
     same count false "$(json 'effect friction 0.5; count 112' | values feasible)"
 }
 
-@test "slope: r_max, an error where no domino stands, and no paper fuel" {
+@test "slope: r_max, an error if no domino stands, and no paper fuel" {
     close '1 degree' 1.64507145 "$(json 'set q hollow; effect slope 1 deg; rmax 0.2' | values r_max)" 1e-8
     close '1 degree uphill' 1.93981351 "$(json 'set q hollow; effect slope -1 deg; rmax 0.4' | values r_max)" 1e-8
     same 'no paper fuel' null "$(json 'effect slope 1 deg; rmax' | values r_max_paper)"
@@ -86,7 +87,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a row' 'all fall' "$(json 'set q hollow; set r 1.1; effect edges 0.01; effect row 6; verdict' | values verdict)"
 }
 
-@test "edges: the reach is (1 - 2 rho + rho pi/2)/s in every answer, also where it is below 1" {
+@test "edges: the reach is (1 - 2 rho + rho pi/2)/s in every answer, even if it is below 1" {
     local scene='effect edges 0.05' row
     row=$(json "$scene; curve 0.9 0.9 1")
     close reach 1.0872664626 "$(values reach <<<"$row")" 1e-10
@@ -110,7 +111,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     [[ $output != *'- 1) omega_1'* && $output != *'1/J(0)'* && $output != *': sin theta_c'* && $output != *'no trigonometry'* ]]
     run -0 "$DOMINO" -e 'effect friction 0.1; effect edges 0.01; step; effect row 4; scene'
     [[ $output == *'(A(0) - i(0)) omega_1'* && $output == *'S_i i(theta_i) theta_i'* && $output == *"Newton's method"* ]]
-    # What a domino that detaches keeps is its energy of position there, on this floor, with these edges.
+    # A domino that detaches keeps its potential energy, which depends on the floor and on the edges.
     for with in 'slope 0|(41; A17), (42; A18)|0.0638494' 'slope 1 deg|(41; A17), (42; A18)|0.0604271' 'edges 0.005|(as in 41; A17 and 42; A18)|0.0625102'; do
         IFS='|' read -r effect label keeps <<<"$with"
         run -0 "$DOMINO" -n -e "set s 0.54; set r 1.7; set q hollow; effect $effect; step; step"
@@ -144,7 +145,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; effect placement 1 mm; budget 2' 'P = 2 is out of range; P is a probability'
 }
 
-@test "an effect is a parameter whose default is off: set, show and reset take it as effect does" {
+@test "an effect is a parameter whose default is off: set, show and reset work as effect does" {
     same off off "$(json 'show friction' | values value)"
     for with in 'friction 0.2|rmax' 'floor 0.5|slip' 'row 6|scene' "row $root/examples/record.csv|scene" 'placement 1 mm 0.01|scene'; do
         values=${with%|*} name=${with%% *} before=''
@@ -171,7 +172,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'set s 0.4 0.5' "'0.5' is one argument too many; usage: set NAME VALUE"
 }
 
-@test "values of effects: units, ranges, what is missing, one too many" {
+@test "values of effects: units, ranges, missing and surplus arguments" {
     wrong 'effect friction' "MU, the friction coefficient, is missing; for example 'effect friction 0.2'"
     wrong 'effect friction -1' 'MU = -1 is out of range'
     wrong 'effect friction 0.1 0.2' 'one argument too many; usage: effect friction MU'
@@ -187,14 +188,14 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect row 4; place 2 -1 m' 'domino 2: gap = -0.9712 m is negative'
 }
 
-@test "a wrong value leaves the scene as it was" {
+@test "a wrong value does not change the scene" {
     before=$("$DOMINO" -e 'effect friction 0.2; effect row 4; scene')
     after=$("$DOMINO" --keep-going -e 'effect friction 0.2; effect row 4; effect friction x; effect row 0; effect push -1; effect foo; scene' 2>/dev/null || true)
     same scene "$before" "$after"
 }
 
-@test "the floor: what the struck domino needs, with the centre of percussion; and its verdict" {
-    # |1/2 - (1 + d^2)/(3 a)| / (d/2), a = sqrt(1/r^2 - s^2), where the head is the worst.
+@test "the floor: the friction that the struck domino needs, and the verdict" {
+    # The head needs the most: |1/2 - (1 + d^2)/(3 a)| / (d/2) with a = sqrt(1/r^2 - s^2).
     close struck "$(awk 'BEGIN { d = 7 / 48; a = sqrt(1 - 0.16); x = 0.5 - (1 + d * d) / (3 * a); printf "%.17g", (x < 0 ? -x : x) / (d / 2) }')" \
         "$(json 'set r 1; slip' | values hit)"
     same slips true "$(json 'set r 1; effect floor 0.5; slip' | values slips)"
@@ -221,7 +222,8 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     same 'a solid block' "$(json 'duration' | values seconds)" "$(json 'effect walls 3.5 mm; duration' | values seconds)"
     same growth "$(json 'rmax; set fuel paper; rmax')" "$(json 'effect walls 1 mm; rmax; set fuel paper; rmax')"
     same proof "$(json 'prove rmax 0.4' | sed 's/"seconds.*//')" "$(json 'effect walls 1 mm; prove rmax 0.4' | sed 's/"seconds.*//')"
-    # Boards of 10 mm, 0.6 g/cm^3: the block of 200 x 60 x 100 mm, less the hollow of 180 x 40 x 80 mm.
+    # Boards of 10 mm with 0.6 g/cm^3 make a box of 200 x 60 x 100 mm with a hollow of 180 x 40 x 80
+    # mm.
     printf 'height (mm), thickness (mm), gap (mm), density (g/cm^3), width (mm)\n200, 60, -, 0.6, 100\n300, 60, 80, 0.6, 120\n' >"boxes.csv"
     local row="effect row boxes.csv"
     close 'mass of a box' "$(awk 'BEGIN { print 0.6 * (20 * 6 * 10 - 18 * 4 * 8) / 1000 }')" "$(json "$row; effect walls 10 mm; row" | values mass | head -1)"
@@ -231,7 +233,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         "$(json 'set density 700; effect walls 1 mm; effect row 3; row' | values mass | head -1)"
     differ 'times of a row' "$(json "$row; effect push 9; verdict" | values seconds)" \
         "$(json "$row; effect push 9; effect walls 10 mm; verdict" | values seconds)"
-    # The rigid-body engine has boxes of the same moment of inertia.
+    # The boxes in the rigid-body engine have the same moment of inertia.
     local train='set r 1.3; set s 0.3; effect row 6; effect friction 0.1; effect walls 1 mm'
     [ -n "${SANITIZED-}" ] || close 'in the engine' "$(json "$train; verdict" | values seconds)" "$(json "$train; set method engine; verdict" | values seconds)" 2e-3
     wrong "$row; effect walls 31 mm; verdict" 'walls of 3.1 cm do not fit into domino 1, which is 6 cm thick; walls of 3 cm make it solid'
@@ -241,7 +243,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     wrong 'effect walls 3 deg' 'enter it without a unit, or as a length'
 }
 
-@test "'on' says what it took, to people alone" {
+@test "'on' prints the value that was taken, but only for people" {
     while IFS='|' read -r command line; do
         same "$command" "$line" "$("$DOMINO" -e "$command" | tail -n 1)"
         same "$command: csv" '(nothing)' "$("$DOMINO" -e "set output csv; $command")"
@@ -255,16 +257,16 @@ END
     same 'a value is not repeated' '(nothing)' "$("$DOMINO" -e 'effect friction 0.2; effect row 20; effect push 3')"
 }
 
-@test "effects: every column is in line, however long the settings are" {
+@test "effects: columns are aligned, however long the settings are" {
     count=$("$DOMINO" -e 'set output csv; effects' | sed 1d | wc -l)
     for scene in 'effect row 5' 'effect row 5; effect placement 5 mm 0.012345; effect floor 0.123456789'; do
-        # The heads of numbers end where the numbers do.
+        # Headers of numbers are aligned to the right with the numbers.
         "$DOMINO" -e "$scene; effects" | sed '/^Each time is/,$d' | awk -v count="$count" '
             NR == 1 { for (i = 4; i <= NF; i++) end[i] = index($0 " ", " " $i " ") + length($i) }
             NR > 2 { for (i in end) if (substr($0, end[i], 1) == " " || substr($0 " ", end[i] + 1, 1) != " ") { print; bad = 1 } rows++ }
             END { exit bad || rows != count }'
     done
-    # The method that each effect needs, and that of the scene, which the plan names too.
+    # The method that each effect needs, and the method of the scene, which 'scene' names as well.
     methods() { "$DOMINO" -n -e "$1; effects; scene" | sed -nE 's/.*effects of the scene, which is ([a-z]*) now\.$/\1/p; s/^motion .*(energy balance|equation of motion|rigid-body engine).*/\1/p' | paste -sd ',' -; }
     same balance 'balance,energy balance' "$(methods 'effect slope 1 deg')"
     same motion 'motion,equation of motion' "$(methods 'effect friction 0.1; effect row 3')"

@@ -6,13 +6,13 @@ load common
 
 scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
 
-@test "the engine and the model give one verdict, and times that agree to 1 %" {
+@test "the engine and the model give the same verdict, and times that agree to 1 %" {
     model=$(json "$scene; fall" | values hit | paste -sd ' ' -)
     engine=$(json "$scene; set method engine; fall" | values hit | paste -sd ' ' -)
     differ 'another way to compute' "$model" "$engine"
     paste <(tr ' ' '\n' <<<"$model") <(tr ' ' '\n' <<<"$engine") |
         awk 'NR > 1 { off = $2 / $1 - 1; if (off > 0.01 || off < -0.01) { print; bad = 1 } } END { exit bad || NR != 5 }'
-    # Each effect that both have, alone: the last domino lies at the same time, to 1 %.
+    # With each single effect that both have, the last domino lies at the same time, to 1 %.
     for effect in 'friction 0.2' 'slope 1 deg' 'edges 0.01' 'walls 1 mm'; do
         paste <(json "$scene; effect $effect; verdict" | values seconds) \
             <(json "$scene; effect $effect; set method engine; verdict" | values seconds) |
@@ -24,7 +24,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     done
 }
 
-@test "the same bytes each time, with any number of threads" {
+@test "the output is the same each time, with any number of threads" {
     study="$scene; effect placement 3 mm; effect feet 0.4; placement 20"
     first=$(json "set threads 1; $study")
     same 'two threads' "$first" "$(json "set threads 2; $study")"
@@ -42,11 +42,11 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     done
 }
 
-@test "feet slide, and the answer says how far and how sure it is" {
+@test "feet slide, and the answer says how far and how accurate it is" {
     run -0 "$DOMINO" -n -e "$scene; effect feet 0.2; fall"
     [[ $output == *' slid'* && $output == *'Feet slide. Domino '*' of its height.'* ]]
     [[ $output == *'Chipmunk 7'*'With half as many steps the verdict is the same, and times agree within '*' %.'* ]]
-    # On hinges no column says so; with bounds the times have theirs.
+    # On hinges there is no such column. Times have error bounds.
     run -0 "$DOMINO" -n -e "$scene; effect bounce 0.2; fall"
     [[ $output != *slid* && $output == *'Chipmunk 7'* ]]
     json "$scene; effect feet 0.5; set errors on; verdict" | values seconds_error | awk '{ exit !($1 > 0 && $1 < 0.01) }'
@@ -57,12 +57,13 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     [[ $output == *'motion '*' feet is on '*'rigid-body engine, Chipmunk 7'* ]]
     run -0 "$DOMINO" -n -e "$scene; set method engine; scene"
     [[ $output == *'method is engine'* ]]
-    # A train stays that of the model.
+    # Trains are still computed by the model.
     same train "$(json 'rmax')" "$(json 'set method engine; rmax')"
 }
 
 @test "animate and draw show the poses of the engine" {
-    # A tilt on the way is that of the model, within a hundredth; the film ends when the row lies.
+    # Tilts during the motion agree with the model to a hundredth, and the film ends when the row
+    # lies.
     model=$(json "$scene; animate x.gif") engine=$(json "$scene; set method engine; animate x.gif")
     paste <(values theta <<<"$model") <(values theta <<<"$engine") | head -n 12 |
         awk '{ off = $2 - $1; if (off > 0.02 || off < -0.02) { print; bad = 1 } } END { exit bad || NR != 12 }'
@@ -70,7 +71,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     [[ $output == *'after the push'* ]]
 }
 
-@test "rounded edges in the engine: times, a rough floor, bounce, growth and poses are those of the model" {
+@test "rounded edges in the engine: times, a rough floor, bounce, growth and poses agree with the model" {
     edges="$scene; effect edges 0.02"
     model=$(json "$edges; verdict" | values seconds)
     for more in 'set method engine' 'effect feet 2' 'effect feet 2; effect bounce 0.01' 'effect bounce 0.01'; do
@@ -84,14 +85,15 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     differ 'drawn with edges' "$("$DOMINO" -n -e "$edges; set method engine; draw at 0.2 s")" "$("$DOMINO" -n -e "$scene; set method engine; draw at 0.2 s")"
 }
 
-@test "tolerance: windows of the engine are those of the model, to 2 %" {
+@test "tolerance: windows of the engine agree with the model to 2 %" {
     two="$scene; effect row 2"
     model=$(json "$two; tolerance") engine=$(json "$two; set method engine; tolerance")
     for column in to from gap_low gap_high friction_high; do
         paste <(values "$column" <<<"$model" | tail -n 1) <(values "$column" <<<"$engine" | tail -n 1) |
             awk -v column="$column" '{ off = $2 / $1 - 1; if (!($1 > 0) || off > 0.02 || off < -0.02) { print column, $0; exit 1 } }'
     done
-    # Heights: the same, unless the model ends a window since a tip would pass above the next domino.
+    # Windows of heights agree unless the model ends a window because a tip would pass above the next
+    # domino.
     three="$scene; effect row 3"
     model=$(json "$three; tolerance") engine=$(json "$three; set method engine; tolerance")
     close 'lowest first' "$(values height_low <<<"$model" | head -n 1)" "$(values height_low <<<"$engine" | head -n 1)" 0.02
@@ -114,7 +116,7 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -130 timeout --preserve-status --foreground -s INT 1 "$DOMINO" -n -e 'effect row 60; effect feet 0.4; rowmax'
 }
 
-@test "without the library a row that needs it is one line, and all else works" {
+@test "without the library, a row that needs it is an error in one line, and everything else works" {
     cat >"$PWD/none.c" <<'C'
 #include <string.h>
 void *dlopen(const char *name, int flags);
@@ -131,7 +133,7 @@ C
     run -0 env LD_PRELOAD="$PWD/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; effect feet off; verdict"
 }
 
-@test "what the engine cannot do is one line, with what would be right" {
+@test "what the engine cannot do is an error in one line that says what to do" {
     while IFS='|' read -r commands message; do
         run "$DOMINO" -n -e "$commands"
         same "$commands" "$message" "$(sed -E 's/^-e:1:([0-9]+:)? //' <<<"$output")"
@@ -146,7 +148,7 @@ set method box|set: unknown value of method 'box' (method is one of model|engine
 END
 }
 
-@test "a session with its effects is saved and read back; reset turns them off" {
+@test "effects are saved and read back, and reset turns them off" {
     saved=$("$DOMINO" -n -e "$scene; effect feet 0.4; effect bounce 0.1; set method engine; save \"saved.dom\"; verdict")
     same saved "$saved" "$("$DOMINO" -n -e "source \"saved.dom\"; verdict")"
     same reset "$(json "$scene; verdict")" "$(json "set method engine; effect row 3; effect feet 0.1; reset; $scene; verdict")"

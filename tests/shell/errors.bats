@@ -1,11 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Bad input: one line on stderr that says where, what was wrong and what would be right; nothing else changes.
+# Bad input: one line on stderr says where the error is, what is wrong and what would be right, and nothing
+# changes.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# What a stream says, with a last line that shows that the session goes on.
+# Checks the output for $PWD/junk, to which a last line is added that shows whether the session goes
+# on.
 junk() { # EXPECTED MESSAGE; the junk is in $PWD/junk
     printf '\nset output json; show s\n' >>junk
     run -1 --separate-stderr "$DOMINO" --keep-going junk
@@ -16,7 +18,7 @@ junk() { # EXPECTED MESSAGE; the junk is in $PWD/junk
     [ "${#stderr}" -lt 300 ]
 }
 
-@test "unknown commands and parameters: named, with where to find the right ones" {
+@test "unknown commands and parameters: the message names them, and says where the right ones are listed" {
     all_wrong stdin -e script <<'END'
 1|foo|^unknown command 'foo'.*'help'
 1|xyzzy|^unknown command 'xyzzy'.*'help'
@@ -72,7 +74,7 @@ END
 END
 }
 
-@test "a value other than a number: where and what" {
+@test "a value that is not a number: the message says where and what" {
     sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: s/' <<'END' | all_wrong
 7 nan
 7 NaN
@@ -126,7 +128,7 @@ END
 END
 }
 
-@test "a value out of its range: the value and the range" {
+@test "a value out of range: the message has the value and the range" {
     while read -r name below above range; do
         for text in $below $above; do
             echo "$((${#name} + 6))|set $name $text|^set: $name = .* is out of range; $name is .* $range"
@@ -164,7 +166,7 @@ END
 END
 }
 
-@test "an angle outside [0, theta_c]: theta_c, in full" {
+@test "an angle outside [0, theta_c]: the message has all digits of theta_c" {
     theta_c=$(json thetac | values theta_c)
     for command in theta1 chain energy omega; do
         while read -r theta shown; do
@@ -175,26 +177,26 @@ END
 0.7 0.7
 1e300 1e+300
 END
-        # Both ends are inside.
+        # Both ends belong to the range.
         same "$command" "0 $theta_c" "$(json "$command 0; $command $theta_c" | grep -E '^.("i":0,)?"(theta|theta_i)":' |
             sed -E 's/^.("i":0,)?"[a-z_]*":([^,]*),.*/\2/' | paste -sd ' ' -)"
     done
 }
 
-@test "r s > 1 where a command needs both: r s, and how large r may be" {
+@test "r s > 1 in a command that needs both: the message has r s, and the largest r" {
     for command in thetac 'theta1 0' 'chain 0' 'energy 0' fuel launch 'omega 0' barrier duration; do
         run -1 --separate-stderr "$DOMINO" --keep-going -e 'set s 0.8' -e "$command" -e 'set output json; rmax'
         same "$command: the session goes on" 1.25 "$(values r_max <<<"$output")"
         same "$command: lines on stderr" 1 "$(wc -l <<<"$stderr")"
         [[ $stderr =~ ^-e:1:\ ${command% *}:\ 'r s = 1.2 > 1: '.*1/s\ =\ 1.25$ ]] || same "$command" 'r s = 1.2 > 1: ... 1/s = 1.25' "$stderr"
     done
-    # Where it has no meaning, the program accepts it.
+    # Commands for which r does not matter accept it.
     for command in rmax pair best 'curve 0.5 0.9 3' 'count 112' show; do
         same "$command" '{' "$(json "set s 0.8; $command" | cut -c 1 | sort -u)"
     done
 }
 
-@test "more than can be computed: what would be right" {
+@test "more than can be computed: the message says what would be right" {
     while IFS='|' read -r state calls message; do
         IFS=, read -ra calls <<<"$calls"
         for command in "${calls[@]}"; do
@@ -225,7 +227,7 @@ two:4:1: unknown command 'qux'
     [[ $stderr == -e:3:1:* ]] || same place -e:3:1: "$stderr"
 }
 
-@test "every error has its line, and a line of several errors several" {
+@test "every error has one message, and a line with several errors has several" {
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'foo; set s 9; theta1; qux'
     same places '-e:1:1: -e:1:12: -e:1:21: -e:1:23:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
     same stdout '(nothing)' "$output"
@@ -255,7 +257,7 @@ two:4:1: unknown command 'qux'
         "$DOMINO" | values value)"
 }
 
-@test "control characters are not handed on to the terminal" {
+@test "control characters do not reach the terminal" {
     printf 'a\033]0b\007\177\001' >junk
     junk "junk:1:1: unknown command 'a[^[:cntrl:]]*'"
     printf 'set s \033[31m' >junk

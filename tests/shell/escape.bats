@@ -1,11 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Text that was made to harm: names with control characters, lines without end.
+# Hostile text: names with control characters, and endless lines.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# No byte of a control but the new line, no C1, no sign that turns the direction of writing, and all is UTF-8.
+# Checks that a file is UTF-8 without control characters other than line breaks, and without characters that
+# change the direction of writing.
 harmless() { # FILE
     iconv -f UTF-8 -t UTF-8 "$1" >/dev/null || same "$1: UTF-8" '(nothing)' "$(cat -v "$1")"
     if LC_ALL=C grep -aqP '[\x00-\x09\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xa8-\xae]|\xe2\x81[\xa6-\xa9]' "$1"; then
@@ -28,9 +29,9 @@ harmless() { # FILE
     printf '%s\n' "effect row \"$name\"; set output json; effects" | "$DOMINO" >json
     harmless json
     jq -es 'map(select(.effect)) | length >= 8' json
-    # A program reads the same characters, but for a byte that is none.
+    # A program reads the same characters from json, except for invalid bytes.
     same 'json' $'a\e[31m\u202e\u009b\ufffd\tb.csv' "$(jq -r 'select(.effect == "row").state' json)"
-    # Every control character that a line may hold comes back out of json.
+    # Every control character that is allowed in a line survives a round trip through json.
     local controls
     controls=$(printf '\\x%02x' 1 2 3 4 5 6 7 8 9 {11..31} 127)
     controls=$(printf '%b' "$controls")'"\.csv'
@@ -45,7 +46,7 @@ harmless() { # FILE
     printf '%s\n' "$stderr" >messages
     harmless messages
     same 'a line each' 11 "$(wc -l <messages)"
-    # The name of a script comes before each of its messages, and hides none.
+    # The name of a script is at the beginning of its messages, and must not hide them.
     printf 'foo\n' >"$name"
     run -1 --separate-stderr "$DOMINO" "$name"
     printf '%s\n' "$stderr" >messages
@@ -57,7 +58,7 @@ harmless() { # FILE
     [[ $stderr == *"unknown command 'foo'"* ]] || same 'long name' foo "$stderr"
 }
 
-@test "long names: all of them in json, whole characters in a table, and no message is hidden" {
+@test "long names: complete in json, cut between characters in a table, and no message is hidden" {
     local name
     name=$(printf 'é%.0s' {1..120}).csv
     printf '%s\n' "$two_dominoes" >"$name"
@@ -75,7 +76,7 @@ harmless() { # FILE
     [[ $stderr == *'a safe session cannot do'* ]]
 }
 
-@test "completion offers no name that a terminal should not see" {
+@test "completion offers no name with control characters" {
     touch row.csv $'r\e[31m' $'r\u009b' $'r\u202e' $'r\nx'
     same files row.csv "$("$DOMINO" -e 'complete source r')"
 }
@@ -89,11 +90,11 @@ harmless() { # FILE
             same "$line: nothing is written" '(nothing)' "$(ls)"
         done
     done
-    # Letters of other scripts are no harm.
+    # Letters of other scripts are allowed.
     "$DOMINO" -e 'save "Größe 你好.dom"' && [ -f 'Größe 你好.dom' ]
 }
 
-@test "a new line in the name of a csv file saves no command" {
+@test "a line break in the name of a csv file does not smuggle a command into a saved session" {
     local folder=$'x"\nprint 41 + 1\n"'
     mkdir "$folder" && printf '%s\n' "$two_dominoes" >"$folder/row.csv" && ln -s "$folder/row.csv" link.csv
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row link.csv; save s.dom'
@@ -103,7 +104,7 @@ harmless() { # FILE
     [ ! -e s.dom ]
 }
 
-@test "NUL bytes without end: the first ends the file, and the session goes on" {
+@test "endless NUL bytes: the first one ends the file, and the session goes on" {
     for command in 'source /dev/zero' 'pool /dev/zero' 'effect row /dev/zero'; do
         run -1 --separate-stderr timeout 30 "$DOMINO" --keep-going -e "$command; print 41 + 1"
         [[ $stderr =~ (NUL|too long) ]] || same "$command" 'why not' "$stderr"
@@ -114,8 +115,9 @@ harmless() { # FILE
     same 'the next source' 42 "$output"
 }
 
-@test "a line without end: one message, little memory, and the session goes on" {
-    # 100 MB in a session that may have 200 MB; a sanitizer has its own ideas of memory.
+@test "an endless line: one message, little memory, and the session goes on" {
+    # A line of 100 MB in a session that may take 200 MB, except under sanitizers, which need more
+    # memory.
     line() { head -c 100000000 /dev/zero | tr '\0' 7 && printf '\nprint 41 + 1\n'; }
     endless() { ulimit -v 200000 && "$@"; }
     (endless "$DOMINO" -V) >/dev/null 2>&1 || endless() { "$@"; }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every example against its golden transcript; 'GOLDEN=write make sessions' writes them again.
+# Compares every example with its golden transcript. 'GOLDEN=write make sessions' writes the
+# transcripts again.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -41,7 +42,8 @@ golden() {
 @test "pictures.dom" { golden pictures; }
 
 @test "every example has a golden transcript and a test, and no transcript is left over" {
-    # The atlas takes a quarter of a minute: prove.bats compares a part of it with its table.
+    # The atlas takes a quarter of a minute, so prove.bats compares only a part of it with its
+    # table.
     examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | grep -vx atlas | sort)
     [ "$(wc -l <<<"$examples")" -ge 12 ]
     same transcripts "$examples" "$(cd "$BATS_TEST_DIRNAME/golden" && find . -name '*.out' -size +0 | sed 's,^\./,,; s/\.out$//' | sort)"

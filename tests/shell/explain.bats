@@ -1,13 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Where a number comes from: explain.
+# Derivations of numbers: explain.
 # shellcheck disable=SC2154 # 'run' and 'load' set variables
 
 load common
 
 check=$root/tests/derivations/check.py
 
-@test "the texts of 1,000 derivations give the library's numbers, evaluated elsewhere" {
+@test "the equations of 1,000 derivations, evaluated in Python, give the numbers of the library" {
     cd "$BATS_TEST_TMPDIR"
     python "$check" commands 20121 1000 >scenes.dom
     "$DOMINO" --keep-going <scenes.dom >answers.json 2>errors || true
@@ -16,7 +16,7 @@ check=$root/tests/derivations/check.py
     read -r scenes lines ended <<<"$output"
     echo "$output"
     [ "$scenes" -gt 950 ] && [ "$lines" -gt 3500 ] && [ "$ended" -gt 300 ]
-    # A number that is off by a billionth is found.
+    # The check finds a number that is off by a billionth.
     sed -E '0,/("quantity":"K".*"value":)([0-9.]*)/s//\11.00000001/' answers.json >wrong.json
     run -1 python "$check" check <wrong.json
 }
@@ -34,7 +34,7 @@ check=$root/tests/derivations/check.py
     done
     same 'the numbers' "$(json 'theta1 0.2' | values theta_1)" "$(json 'explain theta1 0.2' | grep '"quantity":"theta_1"' | values value)"
     same tree 'K B' "$(json 'explain why' | grep '"quantity":"margin"' | values needs)"
-    # At the largest growth nothing is to spare, and r is that growth.
+    # At the largest growth the margin is 0, and r is that growth.
     close r "$(json 'rmax 0.3' | values r_max)" "$(json 'explain rmax 0.3 deep' | grep '"quantity":"r",' | values value)"
     close margin 0 "$(json 'explain rmax 0.3' | grep '"quantity":"margin"' | values value)" 1e-9
     "$DOMINO" -e 'explain rmax 0.3' | grep -qx '      = 0 mgh/2' # and no rounding error
@@ -42,7 +42,7 @@ check=$root/tests/derivations/check.py
     same 'let' "$(json 'explain why' | head -n 1)" "$(json 'let K = 3; explain why' | head -n 1)"
 }
 
-@test "where equations end, explain says so, and effects have equations of their own" {
+@test "explain says where equations end, and has the equations of effects" {
     "$DOMINO" -e 'effect friction 0.2; explain launch deep' | grep -q "with friction no energy is conserved and the motion is integrated: 'help friction'"
     "$DOMINO" -e 'effect edges 0.01; explain theta1 0.2' | grep -q "with rounded edges the contact is found by iteration"
     "$DOMINO" -e 'effect slope 1 deg; explain fuel' | grep -q 'cos(start_i + alpha)'
@@ -60,7 +60,7 @@ check=$root/tests/derivations/check.py
     same brackets "$(tr -cd '{' <a.tex | wc -c)" "$(tr -cd '}' <a.tex | wc -c)"
     same begins "$(grep -c '^\\begin' a.tex)" "$(grep -c '^\\end' a.tex)"
     same head quantity "$(head -n 1 a.csv | cut -d, -f1)"
-    # The sentence about a row, and the note that another answer is about the train, stay outside the formulas.
+    # The sentence about a row, and the note that an answer is about the train, are outside the formulas.
     "$DOMINO" -e 'effect row 5; explain verdict > v.tex; explain fuel > f.tex' 2>note
     grep -q 'not the row' note
     for text in v f; do same "$text" '\documentclass{article}' "$(head -n 1 $text.tex)"; done
@@ -74,7 +74,7 @@ check=$root/tests/derivations/check.py
     done
     run -1 --separate-stderr env PATH=/nowhere "$DOMINO" -e 'explain launch > none.pdf'
     [[ $stderr == *"needs pdflatex, which is not installed: 'apt install texlive-latex-base'"* ]] && [ ! -e none.pdf ]
-    # A stand-in that fails: its message is shown, and nothing is left behind.
+    # If pdflatex fails, here a fake one, its message is shown and no files are left.
     mkdir -p bin temporary
     printf '#!/bin/sh\necho "! no such font" >&2\nexit 1\n' >bin/pdflatex
     chmod +x bin/pdflatex
@@ -97,7 +97,7 @@ set r 3; explain why|falls past the next domino
 END
 }
 
-@test "recipe: each step of the paper with its numbers, and where the program parts from it" {
+@test "recipe: each step of the paper with its numbers, and where the program differs" {
     answer=$(json 'set q hollow; recipe')
     at() { grep "\"quantity\":\"$1" <<<"$answer" | values "$2"; }
     close 'J(0)' "$(json 'set q hollow; launch' | values J0)" "$(at 'J(0) (20' program)"
@@ -108,7 +108,7 @@ END
     close 'r_max of the paper' 2.1686 "$(at 'r_max' paper)" 1e-4
     close 'best s' 0.432413 "$(at 's of' paper)" 1e-6
     close 'best s' 0.443615 "$(at 's of' program)" 1e-6
-    # The paper's search for the highest point ends at the first maximum, which here is at theta = 0.
+    # The paper's search for the maximum ends at the first one, which is at theta = 0 here.
     answer=$(json 'set q hollow; set s 0.54; set r 1.8518; set tol 1e-8; recipe')
     close 'first maximum' 0 "$(at 'H(theta_m)' paper)"
     close 'largest maximum' "$(json 'set q hollow; set s 0.54; set r 1.8518; barrier' | values barrier)" "$(at 'H(theta_m)' program)"

@@ -1,12 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Expressions: arithmetic, functions, names, answers in them, comparisons; where a value ends, and what is wrong
-# with one.
+# Expressions: arithmetic, functions, names, answers, comparisons, the end of a value, and errors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# Prints TEXT COUNT times: twice as much in each step, since a million of printf take their time.
+# Prints TEXT COUNT times. The text is doubled in each step, since a million calls of printf would
+# take long.
 repeat() { # TEXT COUNT
     awk -v text="$1" -v n="$2" 'BEGIN {
         for (many = text; n > 0; many = many many) { if (n % 2) printf "%s", many; n = int(n / 2) } }'
@@ -82,7 +82,7 @@ END
 END
 }
 
-@test "where a value ends: '1 - 0.5' is one, '0.1 -0.5' are two" {
+@test "the end of a value: '1 - 0.5' is one value, '0.1 -0.5' are two" {
     all_worth <<'END'
 0.5|-|1 - 0.5
 0.5|-|1-0.5
@@ -113,7 +113,7 @@ END
 0.6|-|r * s
 20.833333333333333|m^-1|1/h
 END
-    # Each against what the command itself answers.
+    # Compare each name with the answer of the command.
     while IFS='|' read -r expression command key unit; do
         all_worth <<<"$(json "$command" | values "$key")|${unit}|$expression"
     done <<'END'
@@ -155,7 +155,7 @@ END
     same 'theta1 thetac' "$(json "theta1 $(json thetac | values theta_c)")" "$(json 'theta1 thetac')"
 }
 
-@test "ans is the last answer, ans.KEY a number of it" {
+@test "ans is the last answer, and ans.KEY is one of its numbers" {
     while IFS='|' read -r commands expression command key; do
         expected=$(json "$command" | values "$key")
         close "$commands; $expression" "$expected" \
@@ -180,12 +180,12 @@ END
     same 'as an argument' "$(json "set s 0.3; rmax $(json fuel | values fuel)")" \
         "$(json 'fuel; set s 0.3; rmax ans' | tail -n 1)"
     same 'an angle' "$(json 'theta1 theta1(0.1)/2' | tail -n 1)" "$(json 'theta1 0.1; theta1 ans/2' | tail -n 1)"
-    # What has no value is not worth anything.
+    # An answer without a value cannot be used.
     run -1 --separate-stderr json 'set s 0.001; rmax; set r ans'
     [[ $stderr =~ ^-e:1:.*'does not exist' ]] || same 'no growth' 'does not exist' "$stderr"
 }
 
-@test "where an expression is wrong: the column, also after letters of several bytes" {
+@test "errors in expressions: the column is right, also after letters of several bytes" {
     all_wrong <<'END'
 7|print foo|^print:.*'foo' has no value
 11|print 1 + foo|^print:.*'foo' has no value
@@ -245,14 +245,14 @@ END
 END
 }
 
-@test "what is neither a comment nor an argument is not skipped" {
-    # A comment begins at a blank, or at the beginning.
+@test "text that is neither a comment nor an argument is an error" {
+    # A comment begins after a blank, or at the beginning of the line.
     wrong_at 8 'print 2#3' "^print:.*'#3'"
     wrong_at 10 'set s 0.3#4' "^set:.*'#4'"
     same 'a comment' 2 "$(json 'print 2 #3; print 4' | values value)"
 }
 
-@test "what makes no sense deep down or a megabyte long: one line, no crash" {
+@test "nonsense that is nested deeply or a megabyte long: one line, no crash" {
     deep() { # BEGIN REPEATED COUNT END
         printf '%s' "$1" >deep
         repeat "$2" "$3" >>deep
@@ -276,7 +276,7 @@ END
     deep 'help ' 'a' 1000000 ''
     deep 'apropos ' 'a' 1000000 ''
     deep '' 'θ' 1000000 ''
-    # What is long, but right.
+    # Long expressions that are right.
     deep 'print ' '1+' 100000 1 0
     deep 'print 1' ' ' 1000000 '' 0
     deep 'print 0.5' '0' 1000000 '' 0
@@ -326,7 +326,7 @@ END
     wrong 'let and = 1' "'and' is a word of the expression language"
 }
 
-@test "with: what holds for one answer, and nothing else changes" {
+@test "with: changes parameters for one answer only" {
     local alone
     alone=$("$DOMINO" -n -e 'set q hollow; set d 0.1; print rmax(0.4)')
     same 'command' "$alone" "$("$DOMINO" -n -e 'print rmax(0.4) with q hollow d 0.1')"
@@ -353,7 +353,7 @@ END
     wrong 'set s 0.3 with r 2' "'with' can only follow a command that computes an answer"
 }
 
-@test "each command with a principal column stands for that column, each other one for nothing" {
+@test "a command with a principal column stands for that column, and any other command is an error" {
     local name key list=''
     for name in $("$DOMINO" -e 'complete '); do
         key=$("$DOMINO" -e "help $name" | sed -n "s/^In an expression, '$name' stands for the value \(.*\)\.\$/\1/p")
@@ -379,7 +379,7 @@ END
     names=$("$DOMINO" -e complete)
     [ "$(wc -l <<<"$names")" -gt 40 ]
     for name in $names; do
-        echo 'set tol 0.001' >calls.dom # what takes long is not what is asked for here
+        echo 'set tol 0.001' >calls.dom # a rough tolerance saves time
         for arguments in '' '()' '(1)' '(0.5, 2)' '(1, 1, 1)' '(1, 2, 3, 4)' '.s' '(-1)' '(1 m)' '(1e30)' '(1e-30)'; do
             echo "print $name$arguments" >>calls.dom
         done
@@ -393,7 +393,7 @@ END
     done
 }
 
-@test "what takes a file or a word has no value in an expression" {
+@test "commands that take a file or a word have no value in an expression" {
     wrong 'print pool(1)' "'pool FILE' has no value in an expression"
     wrong 'set s pool' "'pool FILE' has no value in an expression"
     wrong 'count pool(1)' "'pool FILE' has no value in an expression"

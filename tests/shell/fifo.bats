@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# FIFOs, pipes and devices as files, and descriptors that are closed.
+# FIFOs, pipes and devices as files, and closed descriptors.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -22,7 +22,7 @@ load common
 }
 
 @test "^C ends the wait for a reader that reads nothing" {
-    # More than a FIFO holds, at once.
+    # Write more than a FIFO can hold at once.
     for _ in {1..40}; do echo help; done >"$BATS_TEST_TMPDIR/script"
     prompt interrupt_partner '<' "source $BATS_TEST_TMPDIR/script > %s" 'cannot write [^\n]*canceled'
 }
@@ -63,7 +63,7 @@ load common
         same "$to FIFO" "$answer" "$(cat got)"
     done
     cat fifo >got &
-    soon "$DOMINO" -e 'set output csv; curve 0.1 0.9 20000 > fifo' # more than a pipe holds
+    soon "$DOMINO" -e 'set output csv; curve 0.1 0.9 20000 > fifo' # more than a pipe can hold
     wait $!
     same '> FIFO, long' 20001 "$(wc -l <got)"
     soon "$DOMINO" -e 'fuel > /dev/null; save /dev/null; fuel >> /dev/null; source /dev/null'
@@ -71,14 +71,14 @@ load common
     [ -p fifo ]
 }
 
-@test "a FIFO's writer has its answer before it writes the next command" {
+@test "the writer of a FIFO gets an answer before it writes the next command" {
     mkfifo ask answer
     soon "$DOMINO" -f ask >answer 3>&- &
     exec 5<answer 4>ask
     for k in 1 2; do
         echo "print 41 + $k" >&4
         read -r -t 20 said <&5
-        [ -n "$said" ] || read -r -t 20 said <&5 # a blank line parts answers
+        [ -n "$said" ] || read -r -t 20 said <&5 # a blank line separates answers
         same "answer $k" "$((41 + k))" "$said"
     done
     exec 4>&- 5<&-
@@ -94,7 +94,7 @@ load common
     same '>()' "$answer" "$(cat got)"
 }
 
-@test "where standard streams are closed, no file takes their place" {
+@test "if standard streams are closed, no file takes their place" {
     answer=$("$DOMINO" -e fuel)
     for closed in '<&-' '2>&-' '<&- 2>&-'; do
         rm -f out

@@ -1,14 +1,14 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Answers in files: > and >>, endings of names, links, permissions, and what is left after an error.
+# Answers in files: > and >>, endings of names, links, permissions, and files after an error.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
 @test "'> FILE' and '>> FILE' after any command" {
     while IFS='|' read -r call _; do
-        case $call in design*) continue ;; esac # a file gets its row, see plan.bats
-        plain='set header off; ' asked=$plain # else a file that has the head gets no other
+        case $call in design*) continue ;; esac # a file gets the designed row: see plan.bats
+        plain='set header off; ' asked=$plain # otherwise an existing file gets no second header
         for format in table csv json; do
             plain+="set output $format; $call; "
             asked+="set output $format; $call > $format; $call >> $format; $call; "
@@ -16,7 +16,7 @@ load common
         expected=$("$DOMINO" -e "$plain" | grep .)
         run -0 --separate-stderr "$DOMINO" -e "$asked"
         same "$call > FILE: stdout" "$expected" "$(grep . <<<"$output")"
-        for part in head tail; do # the one that '>' wrote, and the one that '>>' added
+        for part in head tail; do # the answer that '>' wrote, and the one that '>>' added
             same "$call > FILE: the $part" "$expected" \
                 "$(for file in table csv json; do $part -n $(($(wc -l <$file) / 2)) $file; done | grep .)"
         done
@@ -37,14 +37,14 @@ load common
     same 'nothing else' 'close,csv,json,nested,out,table,with  blanks,x;y #z' "$(inside)"
 }
 
-@test "'apropos WORD' ends where every command does" {
+@test "'apropos WORD' ends like every other command" {
     same "';'" "$("$DOMINO" -e 'apropos hollow')"$'\n'1 "$("$DOMINO" -e 'apropos hollow; print 1' | grep .)"
     "$DOMINO" -e "apropos hollow > out"
     same '>' "$("$DOMINO" -e 'apropos hollow')" "$(cat out)"
 }
 
 @test "a file is written whole or not at all" {
-    "$DOMINO" -e 'fuel > good' # as a good one is
+    "$DOMINO" -e 'fuel > good' # in contrast to a command that succeeds
     grep -q '^fuel ' good
     rm good
     for call in 'theta1 9' 'set s 0.9; fuel' 'foo' 'rmax 2' 'print 1 +' 'show foo' 'fuel 1' \
@@ -59,7 +59,7 @@ load common
     done
 }
 
-@test "files keep their permissions, links their targets" {
+@test "files keep their permissions, and links keep their targets" {
     touch private && chmod 600 private
     "$DOMINO" -e 'fuel > private'
     same mode private "$(mode private 600)"
@@ -117,7 +117,7 @@ END
     same 'nothing was written' 'directory,file' "$(inside)"
 }
 
-@test "a '\"' that is never closed is no file name" {
+@test "a file name with an unclosed '\"' is an error" {
     wrong_at 8 'fuel > "a b' '^fuel: '
     wrong_at 6 'save "a b' '^save: '
     wrong_at 8 'source "a b' '^source: '
@@ -134,7 +134,7 @@ END
     same 'to a file' $'1\n5\n2' "$(grep . file)"
 }
 
-@test "the name of a picture is no name for another answer" {
+@test "an answer that is not a picture cannot be written to a picture file" {
     echo draw >s.dom
     for what in rmax 'source s.dom' show help; do
         for name in a.svg a.PNG a.pdf; do
@@ -145,14 +145,14 @@ END
     same 'nothing is left' s.dom "$(ls)"
 }
 
-@test "a pipe is answered with what writes a file" {
+@test "'|' leads to a message that names '>'" {
     wrong 'rmax | head' "^-e:1:6: rmax: pipes are not supported; 'COMMAND > FILE' writes a file\$"
 }
 
-@test "a file that an answer around a command writes is not written by the command, too" {
+@test "an inner command cannot write the file that an outer one is writing" {
     mkdir folder
     ln -s . again
-    for name in out ./out folder/../out again/out "$PWD/out"; do # there is no such file yet
+    for name in out ./out folder/../out again/out "$PWD/out"; do # none of these names exists yet
         printf 'rmax > %s\nfuel\n' "$name" >script
         run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
         same message "script:1:8: rmax: cannot write '$name': this session is writing it already; choose another file" "$stderr"
@@ -165,7 +165,7 @@ END
     same 'one after the other' "$("$DOMINO" -e fuel)" "$(cat out)"
 }
 
-@test ".csv and .json are written as such; .txt, and no ending as 'set output' has it" {
+@test ".csv and .json choose the format; .txt, or no ending, means the format of 'set output'" {
     for output in table csv json; do
         "$DOMINO" -e "set output $output; effect row 5; fall > fall.csv; rmax > r.JSON; verdict > v.txt; verdict > v"
         same "$output: csv" "$("$DOMINO" -e 'set output csv; effect row 5; fall')" "$(cat fall.csv)"
@@ -199,7 +199,7 @@ END
     same 'characters' "$("$DOMINO" -e draw)" "$(cat d.txt)"
 }
 
-@test "an ending that does not fit is one line, before anything is computed, and no file is left" {
+@test "an ending that does not fit is an error before anything is computed, and leaves no file" {
     for name in a.jpg a.gif a.xlsx a.foo v.dat; do
         wrong "rmax > $name" "the file extension of '$name' is unknown; use .csv, .json or .txt"
         wrong "draw > $name" "the file extension of '$name' is unknown; use .svg, .png, .pdf, .gp or .txt"
@@ -212,7 +212,7 @@ END
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
-@test "'>' through links whose target is not there makes the target" {
+@test "'>' to a link without a target creates the target" {
     mkdir folder
     ln -s folder/target one && ln -s "$PWD/one" two && ln -s ../three folder/three
     for name in one two folder/three; do
@@ -236,7 +236,7 @@ END
     same 'group and mode' '12 664' "$(stat -c '%g %a' file)"
 }
 
-@test "a '>' in a file that is sourced is complete at once, and the one around it leaves nothing" {
+@test "a '>' in a sourced file is written at once, although the outer '>' fails and leaves no file" {
     mkdir files
     echo 'fuel > files/inner; curve 0.01 1 10000000' >script
     for signal in TERM KILL; do
@@ -249,10 +249,10 @@ END
     done
 }
 
-@test "'>>' of two programs at once writes the names of the columns once" {
+@test "'>>' of two programs at the same time writes a single header" {
     mkfifo ask
     soon "$DOMINO" -e 'source ask >> rows.csv' 3>&- &
-    exec 4>ask # the first has opened its file, and waits
+    exec 4>ask # the first program has opened the file, and waits
     "$DOMINO" -e 'pair 0.3 >> rows.csv'
     echo 'pair 0.5' >&4
     exec 4>&-
@@ -260,7 +260,7 @@ END
     same 'one head' "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5')" "$(cat rows.csv)"
 }
 
-@test "a file that the session is writing is refused, under any of its names, and stays as it is" {
+@test "a file that the session is writing is refused under any of its names, and is not changed" {
     answer=$("$DOMINO" -e fuel)
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
     while IFS='|' read -r begin then name; do
@@ -281,7 +281,7 @@ tee twice; fuel > /dev/null; echo x|rmax > soft|soft
 tee twice; echo x|rmax >> hard|hard
 tee soft; echo x|animate hard.gif|hard.gif
 END
-    "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # the same again is no other
+    "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # opening the same log again is allowed
     same 'log anew' 2 "$(grep -c '^# A log' new)"
     run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel; log out" >out'
     same 'standard output' "-e:1: log: cannot write 'out': this session is writing it already; choose another file" "$stderr"
@@ -304,7 +304,7 @@ END
     [[ $output == *': File name too long' ]]
 }
 
-@test "temporary files are where TMPDIR says" {
+@test "temporary files are in TMPDIR" {
     command -v gnuplot >/dev/null || skip 'no gnuplot'
     run -1 --separate-stderr env TMPDIR="$PWD/none" "$DOMINO" -e 'plot energy > x.svg'
     same 'no such folder' "-e:1: plot: cannot make a temporary file in '$PWD/none': No such file or directory" "$stderr"

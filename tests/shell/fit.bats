@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fit: parameters from measured speeds, times of hits and angles.
+# Fit: parameters from measured speeds, hit times and angles.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -11,7 +11,7 @@ load common
         fit=$(json "set d $d/48; fit friction $measured/$file.csv")
         found=$(values friction <<<"$fit" | head -n 1)
         within "$file" "$mu" "$found" 'd < 2e-3 && d > -2e-3'
-        # A little more and a little less explain the speeds worse.
+        # A slightly larger or smaller friction explains the speeds less well.
         for by in 0.98 1 1.02; do
             while read -r gap speed; do
                 json "set r 1; set d $d/48; set s $gap m/h; effect friction $found*$by; print (duration.speed*1 s/1 m/$speed - 1)^2" | values value
@@ -22,14 +22,15 @@ load common
 laboratory 7.5 0.294
 sandpaper 7.5 0.711
 END
-    # The published 0.067 has another speed at the widest gap, of which only a range is known.
+    # The published value is 0.067, for which the speed at the widest gap was different. Of this
+    # speed only a range is known.
     fit=$(json "set d 7.5438/48; fit friction $measured/hard-floor.csv")
     awk -v mu="$(values friction <<<"$fit" | head -n 1)" -v sd="$(values friction_sd <<<"$fit" | head -n 1)" \
         'BEGIN { exit !(sd > 0.005 && sd < 0.03 && mu - 0.067 < sd && 0.067 - mu < sd) }'
     close felt 0.007 "$(json 'set r 1; set d 7.5438/48; set s 9.38/48; solve friction : duration.speed = 1.34 m/s' | values value)" 0.03
 }
 
-@test "fit: speeds that the model made give its friction back, with and without errors" {
+@test "fit: the friction of the model is found from speeds of the model, with and without errors" {
     for gap in 8 12 20 30; do
         echo "$gap,$(json "set r 1; set s $gap/48; effect friction 0.25; duration" | values speed),0.01"
     done >rows
@@ -40,7 +41,7 @@ END
     for file in errors plain sheet commas; do
         close "$file" 0.25 "$(json "fit friction $file.csv" | values friction | head -n 1)" 1e-5
     done
-    # Errors of 0.01 m/s leave an uncertainty, which is less where they are less.
+    # Errors of 0.01 m/s cause an uncertainty, and smaller errors a smaller one.
     wide=$(json 'fit friction errors.csv' | values friction_sd | head -n 1)
     sed -i 's/,0\.01$/,0.005/' errors.csv
     close uncertainty "$wide" "$(json 'fit friction errors.csv' | values friction_sd | head -n 1 | awk '{ print 2 * $1 }')" 1e-3
@@ -55,7 +56,7 @@ END
     grep -q '^The best fit is friction 0, the limit of its range\.$' <<<"$output"
 }
 
-@test "fit: what is wrong with a file is one line" {
+@test "fit: errors in a file are reported in one line" {
     : >empty.csv
     printf 'gap (mm), speed (m/s)\n' >head.csv
     printf 'gap (mm), speed (m/s)\n9, 1.3\n9, 1.31\n' >one.csv
@@ -97,14 +98,14 @@ END
     wrong 'effect row 2; effect push 5; fit friction frames.csv 240' 'domino 3 was measured in run 1, but the row of the scene ends at domino 2'
 }
 
-# Times at which the dominoes of a row are hit, with an error of 1 ms, as two runs with clocks of their own.
+# Writes hit times of a row with errors of 1 ms, for two runs that are measured by different clocks.
 noisy_hits() { # SEED
     awk -F , -v seed="$1" 'BEGIN { srand(seed); print "run,domino,time (s)" } NR > 1 { hit[++n] = $3 }
         END { for (run = 1; run <= 2; run++) for (k = 1; k <= n; k++)
             printf "%d,%d,%.6f\n", run, k, 3 * run + hit[k] + 0.001 * sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }' exact.csv
 }
 
-@test "fit: hits and angles that the model made give several parameters back, within the stated uncertainty" {
+@test "fit: several parameters of the model are found from hits and angles, within the stated uncertainty" {
     scene='set r 1; set s 0.4; effect row 12; '
     "$DOMINO" -e "$scene effect push 4; effect friction 0.25; fall > exact.csv"
     awk -F , 'NR == 1 { print "domino,frame,rate" } NR > 1 { printf "%d,%.9f,1000\n", $1, 1000 * $3 + 77 }' exact.csv >frames.csv
@@ -113,16 +114,16 @@ noisy_hits() { # SEED
         close "$file friction" 0.25 "$(values friction <<<"$fit")" 1e-6
         close "$file push" 4 "$(values push <<<"$fit")" 1e-6
     done
-    # 'effect row' may be left out, and then the gap of each run may be in the file.
+    # Without 'effect row', the gap of each run may be in the file.
     awk -F , -v gap="$(awk 'BEGIN { print 0.4 * 48 }')" 'NR == 1 { print "gap (mm),domino,time" } NR > 1 { print gap "," $1 "," $3 }' exact.csv >gaps.csv
     close gap 0.25 "$(json 'set r 1; set s 0.9; fit friction, push gaps.csv' | tail -n 1 | values friction)" 1e-6
-    # The tilts of all dominoes over time.
+    # Tilts of all dominoes as functions of time.
     "$DOMINO" -e "set output csv; $scene effect row 4; effect push 4; effect friction 0.25; animate x.gif speed 0.2 rate 50" |
         sed '1s/.*/time (s),domino,angle (rad)/; /,$/d' >angles.csv
     fit=$(json "$scene effect row 4; fit friction, push angles.csv" | tail -n 1)
     close 'angles: friction' 0.25 "$(values friction <<<"$fit")" 1e-4
     close 'angles: push' 4 "$(values push <<<"$fit")" 1e-4
-    # With errors of 1 ms, the 95 % interval contains the true value in about 95 of 100 trials: in at least 34 of 40.
+    # With errors of 1 ms, the 95 % interval must contain the true value in at least 34 of 40 trials.
     for seed in $(seq 40); do
         noisy_hits "$seed" >"noisy$seed.csv"
         echo "fit friction, push noisy$seed.csv"
@@ -134,7 +135,7 @@ noisy_hits() { # SEED
     awk '{ exit !($1 == 40 && $2 >= 34 && $3 >= 34 && $2 + $3 < 80) }' inside
 }
 
-@test "fit: times of hits drift where gaps vary, and an unknown stops at the limit of its range" {
+@test "fit: hit times drift if gaps vary, and a parameter stays within its range" {
     measured=$BATS_TEST_DIRNAME/../../examples/measured
     fit=$("$DOMINO" -e "set tol 1e-8; set r 1; set h 48 mm; set d 7.5438/48; fit friction, push $measured/felt-frames.csv")
     grep -q '^The best fit is friction 0, the limit of its range\.$' <<<"$fit"

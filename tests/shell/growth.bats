@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The largest growth: rmax, pair, best, curve; answers that are a physical "no".
+# The largest growth: rmax, pair, best and curve; answers that are a physical "no".
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -18,7 +18,7 @@ massive paper 0.520419 1.831348
 END
 }
 
-@test "curve: the separations are evenly spaced, its values are those of rmax and pair" {
+@test "curve: separations are evenly spaced, and values agree with rmax and pair" {
     json 'set q hollow; curve 0.3 0.5 3' >rows
     same rows 3 "$(wc -l <rows)"
     for i in 1 2 3; do
@@ -35,14 +35,14 @@ END
     same 'to the very end' 0.9 "$(json 'curve 0.1 0.9 7' | values s | tail -n 1)"
 }
 
-@test "rmax says why exact and paper differ, and only where they do" {
+@test "rmax says why exact and paper differ, but only if they do" {
     "$DOMINO" -e rmax | grep -q '^r_max_exact and r_max_paper differ because'
     same 'only where they do' '(nothing)' "$("$DOMINO" -e rmax | grep 'Both end by the reach')"
     "$DOMINO" -e 'rmax 0.9' | grep -q '^r_max_exact and r_max_paper are both limited by the reach'
     same 'nor there' '(nothing)' "$("$DOMINO" -e 'rmax 0.9' | grep differ)"
 }
 
-@test "no fuel, no growth, stopped: null with a reason, status 0, nothing on stderr" {
+@test "no fuel, no growth or a stop: null with a reason, status 0, nothing on stderr" {
     while IFS='|' read -r calls nulls reason; do
         run --separate-stderr json "$calls"
         same "$calls: status" 0 "$status"
@@ -50,7 +50,7 @@ END
         row=$(tail -n 1 <<<"$output")
         for key in $nulls; do same "$calls: $key" null "$(values "$key" <<<"$row")"; done
         grep -q "\"reason\":\"[^\"]*${reason}[^\"]*\"}$" <<<"$row" || same "$calls" "$reason" "$row"
-        # People read the same.
+        # The table has the same reason.
         expects "$calls" "$reason"
         "$DOMINO" -e "$calls" | grep -q "$reason"
     done <<END
@@ -70,7 +70,7 @@ set r 1.8; barrier||too little energy and stops at theta.*before the top of the 
 END
 }
 
-@test "a physical no: verdict and what ends the growth" {
+@test "a physical no: the verdict, and what limits the growth" {
     same verdict 'no fuel' "$(json 'set s 0.001; barrier' | values verdict)"
     same verdict 'stops' "$(json 'set r 1.8; barrier' | values verdict)"
     same verdict 'goes on' "$(json 'barrier' | values verdict)"
@@ -90,7 +90,7 @@ END
     same 'its word' paper "$(values value <<<"$answer")"
 }
 
-@test "rmax names both limits where a row needs less growth to start than a train to go on" {
+@test "rmax names both limits if a row starts only with a smaller growth than keeps a train going" {
     answer=$("$DOMINO" -e 'set r 1.64; rmax')
     for words in '1\.64423 times as large' 'just tips over falls with growth up to 1\.59459' \
         'With growth 1\.64 the row needs a push of 6\.766 rad/s'; do
@@ -98,7 +98,7 @@ END
     done
     "$DOMINO" -e 'set q hollow; rmax 0.1' | grep -q 'just tips over does not fall with any growth'
     "$DOMINO" -e 'effect row 2; effect push 6; rmax' | grep -q 'with a push of 6 rad/s falls with growth up to 1\.63'
-    # Both limits are the same where the reach ends them.
+    # If the reach limits both growths, they are equal.
     "$DOMINO" -e 'rmax 0.8' | grep -q '1\.25'
     ! "$DOMINO" -e 'rmax 0.8' | grep -q 'This is for a train'
     # Programs get the limit of a row that starts, as 'count' gives it.

@@ -44,7 +44,7 @@ load common
     done
 }
 
-@test "apropos: what mentions a word, in any case; or an error" {
+@test "apropos: lists everything that mentions a word, in upper or lower case; or an error" {
     while IFS='|' read -r word found; do
         answer=$("$DOMINO" -e "apropos $word")
         expects "apropos $word" "$answer"
@@ -75,7 +75,7 @@ END
     examples=0
     names=$(paste -sd ' ' "$PWD/names")
     help=$("$DOMINO" -e help)
-    # Whatever the session has been set to, the example is that of a fresh one, and changes nothing.
+    # The example is that of a fresh session, whatever has been set, and changes nothing.
     changed='set s 0.3; set digits 4; set fuel paper; set angle deg'
     "$DOMINO" -e "$changed; show" -e "$(sed 's/.*/help & > "&.txt"/' names | paste -sd ';' -)" -e show >shows
     same 'help changes nothing' "$(head -n "$(($(wc -l <shows) / 2))" shows)" "$(tail -n "$(($(wc -l <shows) / 2))" shows)"
@@ -90,7 +90,7 @@ END
         examples=$((examples + 1))
         same "help $name: $example" "$("$DOMINO" -e "$example")" "$(shown <<<"$output")"
         same "help $name elsewhere" "$(shown <<<"$output")" "$(shown "$name.txt")"
-        # Each that it sends to is there.
+        # Every topic to which help refers exists.
         while read -r other; do
             [[ " $names " == *" $other "* ]] || same "help $name: see also" "a command" "$other"
         done < <(sed -n 's/^See also: //p' <<<"$output" | tr ' ' '\n')
@@ -111,7 +111,7 @@ END
         done
     done <"$PWD/parameters"
     [ "$seen" -ge 12 ]
-    # 'help set' shows all of them as they are now.
+    # 'help set' shows the present values of all parameters.
     answer=$("$DOMINO" -e 'set s 0.3; set fuel paper; help set')
     while read -r name; do
         grep -q "^ *$name " <<<"$answer" || same 'help set' "$name" "$answer"
@@ -160,13 +160,14 @@ END
     [ "$pages" -ge 40 ]
 }
 
-@test "help: on every page keys, units and meanings begin below each other" {
+@test "help: on every page keys, units and meanings are aligned in columns" {
     local topic pages=0
     for topic in $("$DOMINO" -e 'complete help '); do
         "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >page
         [ -s page ] || continue
         pages=$((pages + 1))
-        # The unit begins after the longest key, the meaning after the longest unit; rows without a unit have the meaning there.
+        # Units begin after the longest key, and meanings after the longest unit. In rows without a unit, the meaning
+        # begins in the column of the units.
         awk -v topic="$topic" '
             { if (length($1) > key) key = length($1) }
             NF > 1 { line[++n] = $0 }
@@ -187,7 +188,7 @@ END
     [ "$pages" -ge 30 ]
 }
 
-@test "help and apropos: every summary begins in one column" {
+@test "help and apropos: all summaries begin in the same column" {
     "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >list
     "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>list
     [ "$(wc -l <list)" -gt 80 ]
@@ -207,7 +208,7 @@ END
     done
 }
 
-@test "apropos finds what people say, first what is about it" {
+@test "apropos finds everyday words, and lists the best match first" {
     while read -r word wanted; do
         same "apropos $word" "$wanted" "$("$DOMINO" -e "apropos $word" | grep -oxE "$wanted( .*)?" | cut -c "-${#wanted}")"
     done <<'END'

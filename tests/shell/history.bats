@@ -1,19 +1,19 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The history of the prompt: where it is, and what it keeps.
+# The history of the prompt: where it is stored, and what it contains.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "history: a device keeps its mode, and nothing is said" {
+@test "history: a device keeps its mode, and there is no message" {
     prompt history_device /dev/null
     ln -s /dev/null "$BATS_TEST_TMPDIR/link"
     prompt history_device "$BATS_TEST_TMPDIR/link"
 }
 
-@test "history: a link's target keeps its mode" { prompt history_link; }
+@test "history: the target of a link keeps its mode" { prompt history_link; }
 
-@test "history: a FIFO is reported, and is none" { prompt history_fifo; }
+@test "history: a FIFO is reported and not used" { prompt history_fifo; }
 
 @test "history: SIGKILL loses nothing" { prompt history_crash; }
 
@@ -21,14 +21,14 @@ load common
 
 @test "history: four sessions that end at once" { prompt history_many 4 5; }
 
-@test "history: from session to session, 0600, nothing twice in a row" { prompt history_sessions; }
-@test "history: DOMINO_HISTORY says where" { prompt history_override; }
-@test "history: an empty DOMINO_HISTORY means none" { prompt history_none; }
+@test "history: it is kept from session to session, with mode 0600, and without immediate repetitions" { prompt history_sessions; }
+@test "history: DOMINO_HISTORY names the file" { prompt history_override; }
+@test "history: an empty DOMINO_HISTORY means no history" { prompt history_none; }
 @test "history: without XDG_STATE_HOME it is in the home folder" { prompt history_home; }
-@test "history: a signal and a lost terminal keep it" { prompt history_signal; }
+@test "history: it survives a signal and a lost terminal" { prompt history_signal; }
 @test "history: two sessions at once" { prompt history_two; }
-@test "history: where it cannot be written, that is said" { prompt history_cannot; }
-@test "history and start-up file: neither in pipes" {
+@test "history: a file that cannot be written is reported" { prompt history_cannot; }
+@test "history and start-up file: not used in pipes" {
     export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config
     export HOME=$BATS_TEST_TMPDIR DOMINO_HISTORY=$BATS_TEST_TMPDIR/own
     mkdir -p "$XDG_CONFIG_HOME/domino"

@@ -1,13 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The row that most likely falls.
+# Improve: the most reliable row.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
 scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect placement 3 mm'
 
-@test "improve: the new row is the session's, its probability is that of placement, and undo takes it back" {
+@test "improve: the session gets the new row, its probability agrees with placement, and undo restores the old row" {
     json "$scene; set threads 1; improve sizes grid 1 mm; placement; row; undo; row" >answers
     [ "$(values before <answers)" != "$(values probability <answers | head -n 1)" ]
     same probability "$(values probability <answers | head -n 1)" "$(values probability <answers | tail -n 1)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Lines: comments, blanks, ends of lines, quotes, letters beyond ASCII; how a session ends.
+# Lines: comments, blanks, line ends, quotes, letters beyond ASCII, and the end of a session.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -39,7 +39,7 @@ END
     same 'several -e' 42 "$("$DOMINO" -e 'print 6*7' -e quit -e fuel -f /nonexistent 2>&1)"
 }
 
-@test "the field's letters are accepted, wherever they are typed" {
+@test "Greek letters are accepted wherever they are typed" {
     all_worth <<'END'
 3.1415926535897931|-|π
 0.43633231299858238|rad|25°
@@ -59,7 +59,7 @@ END
     same 'byte order mark, CRLF, no last newline' "$(json 'set s 0.3; fuel')" "$("$DOMINO" bom 2>&1)"
 }
 
-@test "a line goes on below after a backslash" {
+@test "a backslash continues a line" {
     printf '2 + \\\n3 + \\  \n4\nset s \\\n  0.3; print s\n1 # no \\\n2\nset s x\n' >a.dom
     run --separate-stderr "$DOMINO" a.dom
     same joined '9 0.3 1 2' "$(grep . <<<"$output" | paste -sd ' ' -)"
@@ -68,17 +68,17 @@ END
     same 'at the end' 7 "$(printf '7 \\' | "$DOMINO")"
 }
 
-@test "nothing at all is no error" {
+@test "empty input is not an error" {
     for text in '' ' ' ';' ' ; ;; ' '#' $'\n\n' $'\r\n' $'\t'; do
         same "-e '$text'" '(nothing)' "$("$DOMINO" -e "$text" 2>&1)"
         same "'$text'" '(nothing)' "$(printf '%s' "$text" | "$DOMINO" 2>&1)"
-        # And what follows it is run.
+        # Commands after it are run.
         same "-e '$text', then an answer" 42 "$("$DOMINO" -e "$text" -e 'print 6*7' 2>&1)"
         same "'$text', then an answer" 42 "$(printf '%s\nprint 6*7' "$text" | "$DOMINO" 2>&1)"
     done
 }
 
-@test "a quote in the middle of a word is a letter, and the text after the command runs" {
+@test "a quote in the middle of a word is an ordinary character, and the next command runs" {
     printf '%s\n' "$two_dominoes" >'a"b.csv'
     same 'the next command' 42 "$("$DOMINO" -e 'effect row a"b.csv; print 41 + 1')"
     for line in 'save "a; print 1' 'save "a""; print 1'; do

@@ -5,7 +5,7 @@
 
 load common
 
-@test "a row that stops: where, short by how much; mend finds the smallest change, and it is one" {
+@test "a row that stops: where, and how much energy is missing; mend finds the smallest change, with which the row falls" {
     scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3"
     verdict=$(json "$scene; verdict")
     same stops 'stops 8' "$(values verdict <<<"$verdict") $(values domino <<<"$verdict")"
@@ -18,7 +18,7 @@ load common
     same 'a bit less does not' stops "$(json "$scene; place $domino $less; verdict" | values verdict)"
 }
 
-@test "mend offers a window for a gap out of reach, also where it is many heights" {
+@test "mend offers a window for a gap out of reach, even if the gap is many times as wide as the domino is tall" {
     for gap in '60 mm' '5 m'; do
         said=$("$DOMINO" -e "set r 1; effect row 5; place 2 $gap; mend" | tail -n 1)
         same "$gap" "All fall with gaps between 1.036 cm and 4.8 cm: 'place 2 3.545 cm' leaves room for errors of 1.3 cm." "$said"
@@ -39,7 +39,7 @@ load common
     less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
     same 'a weaker one' stops "$(json "effect row leans.csv; effect push $less; verdict" | values verdict)"
     "$DOMINO" -e 'effect row leans.csv; effect push 0.4; mend' | sed -n 1p | grep -q '^The row needs a stronger push: '
-    # Where a gap is what is wrong, no push is spoken of.
+    # If a gap is wrong, no push is mentioned.
     run "$DOMINO" -e 'effect row 5; set r 1; effect push 5; place 4 60 mm; mend'
     run ! grep -qi push <<<"$output"
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Names: beginnings, near misses, words of other programs, and what was meant.
+# Names: abbreviations, misspellings, words of other programs, and suggestions.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -30,7 +30,7 @@ END
     same 'set output j' "$(json fuel)" "$("$DOMINO" -e 'set output j; fuel')"
 }
 
-@test "near misses: what was meant; ambiguous beginnings: the candidates" {
+@test "messages suggest the right name after a misspelling, and list the candidates after an ambiguous abbreviation" {
     all_wrong <<'END'
 1|barier|^unknown command 'barier'; did you mean 'barrier'\?$
 1|brarier|^unknown command 'brarier'; did you mean 'barrier'\?$
@@ -69,7 +69,7 @@ END
 END
 }
 
-@test "commands keep their names, and a beginning that two have is the older one's" {
+@test "commands keep their names, and an ambiguous abbreviation stands for the older command" {
     all_mean <<'END'
 se s 0.3; show s|set s 0.3; show s
 pr 3|print 3
@@ -81,12 +81,12 @@ END
     same 'fuel is the command' 0.177287 "$("$DOMINO" -e fuel | awk '/^fuel_exact/ { print $2 }')"
 }
 
-@test "the last values of other calculators lead to what is here" {
+@test "the names of the last value in other calculators lead to 'ans'" {
     local line
     for line in _ % %1 ans2 _*2; do wrong "2+2; $line" "the last value is 'ans'"; done
 }
 
-@test "words of other programs: the message names what is meant" {
+@test "words of other programs: the message names the word to use here" {
     wrong 'bye' "unknown command 'bye'; did you mean '(exit|quit)'"
     wrong 'Show s' "did you mean 'show'"
     wrong '2**10' "a power is written with '\^'"
@@ -101,7 +101,7 @@ END
     same 'help q' 'hollow 3 solid 4' "$("$DOMINO" -e 'help q' | sed -n 's/^  \(hollow\|solid\|massive\) */\1 /p' | paste -sd ' ' -)"
 }
 
-@test "an unknown name: what was meant, which there are, or where they are listed, never two of these" {
+@test "an unknown name: the message has a suggestion, the possible names, or where they are listed, but never two of these" {
     while IFS='|' read -r line message; do
         run -1 "$DOMINO" --keep-going -e "$line"
         same "$line" "$message" "${output#-e:*: }"
@@ -116,7 +116,7 @@ goto lanch|goto: unknown event 'lanch'; did you mean 'launch'?
 END
 }
 
-@test "among the numbers of the model only q has words, and the help of tol is that of no other" {
+@test "among the numbers of the model only q has words, and tol has its own help" {
     same q 3 "$("$DOMINO" -e 'set q hollow; print q')"
     for name in s r d tol h g mass; do
         wrong "set $name hollow" "^-e:1:[0-9]*: set: .*'hollow' has no value"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Options, their order, the exit status; where answers cannot be written.
+# Options, their order, the exit status, and answers that cannot be written.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "several -e, -f and FILE make one session, in their order" {
+@test "several -e, -f and FILE run in one session, in their order" {
     echo 'set output json; set s 0.2' >a
     echo 'show s' >b
     same '-f -e FILE -e' $'0.2\n0.3\n0.3' \
@@ -13,10 +13,10 @@ load common
     same 'options behind FILE' 0.2 "$("$DOMINO" a --file=b | values value)"
     same 'behind --' 0.2 "$("$DOMINO" -- a b | values value)"
     same '- is standard input' 0.2 "$("$DOMINO" -f a - <b | values value)"
-    # A name that looks like an option.
+    # A file name that looks like an option.
     cp b ./-e
     same 'FILE -e' 0.2 "$("$DOMINO" -- a -e | values value)"
-    # With -e nothing is read from standard input.
+    # With -e, standard input is not read.
     same 'standard input is left alone' 'foo' "$(echo foo | { "$DOMINO" -e 'set s 0.2'; cat; })"
 }
 
@@ -24,7 +24,7 @@ load common
     for option in --version -V; do
         run -0 "$DOMINO" "$option"
         [[ ${lines[0]} =~ ^domino\ [0-9]+(\.[0-9]+)+$ ]]
-        # The same facts as from the command, and once in json.
+        # The option prints the same as the command, also in json.
         same version "$("$DOMINO" -n -e version)" "$output"
         [[ $output =~ (gcc|clang)\ [0-9] ]]
     done
@@ -63,7 +63,7 @@ load common
 2|--keep-going=1
 2|-e fuel -x
 END
-    # Wrong options are seen before anything runs.
+    # Wrong options are reported before anything runs.
     run -2 --separate-stderr "$DOMINO" -e fuel -x
     same 'nothing ran' '(nothing)' "$output"
     grep -q '^usage: ' <<<"$stderr"
@@ -87,12 +87,12 @@ END
     thrice=$fuel$'\n'$fuel$'\n'$once
     same 'with --bail' "$once"$'\n'"$once"$'\n'"$once"$'\n'"$once" "$(bad_ways --bail 2>/dev/null)"
     same 'with neither' "$once"$'\n'"$thrice"$'\n'"$once"$'\n'"$once" "$(bad_ways 2>/dev/null)"
-    for options in --keep-going '--bail --keep-going'; do # the last one counts
+    for options in --keep-going '--bail --keep-going'; do # the last option counts
         # shellcheck disable=SC2086 # words
         same "with $options" "$thrice"$'\n'"$thrice"$'\n'"$fuel"$'\n'"$thrice"$'\n'"$thrice" "$(bad_ways $options 2>/dev/null)"
     done
     same 'with --bail in the end' "$once" "$("$DOMINO" --keep-going --bail -e "$text" 2>/dev/null; echo $?)"
-    # A physical "no" is no error.
+    # A physical "no" is not an error.
     same 'a no' 2 "$("$DOMINO" --bail -e 'set output json; set s 0.001; fuel; fuel' | grep -c reason)"
 }
 
@@ -101,7 +101,7 @@ END
     for arguments in '-e fuel' '-e help' '--help' '--version' '-e curve\ 0.1\ 0.9\ 200'; do
         full() { eval "\"\$DOMINO\" $arguments" >/dev/full; }
         run -1 --separate-stderr full
-        # Where the first write failed long ago, its reason may be gone.
+        # If the first write failed long ago, its reason may be unknown.
         same "$arguments" "domino: cannot write the output" "${stderr%%: No space*}"
     done
 }
@@ -121,7 +121,7 @@ trap '' PIPE;|1|domino: cannot write the output
 END
 }
 
-@test "both streams keep their order where they share a file" {
+@test "both streams keep their order if they share a file" {
     "$DOMINO" --keep-going -e 'set output json; fuel; foo; fuel' >both 2>&1 || true
     same 'the error is between the answers, as an object and as a message' '2 3' \
         "$(grep -n 'foo' both | cut -d: -f1 | paste -sd ' ' -)"
@@ -139,7 +139,7 @@ END
     same 'bare environment' "$expected" "$(env -i "$DOMINO" -e 'set output json; fuel; show')"
 }
 
-@test "--safe: commands reach no file, the rest is as it was" {
+@test "--safe: commands cannot use files, and everything else works" {
     echo 'set s 0.3' >plain
     while IFS='|' read -r command place; do
         run -1 --separate-stderr "$DOMINO" --keep-going --safe -e "$command; print 7"
@@ -159,7 +159,7 @@ END
     for call in fuel 'count 112' 'help fuel' 'set s 0.3; show'; do
         same "$call" "$("$DOMINO" -e "$call")" "$("$DOMINO" --safe -e "$call")"
     done
-    # What the user names is read.
+    # Files on the command line are read.
     same '-f' 0.3 "$("$DOMINO" --safe -f plain -e 'set output json; show s' | values value)"
 }
 

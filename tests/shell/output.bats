@@ -1,11 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Answers as tables, csv and json: keys, digits, and what has no value.
+# Answers as tables, csv and json: keys, digits, and missing values.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# Prints the commands, each as if alone, in each format, with a line of its number before it.
+# Prints the answer to each command in each format, as if the command were alone. A line with a
+# number comes before each answer.
 in_one_session() {
     local call number
     for format in table csv json; do
@@ -31,7 +32,8 @@ answers_in() { # WAY
     done <<<"$commands"
 }
 
-# Where lengths, forces, masses or frictions leave the numbers, or the train stands, hangs or flies.
+# Extreme scenes, in which lengths, forces, masses or frictions overflow, or the train stands, hangs
+# or flies.
 scenes='set s 1; set r 1
 set s 1e-4; set r 1
 set r 1e6
@@ -49,7 +51,7 @@ effect row 5; effect floor 0.01; set h 1e-9; set r 1.01
 set angle deg; set r 1.7; effect friction 0.1
 set fuel paper; set r 2.4'
 
-# Every command that answers at once, with arguments where it takes some; those that count for long, or files, not.
+# Prints a call of every command that answers quickly and without files.
 calls() {
     local name
     for name in $("$DOMINO" -e complete); do
@@ -68,7 +70,7 @@ calls() {
     done
 }
 
-# Prints the value of a key in the row that jq selects, and whether the row has a reason.
+# Prints the value of a key in the row that jq selects, and whether the row has the reason.
 null_of() { # COMMANDS SELECTION KEY REASON
     local said
     said=$(json "$1" | jq -r "select($2) | \"\(.$3)|\(.reason)\"")
@@ -83,10 +85,10 @@ null_of() { # COMMANDS SELECTION KEY REASON
 
 @test "every command answers with its keys: '#!'" { answers_in '#!'; }
 
-@test "for people every command answers with labels: its keys" {
+@test "in tables, the labels of every command are its keys" {
     while IFS='|' read -r call expected; do
         answer=$("$DOMINO" -e "$call")
-        if [ "${call%% *}" = print ]; then # just the value
+        if [ "${call%% *}" = print ]; then # only the value is printed
             same "$call" 0.1 "$answer"
             continue
         fi
@@ -101,9 +103,9 @@ null_of() { # COMMANDS SELECTION KEY REASON
             expected=${expected/kinetic barrier margin /}
             grep -qw kinetic <<<"$("$DOMINO" -e "set mass 1; $call")"
             ;;
-        *'; placement 50') expected=${expected/ errors costs_most without stops_there/} ;; # sentences, if there are several errors
+        *'; placement 50') expected=${expected/ errors costs_most without stops_there/} ;; # some keys are shown as sentences if there are several errors
         *'; budget '*) expected=${expected/ scaled/} ;;
-        *'; tolerance') # windows alone; leans and the friction in sentences
+        *'; tolerance') # the table has only windows; leans and the friction are in sentences
             expected='domino from to gap_low gap_high height_low height_high first'
             grep -q '^All fall with a friction between the dominoes up to' <<<"$answer"
             grep -q '^Set domino 2 up plumb: its top may be off by ' <<<"$answer"
@@ -115,7 +117,7 @@ null_of() { # COMMANDS SELECTION KEY REASON
     done <<<"$commands"
 }
 
-@test "json: one object a line, the same keys in every row" {
+@test "json: one object per line, and the same keys in every row" {
     while IFS='|' read -r call expected; do
         json "$call" >"$BATS_TEST_TMPDIR/rows"
         same "$call: objects" '(nothing)' "$(grep -v '^{"[^{}]*}$' "$BATS_TEST_TMPDIR/rows" || true)"
@@ -124,28 +126,28 @@ null_of() { # COMMANDS SELECTION KEY REASON
     done <<<"$commands"
 }
 
-@test "csv: the header is the keys, the rows are those of json" {
+@test "csv: the header consists of the keys, and the rows agree with json" {
     answered=0
     while IFS='|' read -r call expected; do
         for state in '' 'set s 0.001'; do
             rows=$("$DOMINO" -e "set output csv; $state; $call" 2>/dev/null) || continue
             answered=$((answered + 1))
             like=$(json "$state; $call")
-            # That of 'row' has units, too: it is read back.
+            # The header of 'row' also has units, since it can be read again.
             same "$call: header" "$(keys <<<"$like" | tr ' ' ,)" "$(head -n 1 <<<"$rows" | sed 's/ ([a-z]*)//g')"
             same "$call: rows" "$(sed -E 's/"[A-Za-z0-9_]*"://g; s/[{}]//g; s/\bnull\b//g' <<<"$like" | tr -d '"')" \
                 "$(tail -n +2 <<<"$rows" | tr -d '"')"
         done
     done <<<"$commands"
-    # All in the first state, and more than half of them in the other.
+    # All commands answer in the first scene, and more than half of them in the other.
     [ "$answered" -gt $((3 * $(wc -l <<<"$commands") / 2)) ] || same 'answers' 'more' "$answered"
 }
 
-@test "every number has as many digits as read back to the same double, and no more" {
+@test "every number has exactly as many digits as a round trip to the same double needs" {
     while IFS='|' read -r call _; do json "$call"; done <<<"$commands" |
         grep -o ':-\?[0-9][^,}]*' | tr -d : >"$BATS_TEST_TMPDIR/numbers"
     [ "$(wc -l <"$BATS_TEST_TMPDIR/numbers")" -gt 100 ]
-    # Among 15, 16 and 17 digits one form of the double is what was written, and no shorter one reads back to it.
+    # The number was written with 15, 16 or 17 digits, and no shorter form round-trips.
     awk '{ for (n = 15; n < 17 && sprintf("%." n "g", $1) + 0 != $1 + 0; n++);
            if (sprintf("%." n "g", $1) != $1) { print; bad = 1 } } END { exit bad }' "$BATS_TEST_TMPDIR/numbers"
     same '0.1' 0.1 "$(json 'set s 0.1; show s' | values value)"
@@ -153,13 +155,13 @@ null_of() { # COMMANDS SELECTION KEY REASON
     same 'theta_c is a tilt' "$theta_c" "$(json "theta1 $theta_c" | values theta)"
 }
 
-@test "few digits: a column is as wide as its head" {
+@test "few digits: a column is as wide as its header" {
     for what in 'sweep s 0.1 0.3 3 : rmax' 'sweep r 1.2 2.2 3 : count 112'; do
         "$DOMINO" -e "set digits 3; $what" | awk 'NR == 1 { wide = length($0) } /^ .*[0-9]/ { rows++; if (length($0) != wide) { print; bad = 1 } } END { exit bad || rows != 3 }'
     done
 }
 
-@test "json: an object for each command, each with its command, also for errors" {
+@test "json: an object for each command, with the name of the command, also for errors" {
     while IFS='|' read -r line expected; do
         got=$(printf '%s\n' 'set output json' "$line" | "$DOMINO" 2>err) || true
         grep -qxE -- "$expected" <<<"$got" || same "$line" "$expected" "$got"
@@ -185,18 +187,18 @@ show s|\{"command":"show","name":"s","value":0\.4,.*\}
 complete set output j|\{"command":"complete","line":".*json"\}
 echo "a; b"|\{"command":"echo","text":"a; b"\}
 END
-    # An error is on standard error, too.
+    # An error is also on standard error.
     grep -q . <(echo 'foo' | "$DOMINO" 2>&1 >/dev/null)
     same 'help in csv' "$(json help | wc -l)" "$("$DOMINO" -e 'set output csv; help' | tail -n +2 | wc -l)"
     same 'apropos' "$("$DOMINO" -e 'apropos barrier' | grep -c '^[a-z]')" "$(json 'apropos barrier' | wc -l)"
-    # A file that is read answers for each of its commands, and for itself at its end.
+    # 'source' gives an answer for each command of the file, and one for itself at the end.
     printf 'fuel\nset s 0.3\n' >inner
     same 'source' 'fuel set source' "$("$DOMINO" -e 'set output json; source inner' |
         sed -E 's/^\{"command":"([a-z]*)".*/\1/' | paste -sd ' ' -)"
     same 'and in its own file' 'fuel set' "$("$DOMINO" -e 'source inner > all.json' && sed -E 's/^\{"command":"([a-z]*)".*/\1/' all.json | paste -sd ' ' -)"
 }
 
-@test "csv: one head for answers with the same columns, again for others, and none if that is set" {
+@test "csv: a new header only if the columns change, and none with 'set header off'" {
     same 'a run' 's,r_max,ends_by 0.3 0.5 fuel,fuel_exact,fuel_paper 0.17 s,r_max,ends_by 0.3' \
         "$("$DOMINO" -e 'set output csv; pair 0.3; pair 0.5; fuel; pair 0.3' | sed -E 's/^(0\.[0-9]{2}).*/\1/; s/^(0\.[35])0*,.*/\1/; s/^(0\.[35]),.*/\1/' | sed -E 's/^(0\.[0-9]*),.*/\1/' | paste -sd ' ' -)"
     same 'off' 2 "$("$DOMINO" -e 'set output csv; set header off; pair 0.3; fuel' | wc -l)"
@@ -208,7 +210,7 @@ END
     same 'bounds are other columns' 2 "$("$DOMINO" -e 'set output csv; pair; set errors on; pair' | grep -c '^s,')"
 }
 
-@test "an answer that is about the train, while a row is on, says so to programs" {
+@test "csv and json say that an answer is about the train although a row is on" {
     for format in json csv; do
         for call in rmax 'pair 0.3' 'thetac' 'curve 0.3 0.5 2'; do
             "$DOMINO" -e "effect row 5; set output $format; $call" | grep -q 'endless train' ||
@@ -219,17 +221,17 @@ END
     done
 }
 
-@test "all commands in all outputs and precisions: every number is finite, else null" {
+@test "all commands in all outputs and precisions: every number is finite or null" {
     local scene precision style status sessions=0
     calls >calls.dom
     [ "$(wc -l <calls.dom)" -gt 40 ]
     while read -r scene; do
         for precision in float double quad; do
             for style in json csv table; do
-                # How a table looks is no matter of the precision, but for what it holds.
+                # The layout of a table does not depend on the precision.
                 if [ "$style$precision" = csvfloat ] || [ "$style$precision" = tablequad ]; then continue; fi
                 echo "set output $style; set precision $precision; set errors on; $scene" >session.dom
-                # In quad, which is slow, what shows how numbers are written.
+                # Quad is slow, so only some commands are run that show how numbers are written.
                 if [ "$precision" = quad ]; then grep -E '^(print|row|launch|draw)' calls.dom; else cat calls.dom; fi >>session.dom
                 status=0
                 "$DOMINO" -n --keep-going session.dom >out 2>err || status=$?
@@ -246,7 +248,7 @@ END
     same sessions 112 "$sessions"
 }
 
-@test "what a precision cannot hold is null in json and empty in csv, with the reason" {
+@test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
     null_of 'print 1e400' true value "beyond what double precision can hold; 'set precision quad'"
     null_of 'print -1e4000' true value 'beyond what double precision can hold'
     null_of 'set precision float; print 1e39' true value 'beyond what float precision can hold'
@@ -257,7 +259,8 @@ END
     null_of 'effect row 60; sweep r 2, 1e6 : row' '.r > 2 and .domino == 60' height 'beyond what double precision can hold'
     same csv $'value,unit,reason\n,,value is beyond what double precision can hold; \'set precision quad\' holds more' \
         "$("$DOMINO" -e 'set output csv; print 1e400')"
-    # A table of csv has no column for a reason that comes with its last rows: the line is on stderr.
+    # A csv table has no column for a reason that comes with its last rows, so the reason is on
+    # stderr.
     for style in csv table; do
         run -0 --separate-stderr "$DOMINO" -e "set output $style; set r 1e6; effect row 60; row"
         [[ "$stderr$output" == *'is beyond what double precision can hold'* ]] || same "$style" reason "$stderr$output"

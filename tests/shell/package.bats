@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The installed library, its headers as compilers see them, the archive.
+# The installed library, its headers, and the archive.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -9,28 +9,29 @@ build=$(dirname "$DOMINO")
 
 soname=libdomino.so.$(sed -n 's/^#define DOM_VERSION "\([0-9]*\).*"/\1/p' "$root/include/domino.h")
 
-# The compiler on each of the public headers.
+# Run the compiler on each of the public headers.
 header() { cc -std=c17 -I"$root/include" "$@" "$root/include/domino.h"; }
 
 header_quad() { cc -std=c17 "$@" -I"$root/include" -I"$build/include" -include domino_quad.h -x c /dev/null -E -P; }
 
-# As from a shell of its own: nothing of the 'make' that runs the tests.
+# Runs make without the environment of the 'make' that runs the tests.
 plain_make() {
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES -u B -u CFLAGS -u CC make -s "$@"
 }
 
-# Installs into $dest, where pkg-config and the loader of shared libraries then find the library.
+# Installs into $dest, and makes pkg-config and the dynamic linker find the library there.
 install_there() {
     dest=$PWD/dest
     plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr
     export PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$dest/usr/lib/pkgconfig LD_LIBRARY_PATH=$dest/usr/lib
 }
 
-# Compiles and links with the installed library: the shared one, or with --static the other.
+# Compiles and links with the installed shared library or, with --static, with the static one.
 build_with() { # shared|--static FLAGS...
     local how=(-L"$dest/usr/lib")
     if [ "$1" = --static ]; then
-        # The sanitizers have no static library; for them the shared libdomino is put out of sight.
+        # There are no static sanitizer libraries, so with sanitizers only libdomino is linked
+        # statically.
         if [ -z "$(checked "$build/libdomino.a")" ]; then how=(-static); else how=(-Lstatic); fi
         mkdir -p static && cp "$dest/usr/lib/libdomino.a" static
     fi
@@ -40,9 +41,9 @@ build_with() { # shared|--static FLAGS...
 
 needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
 
-@test "a stranger builds the example with pkg-config from what make install put there, and uninstall leaves nothing" {
+@test "a user builds the example with pkg-config from the installed files, and uninstall leaves nothing" {
     dest=$PWD/dest
-    mkdir -p "$dest/usr/lib" "$dest/usr/share/man/man3" # there before, and one of them not empty
+    mkdir -p "$dest/usr/lib" "$dest/usr/share/man/man3" # these folders exist already, and one is not empty
     echo before >"$dest/usr/lib/other"
     find "$dest" | sort >before
     install_there
@@ -51,7 +52,7 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     for page in man1/domino.1 man3/libdomino.3 man7/domino-{effects,model,rows}.7; do [ -s "$dest/usr/share/man/$page" ]; done
 
     cp "$dest/usr/share/doc/domino/examples/rmax.c" .
-    # As its first lines say; and without a shared library.
+    # Build as the first lines of the file say, and also without a shared library.
     for way in shared --static; do
         build_with $way rmax.c -o rmax
         libraries=$(needed rmax)
@@ -71,12 +72,12 @@ needed() { readelf -d "$1" | sed -n 's/.*(NEEDED).*\[\(libdomino.*\)\]/\1/p'; }
     run -2 ./rmax 0.4x
     same version "$(pkg-config --modversion domino)" "$("$DOMINO" --version | sed -n '1s/^domino //p')"
 
-    plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr # an upgrade
+    plain_make -C "$root" B="$build" install DESTDIR="$dest" PREFIX=/usr # install over the existing files, as an upgrade does
     plain_make -C "$root" B="$build" uninstall DESTDIR="$dest" PREFIX=/usr
     find "$dest" | sort | diff -u before -
 }
 
-@test "uninstall leaves an empty DESTDIR, and what others put there" {
+@test "uninstall leaves an empty DESTDIR, or only files that others put there" {
     for other in '' usr/share/doc/domino/notes; do
         dest="$PWD/a dest$other"
         mkdir -p "$dest"
@@ -169,7 +170,7 @@ C
     done
 }
 
-@test "pkg-config says that the library has no __float128, where it was built so" {
+@test "pkg-config says that the library has no __float128 if it was built without it" {
     for flags in '' -DDOM_NO_FLOAT128; do
         pc=$PWD/pc$flags
         plain_make -C "$root" B="$pc" CFLAGS="-O2 $flags" "$pc/domino.pc" "$pc/include/domino_quad.h"
@@ -182,13 +183,13 @@ C
     same "__float128" '(nothing)' "$(grep __float128 "$pc/quad")"
 }
 
-@test "both libraries show no names but dom_* and domq_*, and the same" {
+@test "both libraries export the same names, which all begin with dom_ or domq_" {
     # In the archive, functions that its objects share are global too, but hidden.
     names=$(nm -g --defined-only "$build/libdomino.a" | awk 'NF == 3 { print $3 }')
     same "global names" '(nothing)' "$(grep -vE '^(domq?_|__asan|__odr_asan|__gcov)' <<<"$names")"
     readelf -sW "$build/libdomino.a" | awk '$5 == "GLOBAL" && $6 != "HIDDEN" && $7 ~ /^[0-9]+$/ { print $8 }' |
         sort >static
-    # Each name of the shared library has the version of the soname.
+    # Each symbol of the shared library has the version of the soname.
     nm -D --defined-only "$build/libdomino.so" | awk -v v="@@DOMINO_${soname##*.}" '
         NF == 3 && $2 != "A" { if (sub(v "$", "", $3)) print $3; else print $3, "has no version" }' | sort >shared
     for way in static shared; do
@@ -199,9 +200,9 @@ C
         grep -E '^domq?_' "$names" >"$names.api"
     done
     same_file static.api shared.api
-    # The program computes by <domino_quad.h> alone: a second copy of the model would make it half as large again.
+    # The program uses only <domino_quad.h>, because a second copy of the model would make it half as large again.
     same "<domino.h> in the program" '(nothing)' "$(nm "$DOMINO" | grep -E ' dom_(limit|row_run|barrier)')"
-    # They are the functions and the objects of the headers, without types; dom_raised is defined there.
+    # The symbols are the functions and objects of the headers. dom_raised is an inline function.
     { header -E -P && header_quad && header -include "$root/include/domino_proof.h" -E -P; } | tr '\n;' ' \n' | grep -vE '\btypedef |\bstatic ' >declarations
     {
         grep -oE '\bdomq?_\w+ *\(' declarations | tr -d ' ('
@@ -210,7 +211,7 @@ C
     same_file declared static.api
 }
 
-@test "the interface is that of the first library with this soname, and the check of it sees a change" {
+@test "the interface is that of the first library with this soname, and the check reports a change" {
     kept=$root/tests/abi/$soname.py
     now=$PWD/now.py
     python3 "$root/src/python/header.py" "$soname" cc "$root/include/domino_proof.h" >"$now"
@@ -228,7 +229,7 @@ C
 END
 }
 
-@test "the shared library has a versioned soname, and is a file of that name" {
+@test "the shared library has a versioned soname, and the file has this name" {
     same soname "$soname" "$(readelf -d "$build/libdomino.so" | sed -n 's/.*(SONAME).*\[\(.*\)\]/\1/p')"
     same link "$soname" "$(readlink "$build/libdomino.so")"
     [ -f "$build/$soname" ]
@@ -259,7 +260,7 @@ END
     grep -q domq_limit_rmax header && grep -q '\bdom_limit_rmax' header
 }
 
-@test "make dist packs the tracked files, and what is unpacked builds without git, with -flto, and packs the same bytes" {
+@test "make dist packs the tracked files, and the unpacked archive builds without git and with -flto, and packs the same bytes" {
     [ -z "$(checked "$build/libdomino.a")" ] || skip "the same archive in every build"
     dist=$PWD/dist
     plain_make -C "$root" B="$dist" dist
@@ -304,14 +305,14 @@ END
     [ "$(./both)" = "$(printf '%.9g %.9g 20' "$expected" "$expected")" ]
 }
 
-@test "Debian packages: they install into a root of their own, and answer there; lintian finds no error" {
+@test "Debian packages: they work when installed into a separate root, and lintian finds no error" {
     command -v dpkg-shlibdeps >/dev/null || skip 'dpkg-dev is not installed'
     if [ -n "$(checked "$build/libdomino.a")" ]; then skip 'packages are not made of a build with sanitizers'; fi
     plain_make -C "$root" B="$build" deb >deb.log
     local fresh=$PWD/root
     mkdir -p "$fresh"/var/lib/dpkg/{info,updates,triggers}
     touch "$fresh/var/lib/dpkg/status"
-    # What the packages depend on is in no root but the machine's.
+    # The dependencies are installed only in the root of the machine.
     if [ "$(id -u)" -eq 0 ]; then
         dpkg --root="$fresh" --force-depends --force-script-chrootless -i "$build"/deb/*.deb >dpkg.log 2>&1
     else
@@ -336,7 +337,7 @@ END
     if command -v lintian >/dev/null; then run -0 lintian --fail-on error "$build"/deb/*.deb; fi
 }
 
-# The tools have found the library of C, or the package of the library itself.
+# Checks that a package depends on the C library, or on the package of the library.
 expects_depends() { # PACKAGE
     [[ $(dpkg-deb -f "$1" Depends) =~ libc6|libdomino ]]
 }

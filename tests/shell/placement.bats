@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Errors of placement: studies, whole and in parts; budgets.
+# Errors of placement: studies, complete and in parts, and budgets.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -11,16 +11,16 @@ parts() { # PARTS ROWS
     for part in $(seq "$1"); do "$DOMINO" --shard "$part/$1" -e "set output csv; $study; placement $2"; done
 }
 
-@test "placement: the same rows whatever the number of threads, another seed others; the interval is right" {
+@test "placement: the rows depend on the seed but not on the number of threads, and the interval is right" {
     scene='set q hollow; set r 5/3; effect friction 0.3; effect row 11; effect placement 1 mm'
     one=$(json "$scene; set threads 1; placement 400")
     for threads in 2 3 7 0; do same "$threads threads" "$one" "$(json "$scene; set threads $threads; placement 400")"; done
     differ 'another seed' "$one" "$(json "$scene; set seed 2; placement 400")"
-    # Nothing goes wrong without errors: all of 200 fall, with the exact interval 0.025^(1/200) .. 1.
+    # Without errors all of 200 rows fall, and the interval is exactly 0.025^(1/200) .. 1.
     exact=$(json 'effect row 5; effect placement 0; placement 200')
     same all '200 1' "$(values fall <<<"$exact") $(values high <<<"$exact")"
     close low "$(awk 'BEGIN { printf "%.15g", exp(log(0.025) / 200) }')" "$(values low <<<"$exact")"
-    # And the budget: at its sigma the share falls, within the interval.
+    # With the sigma of the budget, the requested share of the rows falls, within the interval.
     sigma=$(json "$scene; budget 0.8 400" | values sigma)
     share=$(json "$scene; effect placement $sigma m; placement 400" | values probability)
     within 'the share that falls' 0.8 "$share" 'd >= 0 && d < 0.0125'
@@ -31,7 +31,7 @@ parts() { # PARTS ROWS
     wrong 'effect slope 1; effect row 4; effect placement 1 mm; placement 20' 'no domino can stand upright'
 }
 
-@test "budget: finds sigma without an effect, and says how many rows fall with it" {
+@test "budget: finds sigma without an effect, and says how many rows fall with this sigma" {
     said=$("$DOMINO" -e 'effect row 13; budget 0.95 300')
     grep -qE '^Place the gaps within 1\.9 mm \(one standard deviation\): then 95 of 100 rows fall \(92 to 98\)\.$' <<<"$said"
     same 'no effect is on' off "$(json 'effect row 13; budget 0.95 50; show placement' | tail -n 1 | values value)"
@@ -45,9 +45,9 @@ parts() { # PARTS ROWS
         "$(json 'effect row 13; effect placement 9 mm 0.02; budget 0.95 50')"
 }
 
-@test "a signal that ends a script leaves the answer of the rows that placement and budget have counted" {
+@test "after a signal that ends a script, placement and budget answer for the rows that were counted" {
     for call in 'placement 9000000' 'budget 0.95 20000'; do
-        for wait in 0.3 1 3 9; do # how long it takes until there are some
+        for wait in 0.3 1 3 9; do # wait until some rows have been counted
             "$DOMINO" -n -e "set output csv; effect row 13; effect placement 8 mm; $call; print 7" >out 2>err 3>&- &
             sleep "$wait"
             kill -TERM $!
@@ -61,7 +61,7 @@ parts() { # PARTS ROWS
     [[ $(sed -n 2p out) =~ ^0\.95,[0-9.e-]+,.*,interrupted ]]
 }
 
-@test "placement in parts: the same blocks whatever their number; pool answers as the whole study" {
+@test "placement in parts: rows do not depend on the number of parts, and pool answers as the whole study" {
     parts 1 530 >whole
     same blocks 7 "$(wc -l <whole)"
     for n in 2 3 7; do
@@ -78,11 +78,12 @@ parts() { # PARTS ROWS
         "$(sort whole | "$DOMINO" -e 'pool -')"
     same 'as a spreadsheet saves it' "$("$DOMINO" -e "pool whole")" \
         "$(sed 's/,/;/g; s/\./,/g; s/^\|;/&"/g; s/;\|$/"&/g' whole | "$DOMINO" -e 'pool -')"
-    # Row number i is the same in any study: the first hundred of 530 are those of 100.
+    # Row number i is the same in any study, so the first hundred of 530 rows are those of a study
+    # of 100.
     same 'the first block' "$(parts 1 100 | tail -n 1 | cut -d , -f 7-)" "$(sed -n 2p whole | cut -d , -f 7-)"
 }
 
-@test "pool: missing rows are reported, rows that are there twice and other studies are errors" {
+@test "pool: missing rows are reported, and duplicate rows or rows of other studies are errors" {
     parts 3 400 >all
     grep -v ',101,100,' all >less
     same missing '"reason":"100 of the 400 rows are missing; the first missing row is number 101"}' \
@@ -105,7 +106,7 @@ parts() { # PARTS ROWS
     grep -q 'safe session' <<<"$stderr"
 }
 
-@test "errors of every kind are effects: they are saved, undone, swept, and need what they are errors of" {
+@test "errors of every kind are effects: they are saved, undone and swept, and need the effect to which they belong" {
     scene='set q hollow; set r 1.6; effect friction 0.3; effect row 9; effect push 3'
     all='effect placement 2 mm uniform; effect error_place 1 mm; effect error_thickness 2 %; effect error_mass 5 % uniform
 effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 deg; effect error_push 0.2'
@@ -129,7 +130,7 @@ effect error_lean 0.1 deg; effect error_friction 0.05; effect error_slope 0.2 de
     wrong 'effect row 4; budget 0.9 20 all' 'there are no errors to scale'
 }
 
-@test "placement: what each error costs is the study without it, and pool adds that up" {
+@test "placement: the cost of each error agrees with a study without it, and pool adds up the costs" {
     row='set q hollow; set r 1.66; set s 0.45; effect friction 0.3; effect row 11'
     errors='effect placement 3 mm; effect error_thickness 1 %; effect error_friction 0.05'
     answer=$(json "$row; $errors; placement 330")

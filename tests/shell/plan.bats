@@ -7,7 +7,7 @@ load common
 
 scene="effect row $root/examples/record.csv; effect push 3; effect friction 0.3; place 8 75 cm > /dev/null; effect placement 5 mm"
 
-@test "plan: its numbers are those of row, tolerance and placement" {
+@test "plan: the numbers agree with row, tolerance and placement" {
     "$DOMINO" -e "$scene; plan > plan.csv; row > row.csv; tolerance > windows.csv; placement 2000 > study.csv; plan > text.txt"
     python3 - <<'END'
 import csv
@@ -29,20 +29,21 @@ for p, w, r in zip(plan, windows, row[1:]):
 assert f"{study[0]['fall']} of {study[0]['rows']} rows fall" in text
 assert "With errors (gap 5 mm)" in text and "its top moves at 0.72 m/s" in text
 END
-    # Least is rounded up and most down; the three measures with the least room are marked.
+    # Lower limits are rounded up and upper limits down. The three dimensions with the least room
+    # are marked.
     grep -qF '     2   165.0!  147.2!  207.8!  215.0   130.0' text.txt
     grep -qF '     8  2900.0! 1873.6!  2991.3!     420.0! 105.1!  427.4! 1450.0   440' text.txt
     [ "$(grep -c '!' text.txt)" -eq 3 ]
 }
 
-@test "plan: boards of solid blocks, of boxes, and of walls that nobody knows" {
+@test "plan: boards for solid blocks, for boxes, and for boxes with unknown walls" {
     board() { "$DOMINO" -e "$1; effect row 3; plan" | sed -n '/^board/,/^$/p' | sed -n 2,4p | tr -s ' ' | paste -sd ';' -; }
     same solid ' 7.0 1 1 48.0 24.0; 10.5 2 1 72.0 36.0; 15.8 3 1 108.0 54.0' "$(board 'set r 1.5' | sed 's/ ;/;/g; s/ $//')"
     same box ' 1.0 1 2 48.0 5.0; 1 2 48.0 24.0; 1 2 22.0 5.0' "$(board 'effect walls 1 mm' | sed 's/ ;/;/g; s/ $//')"
     same thin ' 1 2 48.0 7.0; 1 2 48.0 24.0; 1 2 24.0 7.0' "$(board 'set q hollow' | sed 's/ ;/;/g; s/ $//')"
 }
 
-@test "plan: pages of A4, also for forty dominoes; one domino; a row that does not fall" {
+@test "plan: A4 pages, for forty dominoes, for a single one, and for a row that does not fall" {
     "$DOMINO" -e "set h 4 cm; set r 1.12; effect row 40; plan title \"Forty 'long' rows\" > forty.pdf; plan > forty.svg
         plan > forty.gp; effect row 1; plan > one.svg"
     same A4 '/MediaBox [ 0 0 595' "$(tr '\0' '\n' <forty.pdf | grep -aoE '/MediaBox \[ 0 0 59[0-9]' | head -n 1)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Plots: their data against the commands that it comes from, the kinds of files, the characters of a terminal.
+# Plots: their data compared with the commands, kinds of files, and pictures in characters.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -10,7 +10,7 @@ row='effect row 6; effect friction 0.1'
 plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax' 'sweep s 0.2 0.6 8 d 0.1 0.3 7 : rmax'
     energy omega inertia chain 'cost fuel')
 
-@test "each plot is an svg that parses, a png and a pdf, and in characters fits 80 x 24" {
+@test "each plot makes an svg that parses, a png and a pdf, and fits 80 x 24 characters" {
     local what
     for what in "${plots[@]}"; do
         "$DOMINO" -e "$row; plot $what > a.svg; plot $what > a.png; plot $what > a.pdf; plot $what > a.txt" >said
@@ -30,7 +30,7 @@ plots=(fall speed gaps 'placement 60' growth marginal 'sweep s 0.2 0.6 5 : rmax'
     done
 }
 
-@test "plot: what the pictures say" {
+@test "plot: titles and labels of the pictures" {
     while IFS='|' read -r what words; do
         "$DOMINO" -e "$row; plot $what" >picture
         for word in $words; do
@@ -93,17 +93,17 @@ END
     same 'ticks' "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort -u)" "$("$BATS_TEST_DIRNAME/labels" a.svg | cut -d ' ' -f 5- | sort)"
 }
 
-@test "plot fall: a mark each domino, and no bars: an axis of logarithms has no place where they begin" {
+@test "plot fall: a mark for each domino rather than bars, which could not begin at 0 on a logarithmic axis" {
     "$DOMINO" -e "$row; plot fall" >picture
     same 'in characters' 'o o o o #' "$(sed -n '/^ *10 +/q;3,$s/.*[|+]//p' picture | grep -o '[o#]' | paste -sd ' ' -)"
 }
 
-@test "plot energy, omega, inertia, chain: the data is that of energy, omega, chain, with the events in it" {
+@test "plot energy, omega, inertia, chain: the data agree with energy, omega and chain, and include the events" {
     csv 'plot energy' >energy
     same keys theta,dH,kinetic,J,event "$(head -n 1 energy)"
     same events 'launch top hit' "$(awk -F, '$5 != "" && NR > 1 { print $5 }' energy | paste -sd ' ' -)"
     same inertia "$(cut -d, -f 1,4,5 energy)" "$(csv 'plot inertia')"
-    # What is climbed is lost: their sum stays.
+    # The sum of climbed and kinetic energy is constant.
     awk -F, 'NR == 2 { sum = $2 + $3 } NR > 1 { d = $2 + $3 - sum; if (!(d <= 1e-12 && d >= -1e-12)) bad = 1 }
         NR > 2 && !($1 > before) { bad = 1 } { before = $1 } END { exit bad || NR < 140 }' energy
     csv 'plot omega' >omega
@@ -119,15 +119,15 @@ END
         close "omega at $theta" "$(values omega <<<"$answer")" "$omega"
     done
     same keys i,theta,theta_i,event "$(csv 'plot chain' | head -n 1)"
-    # When the head hits, each domino is where its follower began.
+    # When the head hits, each domino has the tilt at which its follower began the cycle.
     csv 'plot chain' | awk -F, 'NR > 1 && $2 == 0 { first[$1] = $3 } { last[$1] = $3 }
         END { for (i = 1; i in first; i++) { d = first[i] - last[i - 1]; if (d > 1e-12 || d < -1e-12) exit 1; n++ } exit n < 2 }'
-    # Beyond a stop there is no motion.
+    # There are no values after a stop.
     csv 'set r 1.7; plot omega' | awk -F, 'stopped && $3 != "" { bad = 1 } $4 == "stop" { stopped = 1; bad = bad || $3 != 0; next }
         stopped { after++ } END { exit bad || !after }'
 }
 
-@test "plot growth, marginal: the data is that of curve, for solid and hollow" {
+@test "plot growth, marginal: the data agree with curve, for solid and hollow dominoes" {
     csv 'plot growth paper' >growth
     csv 'plot marginal' >marginal
     same keys s,solid,hollow,solid_paper,hollow_paper,reach "$(head -n 1 growth)"
@@ -154,13 +154,13 @@ END
     same 'no bounds, which a picture does not have' "$(csv 'plot growth')" "$(csv 'set errors on; plot growth')"
 }
 
-@test "plot fall, speed: the data is that of fall" {
+@test "plot fall, speed: the data agree with fall" {
     for scene in "$row" 'effect row 6; set mass 0.02' 'set r 1.7; effect row 9'; do
         csv "$scene; fall" | cut -d, -f 1,6-8 >fall
         same "$scene" "$(cat fall)" "$(csv "$scene; plot fall" | cut -d, -f 1-4)"
         csv "$scene; plot fall" | awk -F, 'NR > 2 { d = $5 - $4 / $3; if (!(d < 1e-9 && d > -1e-9)) exit 1; n++ } END { exit n < 1 }'
     done
-    # The front goes from a front foot to the next one in the time between two hits.
+    # Between two hits, the front moves from the front edge of one foot to that of the next.
     csv "$row; row" >row
     csv "$row; fall" >fall
     csv "$row; plot speed" >speed
@@ -173,7 +173,7 @@ END
         END { exit bad || n < 4 }' row fall speed
 }
 
-@test "plot gaps: at the ends of a window the verdict changes, between them all fall" {
+@test "plot gaps: the verdict changes at the ends of a window, and all dominoes fall between them" {
     local scene domino gap low high others digit
     for scene in 'effect row 5' "$row" 'set s 0.3; set r 1.3; effect row 4; effect push 3'; do
         csv "$scene; plot gaps" >gaps
@@ -189,7 +189,7 @@ END
             [ "$low" = 0 ] || differ "$scene $domino: below low" 'all fall' "$(falls "0.99999*$low")"
         done < <(sed 1d gaps)
     done
-    # Of a row that does not fall, the windows are those of 'mend'.
+    # For a row that does not fall, the windows agree with 'mend'.
     scene='effect row 6; place 3 25 mm'
     differ 'it does not fall' 'all fall' "$(json "$scene; verdict" | values verdict)"
     csv "$scene; mend" | awk -F, 'NR > 1 { print $1, ($3 < $4 ? $3 : $4), ($3 < $4 ? $4 : $3) }' | sort >mend
@@ -197,7 +197,7 @@ END
     "$DOMINO" -e "$scene; plot gaps" | grep -q 'The row does not fall as planned. It does with'
 }
 
-@test "plot placement: the data is that of placement, from none on, with its interval" {
+@test "plot placement: the data agree with placement, begin without errors, and have the interval" {
     csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
     same keys sigma,probability,low,high,rows "$(head -n 1 likely)"
     same 'no errors' 1 "$(sed -n 2p likely | cut -d, -f 2)"
@@ -213,14 +213,15 @@ END
     same 'the effect may be off' 14 "$(csv 'effect row 8; plot placement 20' | wc -l)"
 }
 
-@test "plot sweep: the data is that of sweep; a sweep into a picture file is drawn" {
+@test "plot sweep: the data agree with sweep; a sweep into a picture file is drawn" {
     same csv "$(csv 'sweep s 0.2 0.6 5 : rmax')" "$(csv 'plot sweep s 0.2 0.6 5 : rmax')"
     same json "$(json 'sweep q 3, 4 s 0.2 0.6 3 : count 112')" "$(json 'plot sweep q 3, 4 s 0.2 0.6 3 : count 112')"
     "$DOMINO" -e 'sweep s 0.2 0.6 5 : rmax > a.svg; plot sweep s 0.2 0.6 5 : rmax > b.svg'
     same 'the same picture' "$(grep -v Produced b.svg)" "$(grep -v Produced a.svg)"
-    # A grid may go down.
+    # The values of a grid may decrease.
     same 'a map' "$("$DOMINO" -e 'plot sweep s 0.1 0.9 9 d 0.1 0.3 7 : rmax')" "$("$DOMINO" -e 'plot sweep s 0.9 0.1 9 d 0.3 0.1 7 : rmax')"
-    # Words make a curve each, parameters on a logarithm keep it, points without an answer are counted.
+    # Each word is a curve, logarithmic grids have logarithmic axes, and points without an answer are
+    # counted.
     "$DOMINO" -e 'plot sweep fuel exact, paper s 0.2 0.6 5 : rmax' >picture
     for words in 'fuel = exact' 'fuel = paper'; do grep -q "$words" picture; done
     "$DOMINO" -e 'plot sweep r 1.2 3.2 5 : duration' | grep -q '4 of 5 points have no answer\|[1-4] of 5 points have no answer'
@@ -228,7 +229,7 @@ END
     "$DOMINO" -e 'plot sweep d 0.001 1 7 log : rmax' | grep -q '^ *0.001 .*0.01 .*0.1 .*1$'
 }
 
-@test "what cannot be plotted: one line that says what would be right, and no file" {
+@test "what cannot be plotted: an error in one line that says what to do, and no file" {
     wrong 'plot energy rmax' "'plot energy' takes nothing after it"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
@@ -262,18 +263,18 @@ END
     same 'nothing is left' '(nothing)' "$(ls)"
 }
 
-@test "plot > FILE.gp: gnuplot's script with its data, which draws the picture by itself" {
+@test "plot > FILE.gp: a gnuplot script with its data, which draws the picture by itself" {
     mkdir "$BATS_TEST_TMPDIR/scripts" && cd "$BATS_TEST_TMPDIR/scripts"
     "$DOMINO" -e "plot growth > growth.gp; draw 0.3 forces > forces.gp; plot sweep s 0.1 0.8 12 r 1 1.9 9 : fuel.fuel > \"it's.gp\"
         sweep s 0.1 0.5 9 q 3, 4 : rmax > sweep.gp; effect row 7; draw > row.gp; plot growth > growth.pdf"
-    # The script alone is enough: it needs no other file, and draws one.
+    # The script needs no other file, and draws one picture.
     mkdir alone
     for script in *.gp; do
         cp "$script" alone
         (cd alone && gnuplot "$script") || same "$script" 'a script' 'an error'
         same "$script" '%PDF' "$(head -c 4 "alone/${script%.gp}.pdf")"
     done
-    # The curves of the script are those of the data.
+    # The curves of the script agree with the data.
     close 'r_max of solid dominoes' "$(csv 'plot growth' | awk -F, 'NR == 11 { print $2 }')" \
         "$(sed -n '/^\$curve0/,/^END/p' growth.gp | awk 'NR == 11 { print $2 }')" 1e-8
     grep -q "^set output 'it''s.pdf'" "it's.gp"
@@ -282,7 +283,7 @@ END
     # Other commands have no picture.
     run -1 "$DOMINO" -e 'rmax > a.gp'
     grep -q "names a picture, but 'rmax' does not draw" <<<"$output"
-    # The script is written where gnuplot is not installed, too.
+    # The script is also written if gnuplot is not installed.
     mkdir bin && ln -s "$(command -v env)" bin
     PATH=$PWD/bin "$DOMINO" -e 'plot growth > again.gp'
     sed 's/again/growth/g' again.gp | diff growth.gp -
@@ -290,7 +291,8 @@ END
 
 @test "plot: title, labels, width, height and font of a file, with no text cut off from 6 to 30 cm" {
     cd "$BATS_TEST_TMPDIR"
-    # A row, a scene and a plot, at each width; the words come after the argument, or before a grid.
+    # A plot of a row, of a train and of a sweep at each width. The words come after the argument,
+    # or before a grid.
     while IFS='|' read -r scene before after; do
         for width in 6 8 12 30; do
             "$DOMINO" -e "$scene; plot $before width $width cm $after > a.svg" >/dev/null
@@ -320,7 +322,8 @@ END
     "$BATS_TEST_DIRNAME/labels" b.svg >texts
     for text in 'My title' 'the gap' factor; do grep -q " $text\$" texts || same "$text" there "$(cat texts)"; done
     grep -q 'width="540" height="315"' b.svg && grep -q 'font-size="13.9' b.svg
-    # The usual picture stays as it is, words in either order are the same, and data have no look.
+    # The default picture does not change, the order of the words does not matter, and data have no
+    # look.
     same order "$("$DOMINO" -e 'plot growth width 9 cm paper > c.svg' && cat c.svg)" "$("$DOMINO" -e 'plot growth paper width 9 cm > c.svg' && cat c.svg)"
     same data "$(csv 'plot growth')" "$(csv 'plot growth title "x" width 8 cm')"
     "$DOMINO" -e 'plot growth title "My title"' | grep -q 'My title'
@@ -344,7 +347,7 @@ END
     same logarithms 'set logscale x set logscale y' "$(grep -h '^set logscale' b.gp | paste -sd ' ' -)"
     grep -q '^set logscale x' c.gp && ! grep -q '^set xrange \[0:' c.gp && ! grep -q '^set logscale' d.gp
     grep -q '^unset key' e.gp && grep -q "font 'DejaVu Serif," e.gp && grep -q '^set key outside right' f.gp
-    # What is beyond the axis is not shown, and does not stretch the other one.
+    # Points beyond an axis are not shown, and do not stretch the other axis.
     ! grep -q '"launch"\|"hit"' g.gp
     same 'the highest number' 0.015 "$(sed -n "s/^set ytics.*'\([0-9.]*\)' [0-9.]*)/\1/p" g.gp)"
     tail -n 4 h.txt | grep -q '^ *0.2 .* 0.5$'
@@ -362,7 +365,7 @@ plot growth family "a,b" > a.svg|a family has letters, digits
 END
 }
 
-@test "plot sweep: several answers are curves of one picture, with their units where they differ" {
+@test "plot sweep: several answers are curves of one picture, with units if these differ" {
     picture=$("$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair, 1/s')
     for words in 'rmax, pair, 1/s over s' 'o rmax  *# pair  *+ 1/s' '[0-9] of 30 points lack an answer'; do
         grep -q "$words" <<<"$picture" || same 'three curves' "$words" "$picture"
@@ -370,7 +373,7 @@ END
     "$DOMINO" -e 'set angle deg; plot sweep s 0.3 0.5 9 : duration.duration, thetac' |
         grep -q 'duration.duration in tau  *# thetac in deg'
     "$DOMINO" -e 'plot sweep s 0.1 0.8 30 : rmax, pair > a.gp'
-    # The curves are the columns of the sweep.
+    # The curves agree with the columns of the sweep.
     csv 'sweep s 0.1 0.8 30 : rmax, pair' | sed 1d >sweep
     for k in 0 1; do
         sed -n "/^\$curve$k/,/^END/p" a.gp | sed '1d;$d' | awk '{ print $2 }' >curve
@@ -381,7 +384,7 @@ END
     wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.2 3 : rmax, pair' 'up to 6 answers over one parameter, or one answer over two'
 }
 
-@test "plot > FILE.tex: a picture for TeX, in which no letter of a text is a command" {
+@test "plot > FILE.tex: a picture for TeX, in which special characters of texts are escaped" {
     cd "$BATS_TEST_TMPDIR"
     "$DOMINO" -e 'plot energy title "50 % of $x_1^2$ & #{a} <b>" width 9 cm > a.tex; sweep s 0.1 0.3 5 : rmax > b.tex'
     grep -q '^\\begin{tikzpicture}' a.tex && grep -q '^\\begin{tikzpicture}' b.tex

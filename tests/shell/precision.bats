@@ -1,17 +1,17 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Precision, tolerance and bounds of errors.
+# Precision, tolerance and error bounds.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# The digits of a number in quad, as many as are wanted.
+# Prints a number in quad with this many digits.
 quad() { # COMMANDS KEY DIGITS
     obtained=$(json "set precision quad; $1" | values "$2")
     same "$1: $2" "$3" "${obtained:0:${#3}}"
 }
 
-# The references were computed by other means: plain sums over angles in arithmetic of 75 digits.
+# The expected values were computed independently, by plain sums over angles in 75-digit arithmetic.
 @test "quad: 30 correct digits of r_max, barrier, launch, fuel" {
     quad 'rmax' r_max 1.64422903953514910728136563949
     quad 'set q hollow; rmax' r_max 2.06377177270466132423919510133
@@ -24,11 +24,11 @@ quad() { # COMMANDS KEY DIGITS
     quad launch omega0sq 0.003764633846114133271360875675498
     quad launch J0 1.13529538563429866110049936845
     quad fuel fuel_exact 0.177287017324780688790030782681
-    # A table shows as many as are asked for, up to what tol promises.
+    # A table shows as many digits as 'set digits' says, but no more than tol guarantees.
     "$DOMINO" -e 'set precision quad; set digits 29; rmax' | grep -q '^r_max  *1\.6442290395351491072813656395 '
 }
 
-@test "quad: what is typed is not a rounded double, decimals neither" {
+@test "quad: typed decimals and fractions are not rounded to double" {
     same '7/48' 0 "$(json 'set d 1; set precision quad; set d 7/48; print 7/48 - d' | values value)"
     same 'also if it was typed in double' 0 "$(json 'set d 7/48; set precision quad; print d - 7/48' | values value)"
     same '0.1' 0.1 "$(json 'set s 0.1; set precision quad; show s' | values value)"
@@ -39,7 +39,7 @@ quad() { # COMMANDS KEY DIGITS
         "$(json 'set precision quad; print 1/3' | values value | cut -c 1-36)"
 }
 
-@test "float, double, quad: numbers for programs read back as themselves, in as few digits as do" {
+@test "float, double, quad: numbers for programs have the fewest digits that round-trip" {
     same float 1.644229 "$(json 'set precision float; rmax' | values r_max)"
     value=$(json rmax | values r_max)
     same double "$(python3 -c "print(repr(float('$value')))")" "$value"
@@ -48,7 +48,7 @@ quad() { # COMMANDS KEY DIGITS
     same quad "$value" "$(json "set precision quad; set r $value; show r" | values value)"
 }
 
-@test "tol follows the precision where it has its default; a floor is kept; digits stay" {
+@test "tol follows the precision while it has its default; it is raised to the smallest possible one; digits do not change" {
     show='show tol; show digits'
     state() { json "$1; $show" | values value | paste -sd ' ' -; }
     same double '1e-12 6' "$(state '')"
@@ -63,7 +63,7 @@ quad() { # COMMANDS KEY DIGITS
     same 'and nothing where it has not' '(nothing)' "$("$DOMINO" -e 'set tol 1e-3; set precision quad')"
 }
 
-@test "tables show 6 digits, or as many as 'set digits' asks for, up to what tol promises; csv and json have all" {
+@test "tables show 6 digits, or as many as 'set digits' says, but no more than tol guarantees; csv and json have all" {
     rmax() { "$DOMINO" -e "$1; rmax" | sed -n 's/^r_max  *\([0-9.]*\) .*/\1/p'; }
     same default 1.64423 "$(rmax '')"
     for setting in 'float|1.6442' 'double|1.64423' 'quad|1.64423'; do
@@ -80,14 +80,14 @@ quad() { # COMMANDS KEY DIGITS
     "$DOMINO" -e 'show seed' | grep -q '0 \.\. 4294967295 '
     same 'a session keeps what it has' 9 \
         "$(json "set digits 9; save s.dom; reset digits; source s.dom; show digits" | values value)"
-    # For programs nothing depends on it.
+    # Output for programs does not depend on 'digits'.
     for output in csv json; do
         same "$output" "$("$DOMINO" -e "set output $output; set digits 2; rmax; count 112")" \
             "$("$DOMINO" -e "set output $output; set digits 30; rmax; count 112")"
     done
 }
 
-@test "tol below what the precision can give: an error with the smallest tol" {
+@test "tol below what the precision can reach: an error that names the smallest tol" {
     for pair in 'float|1e-06' 'double|1e-15' 'quad|1e-33'; do
         run "$DOMINO" -e "set precision ${pair%|*}; set tol ${pair#*|}/2"
         [ "$status" -eq 1 ]
@@ -101,7 +101,7 @@ quad() { # COMMANDS KEY DIGITS
     done
 }
 
-@test "tol decides: more of it is nearer, and longer trains" {
+@test "a smaller tol gives smaller errors and takes longer trains" {
     exact=$(json 'set precision quad; rmax' | values r_max)
     before=0
     for tol in 1e-1 1e-3 1e-6 1e-12; do
@@ -114,7 +114,7 @@ quad() { # COMMANDS KEY DIGITS
 
 @test "errors on: every number has a bound, in table, csv and json" {
     while IFS='|' read -r call expected; do
-        case $call in print* | scene | slip | design* | sensitivity* | solve* | effect* | reset*) continue ;; esac # those have no bounds
+        case $call in print* | scene | slip | design* | sensitivity* | solve* | effect* | reset*) continue ;; esac # these commands have no error bounds
         table=$("$DOMINO" -e "set errors on; $call")
         grep -q ' +/- [0-9.]*e-[0-9]*' <<<"$table"
         answer=$(json "set errors on; $call" | tail -n 1)
@@ -135,10 +135,10 @@ quad() { # COMMANDS KEY DIGITS
     same 'off again' 's r_max ends_by r_max_exact r_max_paper r_start' "$(json 'set errors on; set errors off; rmax' | keys)"
 }
 
-@test "errors on: the bound is one, of what is printed too" {
+@test "errors on: the bound covers the error, also of the printed digits" {
     for command in rmax barrier launch duration pair; do
         for state in 'set precision float' 'set tol 1e-3' 'set tol 1e-15' 'set digits 4'; do
-            # d and s are typed so that every precision has them exactly.
+            # Every precision represents these values of d and s exactly.
             answer=$(json "set errors on; set d 0.125; set s 0.375; $state; $command")
             exact=$(json "set precision quad; set tol 1e-33; set d 0.125; set s 0.375; $command")
             keys=0
@@ -154,7 +154,7 @@ quad() { # COMMANDS KEY DIGITS
             [ "$keys" -gt 0 ] || same "$state; $command" 'a value' "$answer"
         done
     done
-    # A table: the number as it is printed and the bound after it.
+    # In a table, the bound stands after the number.
     "$DOMINO" -e 'set errors on; set tol 1e-3; rmax' | awk '$1 == "r_max" { x = $2; b = $4 }
         END { d = x - 1.64422903953514910728; exit !(b > 0 && d <= b && -d <= b) }'
 }

@@ -1,14 +1,14 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The calculator at a terminal; the scenarios are in prompt.exp.
+# The calculator at a terminal. The scenarios are in prompt.exp.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# A partner in a pty may come too late on a busy machine: each test has a second try.
+# On a busy machine, a program in a pty may react too late, so each test has a second try.
 export BATS_TEST_RETRIES=1
 
-# All commands of the table at one prompt: the answers are those of -e, byte for byte.
+# Checks that the answers to all commands at the prompt are exactly those with -e.
 same_at_the_prompt() { # FORMAT
     local ask=("set output $1") all="set output $1" call
     while IFS='|' read -r call _; do
@@ -16,7 +16,7 @@ same_at_the_prompt() { # FORMAT
         all+="; $call"
     done <<<"$commands"
     prompt answers "${ask[@]}" >"$BATS_TEST_TMPDIR/obtained"
-    # For people, answers in a script are set apart by a blank line.
+    # In tables, the answers of a script are separated by a blank line.
     "$DOMINO" -e "$all" | grep . >"$BATS_TEST_TMPDIR/expected"
     grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
 }
@@ -29,14 +29,14 @@ same_at_the_prompt() { # FORMAT
     "$DOMINO" -e 'help; help rmax; show; show s' | grep . >"$BATS_TEST_TMPDIR/expected"
     grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
 }
-@test "a banner that names help, a prompt, and no more" { prompt banner; }
+@test "the first screen is a banner that mentions help, and a prompt" { prompt banner; }
 @test "'quit' leaves with status 0" { prompt quit; }
 @test "^D leaves with status 0, but only on an empty line" { prompt end_of_input; }
-@test "the status is 0 also after an error" { prompt leave_with_status_0; }
+@test "the status is 0 even after an error" { prompt leave_with_status_0; }
 @test "an error is a caret and one line, and the session goes on" { prompt error_goes_on; }
 @test "the caret counts columns, not bytes" { prompt caret_utf8; }
 @test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
-@test "TAB TAB lists what there is" { prompt complete_list; }
+@test "TAB TAB lists all possible words" { prompt complete_list; }
 @test "TAB completes files where a file belongs" { prompt complete_files; }
 @test "TAB completes a file name with blanks so that it can be used" { prompt complete_files_blank; }
 @test "^C on a half-typed line clears it" { prompt interrupt_typed; }
@@ -46,7 +46,7 @@ same_at_the_prompt() { # FORMAT
 @test "^C drops the rest of the line" { prompt interrupt_rest; }
 @test "^C drops the rest of a file" { prompt interrupt_source; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
-@test "^C in a budget: what is known by then, with its interval" { prompt interrupt_budget; }
+@test "^C in a budget: the answer so far, with its interval" { prompt interrupt_budget; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot at work on an animation, and leaves no file" { prompt interrupt_animation; }
 @test "^C while rows are written: the session and its lines are whole" { prompt interrupt_rows; }
@@ -58,7 +58,7 @@ same_at_the_prompt() { # FORMAT
 @test "lesson: it waits for each command, and q, ^C, ^D and quit leave it" {
     TUTORIAL=$BATS_TEST_DIRNAME/../../examples/tutorial.dom prompt lesson
 }
-@test "leaving with changed gaps that no file has is asked once" { prompt unsaved; }
+@test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 @test "a line goes on below after a backslash" { prompt backslash; }
 @test "the arrow keys bring lines back" { prompt history; }
 @test "several lines pasted at once run one after the other" { prompt paste; }
@@ -69,14 +69,14 @@ same_at_the_prompt() { # FORMAT
 @test "inputrc: \$if Domino" { prompt inputrc; }
 @test "inputrc: vi keys" { prompt inputrc_vi; }
 @test "letters: ASCII in an ASCII locale" { prompt ascii; }
-@test "letters: the field's own on a UTF-8 terminal, not in files, csv and json" { prompt letters; }
+@test "letters: Greek on a UTF-8 terminal, but not in files, csv and json" { prompt letters; }
 @test "colour: on a terminal that has it, not in pipes" { prompt colour; }
 @test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
 @test "progress: on stderr, for a terminal only" { prompt progress; }
 @test "lines of 4000 letters" { prompt long_line; }
 @test "NUL bytes" { prompt nul; }
 @test "control characters" { prompt control; }
-@test "watch is for the prompt, and says so" {
+@test "watch works only at the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'
     wrong 'watch s 0.9 0.1: rmax' 'FROM must be less than TO'
     wrong 'watch s' "the form is 'watch s : rmax'"

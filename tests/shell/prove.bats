@@ -1,12 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Answers with a proof: statements, keys, what is not proved, and the table of proved growths.
+# Answers with a proof: statements, keys, incomplete proofs, and the table of proved growths.
 
 load common
 
 root=$BATS_TEST_DIRNAME/../..
 
-@test "prove says in words what is proved, and r_max lies in it" {
+@test "prove says in words what is proved, and r_max is within the bounds" {
     run -0 "$DOMINO" -e 'set d 7/48; prove rmax 0.4'
     [[ $output == *'Proved: for every growth from 1 to 1.644229039535 the train keeps falling; at 1.644229039536 it stops.'* ]]
     run -0 "$DOMINO" -e 'set tol 1e-4; prove rmax 0.4'
@@ -17,7 +17,7 @@ root=$BATS_TEST_DIRNAME/../..
     [[ $output == *'Proved: at growth 1 the train stops.'* ]]
     run -0 "$DOMINO" -e 'set q hollow; prove pair 0.3'
     [[ $output == *'to 1.654207309921 a first domino that just tips over topples the next one; at 1.654207309922 it does not.'* ]]
-    # Of either fuel, and of any mass.
+    # With both fuels and with several exponents of the mass.
     for scene in 'set fuel paper' 'set q hollow' 'set q 3.7; set d 0.1'; do
         row=$(json "$scene; prove rmax 0.3")
         awk -v r="$(json "$scene; rmax 0.3" | values r_max)" -v low="$(values low <<<"$row")" -v high="$(values high <<<"$row")" \
@@ -41,17 +41,19 @@ root=$BATS_TEST_DIRNAME/../..
     [[ $("$DOMINO" -e 'prove count 112 m') == *'Proved: 20 dominoes are enough at growth 1.5, and fewer are not.'* ]]
 }
 
-@test "no bound is rounded to more than is proved" {
-    # The largest growth is 10 to 13 digits: the upper bound has a digit more before its point.
+@test "bounds are rounded outwards" {
+    # The largest growth is 10 up to 13 digits, so the upper bound has one digit more before the
+    # point.
     ten='set s 0.05; set q hollow; set d 0.00066373441778146873; set tol 1e-12; prove rmax'
     same 'the upper bound' 10.00000000004 "$(json "$ten" | values high)"
     [[ $("$DOMINO" -e "$ten") == *$'\n'high*' 10.00000000004 '* ]]
-    # 9.99999999997566 has 12 digits in the sentence.
+    # The sentence has 12 digits of 9.99999999997566.
     [[ $("$DOMINO" -e "set tol 3e-14; ${ten/set tol 1e-12; /}") == *'Only this is proved: for every growth from 1 to 9.99999999992 the'* ]]
-    # Close dominoes of one height approach their last tilt slowly: by 0.2 % each time here.
+    # The tilts of close equal dominoes converge slowly, here by 0.2 % from domino to domino.
     row=$(json 'set s 0.001; set d 0.001; set r 1; prove verdict')
     within 'close dominoes' "$(values low <<<"$row")" "$(values high <<<"$row")" 'd >= 0 && d < 1e-6'
-    # More powers than are taken, and growths that are 1 but for rounding: logarithms bound the number.
+    # If there are too many powers to multiply, and for growths that are almost 1, the bounds come from
+    # logarithms.
     row=$(json 'set r 1.0000001; prove count 112 m')
     same 'a small growth' '77550536 77550536' "$(values low <<<"$row") $(values high <<<"$row")"
     row=$(json 'set r 1.00000000001; prove count 112 m')
@@ -60,12 +62,12 @@ root=$BATS_TEST_DIRNAME/../..
     within 'from above' 775505313941 "$(values high <<<"$row")" 'd > 0 && d < 1e-4'
 }
 
-@test "what is not proved is said, with its reason" {
+@test "an incomplete proof is reported, with the reason" {
     row=$(json 'effect friction 0.1; prove rmax 0.4')
     same result 'not proved' "$(values result <<<"$row")"
     same low null "$(values low <<<"$row")"
     same reason 'not proved: trains with friction, a slope or rounded edges have no proof' "$(values reason <<<"$row")"
-    # A verdict within rounding of r_max.
+    # The verdict at an r that differs from r_max only by rounding.
     same result 'not proved' "$(json 'set d 7/48; set r 1.6442290395351491; prove verdict' | values result)"
     for line in 'prove rmax 2' 'prove nothing' 'prove' 'prove count' 'prove verdict 3' 'prove rmax 0.2 m'; do
         run -1 --separate-stderr "$DOMINO" --keep-going -e "$line"
@@ -74,13 +76,13 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
-@test "prove goes through a sweep, in the same bytes on any number of cores" {
+@test "prove works in a sweep, with the same output on any number of cores" {
     grid='sweep s 0.2 0.5 4 q 3, 4 : prove rmax'
     same rows "$(json "set threads 1; $grid" | md5sum)" "$(json "set threads 4; $grid" | md5sum)"
     same results 8 "$(json "$grid" | values result | grep -c barrier)"
 }
 
-@test "the atlas of proved growths is what a run gives, and another arithmetic confirms its rows" {
+@test "a run reproduces the atlas of proved growths, and another arithmetic confirms its rows" {
     cd "$BATS_TEST_TMPDIR" || false
     table=$(realpath "$root")/examples/atlas.csv
     same rows 228 "$(grep -vc '^[#s]' "$table")"
@@ -89,7 +91,7 @@ root=$BATS_TEST_DIRNAME/../..
     grep -v '^s' part.csv | while IFS= read -r row; do grep -qFx -- "$row" "$table"; done
     run -0 "$root/tests/atlas" "$table" 57
     same checked '4 rows checked, 0 not confirmed' "$output"
-    # A wrong digit, in either number, is not confirmed.
+    # The check rejects a wrong digit in either number.
     grep '^s,\|^0.4,0.15,4,' "$table" >one.csv
     run -0 "$root/tests/atlas" one.csv
     low=$(tail -n 1 one.csv | cut -d , -f 5) high=$(tail -n 1 one.csv | cut -d , -f 6)
@@ -100,7 +102,7 @@ root=$BATS_TEST_DIRNAME/../..
     done
 }
 
-@test "prove count says what it computes without a proof: whether the row starts" {
+@test "prove count says that it computes without a proof whether the row starts" {
     answer=$(json 'set r 1.64; prove count 112')
     same 'a train that moves' 'no start' "$(values result <<<"$answer")"
     grep -q '"reason":"with a first domino that just tips over the row ends at domino 2' <<<"$answer"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The Python module: its own tests, and how it is installed.
+# The Python module: its tests and its installation.
 # shellcheck disable=SC2154 # 'run' sets variables
 
 load common
@@ -12,14 +12,14 @@ setup() {
     if [ -n "$(checked "$build/libdomino.a")" ]; then skip 'Python does not load a library with sanitizers'; fi
 }
 
-@test "the module answers as the program does, on arrays too, and its errors name the parameter" {
+@test "the module answers as the program does, also for arrays, and errors name the parameter" {
     export DOMINO_LIBRARY=$build/libdomino.so PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1
     run python "$root/tests/python/test_domino.py"
     [ "$status" -eq 0 ] || { echo "$output" && false; }
     [[ $output =~ 'Ran '[0-9]+' tests' ]]
 }
 
-@test "an installed module finds its library without a variable, where NumPy is not there too" {
+@test "an installed module finds its library without an environment variable, even without NumPy" {
     env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL -u MAKEOVERRIDES make -s -C "$root" B="$build" install PREFIX="$PWD/my prefix" \
         PYTHONDIR=lib/python3/dist-packages >install.log
     cat >quiz.py <<'END'

@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rows in files as people have them: names of columns, units, decimal commas.
+# Rows in files as people write them: names of columns, units, decimal commas.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "rows from csv: the same row in every way of writing it" {
+@test "rows from csv: many ways to write the same row" {
     file plain.csv <<'END'
 height (m),thickness (m),gap (m),mass (kg)
 0.048,0.007,,0.008
@@ -33,7 +33,7 @@ END
         done < <(paste <(values kinetic <<<"$plain") <(values kinetic <<<"$other"))
         same "$name: falls" 3 "$falls"
     done
-    # 'row' in csv is such a file.
+    # The csv output of 'row' is such a file.
     "$DOMINO" -e "effect row plain.csv; set output csv; row > again.csv"
     same again "$plain" "$(json "effect row again.csv; effect push 8; verdict; fall")"
     "$DOMINO" -e "set q 3; effect row 4; set output csv; row > train.csv"
@@ -41,7 +41,7 @@ END
         "$(json "effect row train.csv; verdict" | cut -c 1-60)"
 }
 
-@test "rows from csv: what is wrong, with file, line and column; nothing half loaded" {
+@test "rows from csv: errors have file, line and column, and nothing is loaded" {
     while IFS='|' read -r name text pattern; do
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $name.csv" "$name\\.csv:$pattern"
@@ -65,7 +65,7 @@ END
     wrong "effect row $PWD" 'cannot read'
 }
 
-@test "a file beside the script is found from anywhere; a safe session reads none" {
+@test "a file next to the script is found from any folder; a safe session reads no file" {
     cd / || false
     "$DOMINO" -f "$root/examples/record.dom" | grep -q 'All 10 fall'
     run --separate-stderr "$DOMINO" --safe -e "effect row $root/examples/record.csv"
@@ -73,7 +73,7 @@ END
     grep -q 'safe session' <<<"$stderr"
 }
 
-@test "a length or a mass without a unit is an error that shows what it would mean" {
+@test "a length or a mass without a unit is an error that shows what it could mean" {
     while IFS='|' read -r name text pattern; do
         printf '%b' "$text" | file "$name.csv"
         wrong "effect row $name.csv" "$name\\.csv:$pattern"
@@ -85,10 +85,10 @@ mass|height (mm),thickness (mm),gap (mm),mass\n48,7,-,10\n|2:8: mass has no unit
 density|height (mm);thickness (mm);gap (mm);density\n48;7;-;600\n|2:8: density has no unit: '600' would be 600 kg/m\^3; write 'density \(g/cm\^3\)' in the first line$
 width|height (mm);thickness (mm);gap (mm);width\n48;7;-;24\n|2:8: width has no unit: '24' would be 24 m;
 END
-    # Units in every cell will do, and 0 is 0 in any unit.
+    # Units may be in every cell, and 0 needs no unit.
     printf 'domino,height,thickness,gap,relative\n1,48 mm,7 mm,0,1\n2,4.8 cm,0.7 cm,0,2\n3,48 mm,7 mm,2 cm,1' | file cells.csv
     same cells '0.048 0.048 0.048' "$(json 'effect row cells.csv; row' | values height | paste -sd ' ')"
-    # What 'row' writes has its units, with masses and without.
+    # The output of 'row' has units, with and without masses.
     for scene in 'effect row 4' 'set mass 0.01; effect row 4' 'effect row cells.csv'; do
         "$DOMINO" -e "$scene; set output csv; row > again.csv"
         head -n 1 again.csv | grep -qE '^domino,height \(m\),thickness \(m\),gap \(m\),(mass \(kg\)|relative)$'
@@ -108,7 +108,7 @@ END
     done
 }
 
-@test "other columns are named once, and written back with the row; a wrong spelling is an error" {
+@test "unknown columns are reported once and written back with the row; a misspelt name is an error" {
     printf 'colour, height (mm), thickness (mm), gap (mm), shop\nred, 48, 7.5, -, a\nblue, 50, 7.5, 20, b\n' >more.csv
     run -0 --separate-stderr "$DOMINO" -e 'effect row more.csv; verdict'
     same 'one note' "-e:1: effect: more.csv:1: ignored columns: 'colour', 'shop'; recognized columns: height, thickness, gap, and, if known, mass or density, width, radius, lean" "$stderr"
@@ -140,7 +140,7 @@ END
     fi
     printf 'height (mm);thickness (mm);gap (mm)\n48;7;-;;\n50;7;20;;\n' >cells.csv
     same 'empty cells at the end' 0.02 "$(json 'effect row cells.csv; row' | values gap | tail -n 1)"
-    # As many cells as can be read in the first line, and a row with more of them.
+    # A first line with the largest number of cells, and a row with more cells.
     { printf 'height (mm),thickness (mm),gap (mm)%s\n' "$(printf ',x%s' {4..64})" && printf '48,7,-%s,é\n' "$(printf ',%s' {4..64})"; } >most.csv
     wrong 'effect row most.csv' 'most.csv:2:185: too many cells: 65, but the first line has 64'
 }
@@ -165,7 +165,7 @@ END
     wrong 'effect row gap.csv' "is not a unit of gap; its units are: m, mm, cm"
 }
 
-@test "lean: how far the top of a domino is off plumb" {
+@test "lean: the top of a domino is off plumb" {
     {
         echo 'height (mm), thickness (mm), gap (mm), plumb (mm)'
         printf '48,7,-,0\n72,10.5,28.8,-1\n108,15.75,43.2,2\n162,23.625,64.8,0\n'
@@ -175,7 +175,7 @@ END
     same leans '0 -0.001 0.002 0' "$(json 'effect row again.csv; row' | values lean | paste -sd ' ' -)"
     sed 's/,-1$/,0/; s/,2$/,0/' lean.csv >plumb.csv
     plumb=$(json 'effect row plumb.csv; verdict' | values spare)
-    # Its top is off against the fall: domino 2 has to be lifted further.
+    # Domino 2 leans backwards, so it has to be lifted further.
     within spare "$plumb" "$(json 'effect row lean.csv; verdict' | values spare)" 'o > 0 && d < -0.1'
     same 'one that leans is drawn so' 1 "$(json 'effect row lean.csv; draw' | values theta | awk '$1 < 0' | wc -l)"
     printf 'height (mm), thickness (mm), gap (mm), lean (mm)\n48,7,-,0\n72,10.5,28.8,-12\n' >over.csv
@@ -184,7 +184,7 @@ END
     wrong 'effect slope -1 deg; effect row slope.csv' '3:14: .*the most this domino can lean on this slope is -9.145 mm$'
     wrong 'effect row slope.csv; effect slope -1 deg; fall' 'fall: domino 2: .*on this slope is -9.145 mm$'
     wrong 'effect row slope.csv; effect slope 9 deg; fall' 'fall: domino 1 cannot stand upright on a slope of 9 deg; for its thickness'
-    # Uphill it may lean further back than on a level floor.
+    # On a slope, a domino may lean further back than on a level floor.
     same 'leans uphill' 'stops' "$(json 'effect slope 2 deg; effect row over.csv; verdict' | values verdict)"
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has no column lean"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, and the rigid-body engine, which runs the row because method is engine, needs upright ones; turn that off'

@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Rows: verdicts, what stops them, rowmax, gaps.
+# Rows: verdicts, causes of stops, rowmax, gaps.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-@test "rows of the model: one, the verdicts of each end, thousands, taller than the Earth" {
+@test "rows of the model: a single domino, each way to end, thousands of dominoes, dominoes taller than the Earth" {
     same one 'all fall' "$(json 'effect row 1; effect push 5; verdict' | values verdict)"
     same weak stops "$(json 'effect row 1; effect push 1; verdict' | values verdict)"
     same leans leans "$(json 'set s 0.05; set r 1; effect row 3; verdict' | values verdict)"
@@ -19,12 +19,12 @@ END
         "its upper edge passes above the next domino.* contact that follows; 'set method engine' includes it$"
     same thousands 'all fall 10000' "$(json 'set r 1; set s 0.3; effect row 10000; effect push 5; verdict' |
         sed -E 's/.*"verdict":"([^"]*)","domino":([0-9]*).*/\1 \2/')"
-    # 0.048 m 2^40 is 5e7 km: the numbers are large, and right.
+    # The last domino is 0.048 m times 2^40, which is 5e7 km.
     close tall "$(awk 'BEGIN { printf "%.17g", 0.048 * 2 ^ 40 }')" \
         "$(json 'set q 3; set s 0.35; set r 1.9; set r 2; set s 0.42; effect row 41; row' | tail -n 1 | values height)"
 }
 
-@test "rowmax tends to rmax as the row grows longer" {
+@test "rowmax converges to rmax with the length of the row" {
     train=$(json 'set q hollow; rmax' | values r_max)
     row=$(json 'set q hollow; effect row 60; effect push 20; rowmax' | values r_max)
     close 'of the train' 2.06377177270466132 "$train"
@@ -53,7 +53,7 @@ END
     "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'
 }
 
-@test "a file that gives no row leaves none in force, and says so" {
+@test "after a file without a valid row there is no row, and a message says so" {
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7, 20\n' | file good.csv
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n48, 7\n' | file short.csv
     wrong 'effect row typo.csv' "cannot read 'typo\.csv': No such file or directory$"
@@ -67,12 +67,12 @@ END
     done
     same 'the next one is fine' 'all fall' \
         "$(json 'effect row 5; effect push 3; effect row typo.csv; set r 1; effect row good.csv; effect push 9; verdict' 2>&1 | values verdict)"
-    # Without an error nothing of that is said, and the row before is replaced.
+    # A valid file replaces the previous row without such a message.
     run --separate-stderr "$DOMINO" -e 'effect row 5; effect row good.csv; row'
     [ "$status" -eq 0 ] && [ -z "$stderr" ]
 }
 
-@test "sentences say 'both' of two, keep the digits before the point, and write m g s with blanks" {
+@test "sentences say 'both' for two, do not round digits before the point, and write m g s with blanks" {
     local push='set s 0.05; set r 1; effect row 3; effect push 1000'
     [[ $("$DOMINO" -n -e 'effect row 2; verdict') == 'Both fall; the last lies '* ]]
     [[ $("$DOMINO" -n -e 'effect row 3; verdict') == 'All 3 fall; the last lies '* ]]
@@ -82,7 +82,7 @@ END
     "$DOMINO" -n -e step | grep -q ' m g s; all of them push'
 }
 
-@test "place: a gap without a unit that no domino reaches is an error; with a unit it is a gap" {
+@test "place: a gap out of reach is an error without a unit, and allowed with a unit" {
     wrong 'effect row 3; place 2 3' "3 without a unit would be 3 m, but domino 1 is 4\.8 cm tall; write '3 mm', or the unit that you mean"
     wrong 'effect row 3; place 9 3' 'there is no gap before domino 9'
     same metres 0.03 "$(json 'effect row 3; place 2 0.03; row' | values gap | sed -n 2p)"
@@ -93,7 +93,7 @@ END
     same_file saved.csv again.csv
 }
 
-@test "fall: the table has energies in J where the first domino has a mass" {
+@test "fall: the table has energies in J if the first domino has a mass" {
     run -0 "$DOMINO" -e 'set mass 0.02; effect row 3; fall'
     same heads 'domino height hit falls omega kinetic barrier energy' "$(echo ${lines[0]})"
     same units 'cm s s rad/s J J %' "$(echo ${lines[1]})"

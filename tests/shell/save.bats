@@ -5,7 +5,7 @@
 
 load common
 
-@test "a saved session and the row beside it can be moved together, and find each other from anywhere" {
+@test "a saved session and its row file can be moved together, and are found from any folder" {
     mkdir -p here/rows other
     for height in 48 24; do
         printf '%s\n' 'height (mm), thickness (mm), gap (mm)' "$height, 7, -" "$height, 7, 20" >row$height.csv
@@ -58,10 +58,10 @@ digits 17
 angle deg
 timing on
 END
-    # And output, which the others need for looking at them.
+    # Also 'output', which the other checks need for themselves.
     "$DOMINO" -e 'set output csv; set s 0.3; save output.dom; set s 0.2; save output.dom'
     same output "$("$DOMINO" -e 'set output csv; set s 0.2; show')" "$("$DOMINO" -e 'source output.dom; show')"
-    # All at once, over everything else.
+    # All parameters at once, in a session with other values.
     changed='set s 1/3; set r pi/3; set d 0.1; set q 10/3; set tol 1e-9; set h 1 ft; set g 1.62; set fuel paper
         set digits 17; set angle deg'
     before=$(json "$changed; show; theta1 5")
@@ -80,7 +80,7 @@ END
     run -1 --separate-stderr "$DOMINO" --bail outer
     same '--bail: answers' '(nothing)' "$output"
     same '--bail: places' 'inner:2:1:' "$(cut -d' ' -f1 <<<"$stderr" | paste -sd ' ' -)"
-    # After an error in a file the line goes on where it was.
+    # After an error in a file, the rest of the line is run.
     run -1 --separate-stderr "$DOMINO" --keep-going -e 'source inner; foo; print 7'
     same 'the place is back' '-e:1:15:' "$(tail -n 1 <<<"$stderr" | cut -d' ' -f1)"
     echo 'quit' >leave
@@ -95,7 +95,7 @@ END
         [[ $stderr =~ nested.*itself ]] || same "$file" 'nested ... itself' "$stderr"
         same "$file: the session goes on" 7 "$output"
     done
-    # Side by side is not inside each other.
+    # Files may be sourced one after the other in any number.
     echo 'set s 0.3' >plain
     same 'forty in a row' 0.3 \
         "$(json "$(for _ in $(seq 40); do echo 'source plain'; done); show s" | values value)"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Plots as a terminal of 80 x 24 shows them: golden screens in UTF-8 and ASCII, colours, and real pictures.
-# GOLDEN=write writes the golden screens anew, for you to read.
+# Plots on a terminal of 80 x 24: golden screens in UTF-8 and ASCII, colours, and bitmap pictures.
+# GOLDEN=write writes the golden screens again, for you to read.
 
 load common
 
@@ -35,7 +35,7 @@ golden_screens() { # NAME
 @test "golden screens in UTF-8: braille, boxes and blocks" { NO_COLOR=1 golden_screens plots-utf8.screen; }
 @test "golden screens in ASCII: letters" { NO_COLOR=1 LC_ALL=C golden_screens plots-ascii.screen; }
 
-@test "screens fit the terminal, whatever its size" {
+@test "pictures fit the terminal, whatever its size" {
     export NO_COLOR=1
     for size in '34 14' '60 20' '80 24' '132 43' '200 60'; do
         read -r columns rows <<<"$size"
@@ -47,7 +47,7 @@ golden_screens() { # NAME
     done
 }
 
-@test "a derivation fits the terminal, broken at blanks" {
+@test "a derivation fits the terminal, with line breaks at blanks" {
     on_terminal 60 24 '' 'explain rmax deep' >"$BATS_TEST_TMPDIR/screen"
     grep -q 'tilt of domino i when the head is hit' "$BATS_TEST_TMPDIR/screen"
     [ "$(wc -L <"$BATS_TEST_TMPDIR/screen")" -le 60 ] || same width "60 columns" "$(cat "$BATS_TEST_TMPDIR/screen")"
@@ -67,7 +67,7 @@ golden_screens() { # NAME
     on_terminal 20 6 '' 'set output csv; draw' | grep -q ,
 }
 
-@test "colours are added to the same characters, as many as the terminal has" {
+@test "colours change no characters, and there are as many as the terminal has" {
     local scene='effect row 6; effect friction 0.1; plot fall'
     plain() { sed 's/\x1b\[[0-9;]*m//g; s/<asked>//'; }
     expected=$(NO_COLOR=1 on_terminal 80 24 '' "$scene")
@@ -82,7 +82,7 @@ golden_screens() { # NAME
     differ 'a map in colour' "$(on_terminal 80 24 '62;22' "${scenes[5]}" | grep -c '▀')" 0
 }
 
-@test "a terminal that says sixel gets sixel; one that does not, or is not asked, gets characters" {
+@test "a terminal that announces sixel gets sixel, and any other gets characters" {
     local scene
     for scene in 'effect row 6; draw' 'draw train' 'plot growth'; do
         on_terminal 80 24 '62;4;22' "$scene" >"$BATS_TEST_TMPDIR/screen"
@@ -100,7 +100,7 @@ golden_screens() { # NAME
     programs=/nowhere on_terminal 80 24 '62;4' "$scene" | grep -q '⠤' # without gnuplot
 }
 
-@test "kitty gets a png of the size of the window" {
+@test "kitty gets a png with the size of the window" {
     for scene in 'effect row 6; draw' 'plot growth'; do
         TERM=xterm-kitty on_terminal 80 24 '' "$scene" >"$BATS_TEST_TMPDIR/screen"
         python3 - "$BATS_TEST_TMPDIR/screen" <<'END'

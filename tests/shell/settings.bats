@@ -1,11 +1,12 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Parameters and settings: set, show, reset; digits and timing.
+# Parameters and settings: set, show and reset; digits and timing.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# Every row of a table whose words are set to the left has a blank before each column, and something in the given ones.
+# Checks that columns of words are aligned to the left, with a blank before each column, and that the FILLED columns
+# are not empty.
 columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
     awk -v what="$1" -v filled=" $2 " '
         NR == 1 { for (i = 1; i <= NF; i++) at[$i] = index(" " $0 " ", " " $i " ") }
@@ -38,7 +39,7 @@ columns_in_line() { # WHAT FILLED: keys; the table, its head first, on stdin
         esac
         grep -q '"range":"[^"]' <<<"$row"
         grep -q '"meaning":"[^"]' <<<"$row"
-        # For people: one head, one line.
+        # The table has one header and one row.
         same "show $name: lines" 2 "$("$DOMINO" -e "show $name" | wc -l)"
     done <<END
 s h 0.4
@@ -65,7 +66,7 @@ END
     same 'reset output' "$("$DOMINO" -e fuel)" "$("$DOMINO" -e 'set output json; reset output; fuel')"
 }
 
-@test "each set is checked on its own: r s > 1 errs where a command needs both, and a second set mends it" {
+@test "each 'set' is checked alone: r s > 1 is an error in a command that needs both, and another 'set' corrects it" {
     run -1 --separate-stderr json 'set s 0.9; thetac; set r 1.1; thetac'
     same 'one answer' 1 "${#lines[@]}"
     close 'theta_c' "$(awk 'BEGIN { x = 0.9 * 1.1; printf "%.17g", atan2(x, sqrt(1 - x * x)) }')" \
@@ -74,18 +75,18 @@ END
     for order in 'set s 0.9; set r 1.1' 'set r 1.1; set s 0.9' 'set r 3; set s 0.9; set r 1.1'; do
         same "$order" "$output" "$(json "$order; thetac")"
     done
-    # r s = 1 is the end of the range, also where 1/s is rounded.
+    # r s = 1 belongs to the range, even if 1/s is rounded.
     for s in 0.5 0.3 0.7 0.9 1; do
         same "s $s, r 1/s" 2 "$(json "set s $s; set r 1/$s; thetac; barrier" | grep -cE '"(theta_c|barrier)":[0-9]')"
     done
 }
 
-@test "digits: in tables, and only there" {
+@test "digits: they affect only tables" {
     same 'table' '0.177287 0.177 0.177287017325' \
         "$("$DOMINO" -e 'fuel; set digits 3; fuel; set digits 17; fuel' | awk '$1 == "fuel" { print $2 }' | paste -sd ' ' -)"
     same 'rows' 0.738 "$("$DOMINO" -e 'set digits 3; set tol 1e-3; chain 0.1' | awk '$1 == 1 { print $2 }')"
     same 'print' 0.333 "$("$DOMINO" -e 'set digits 3; print 1/3')"
-    # The heading of a column is above it, for any number of digits.
+    # Headers are aligned with their columns for any number of digits.
     for digits in 1 5 17; do
         "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >table
         same "digits $digits: columns" 1 "$(sed 2d "$PWD/table" | awk '{ print length }' | sort -u | wc -l)"
@@ -97,7 +98,7 @@ END
     wrong_at 12 'set digits 2.5' '^set: digits = 2.5 .*1 \.\. 36'
 }
 
-@test "timing: a time after every answer, where it does not disturb" {
+@test "timing: a time after every answer for people" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do
         run -0 --separate-stderr "$DOMINO" -e "set timing on; $commands"
@@ -135,7 +136,7 @@ END
     same 'q does not leave' 3 "$("$DOMINO" -e 'q; 1+2' | tail -n 1)"
 }
 
-@test "show: every column begins where its head does, however long the values are" {
+@test "show: columns are aligned with their headers, however long the values are" {
     for scene in '' 'set precision quad; set d 7/48; set digits 36; set seed 123456789' 'set h 1/3; set g 9.8123456789' \
         'set density 700; set output table'; do
         "$DOMINO" -e "${scene:+$scene > /dev/null; }show" | grep -v '^tol is now\|^$' |
@@ -145,7 +146,7 @@ END
     "$DOMINO" -e 'help set' | sed -e '1,/^The parameters now/d' -e '/^$/,$d' | columns_in_line 'help set' 'name value range default meaning'
 }
 
-@test "set s and set r say that they do not change a row from a file, and what would" {
+@test "set s and set r say that they do not change a row from a file, and what does" {
     for name in s r; do
         same "$name" "$name does not change the row, whose dominoes come from record.csv; 'effect row N' makes a row from s and r." \
             "$("$DOMINO" -e "effect row $root/examples/record.csv; set $name 1")"

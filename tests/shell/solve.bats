@@ -5,7 +5,7 @@
 
 load common
 
-# Of one number in each line: parameter, less, more, in percent.
+# The change of one number per line: parameter, decrease and increase in percent.
 @test "sensitivity: known changes of r_max, the largest first" {
     json 'effect friction 0.2; sensitivity rmax' >answers
     same order 'edges slope q d friction s g h r' "$(values parameter <answers | paste -sd ' ')"
@@ -23,7 +23,7 @@ END
     grep -qE '^q +4 +1 % +0\.489 +-0\.477$' <<<"$output"
 }
 
-@test "sensitivity: of a key, of arguments, of an expression; the session stays" {
+@test "sensitivity: of a key, with arguments, of an expression; the session does not change" {
     close key -1 "$(json 'sensitivity duration.tau' | grep '"h"' | values less | awk '{ print 200 * $1 }')" 6e-3
     differ arguments "$(json 'sensitivity rmax 0.3' | grep '"d"' | values more)" "$(json 'sensitivity rmax' | grep '"d"' | values more)"
     same 's is given' 0 "$(json 'sensitivity rmax 0.3' | grep '"s"' | values more)"
@@ -37,7 +37,7 @@ END
     wrong 'set r 3; sensitivity duration' 'r s = 1\.2 > 1'
 }
 
-@test "solve: all values, with their branches, and each is one" {
+@test "solve: finds all values with their branches, and each is a solution" {
     while IFS='|' read -r scene parameter answer value expected; do
         found=$(json "$scene; solve $parameter : $answer = $value")
         same "$parameter $answer" "$expected" "$(values value <<<"$found" | while read -r x; do printf '%.5f ' "$x"; done)$(
@@ -59,13 +59,13 @@ END
     same 'beside the range' 'none' "$(json 'solve d 0.2 0.3 : rmax = 5/3' | values branch)"
 }
 
-@test "solve: a maximum between two values that are tried, and one that is just missed" {
+@test "solve: a value that is reached only between two samples, and one that is just not reached" {
     best=$(json 'best' | values r_max)
     same 'just below' 2 "$(json "solve s : rmax = $best - 1e-7" | grep -c branch)"
     same 'just above' none "$(json "solve s : rmax = $best + 1e-7" | values branch)"
 }
 
-@test "solve: where a verdict changes" {
+@test "solve: finds where a verdict changes" {
     limit=$(json 'solve friction : barrier' | values value)
     same below 'goes on' "$(json "effect friction $limit*0.999999; barrier" | values verdict)"
     same above stops "$(json "effect friction $limit*1.000001; barrier" | values verdict)"
@@ -76,7 +76,7 @@ END
     same always 'barrier: the train keeps falling for every friction = 0 .. 0.2.' "$output"
 }
 
-@test "solve: none is an answer with its reason, and what is wrong is one line" {
+@test "solve: no solution is an answer with a reason, and an error is one line" {
     run -0 "$DOMINO" -e 'solve d : rmax = 5'
     same largest 'rmax is never 5 for d = 0.01 .. 1: the largest value is 2.5, at d = 0.01.' "$output"
     run -0 "$DOMINO" -e 'solve s 0.3 0.5 : rmax = 1.1'

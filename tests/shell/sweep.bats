@@ -1,6 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sweeps, on any number of threads and in any number of parts; the scripts for clusters.
+# Sweeps on any number of threads and in any number of parts, and the scripts for clusters.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -23,7 +23,8 @@ set errors on; sweep s 0.9 0.3 13 : barrier
 set angle deg; sweep r 1.2 2 5 : thetac
 curve 0.02 0.9 100'
 
-# Prints a script that writes each of the sweeps on stdin, in each FORMAT, into NUMBER.FORMAT, after SETTING.
+# Prints a script that runs SETTING, and writes each of the sweeps on stdin in each FORMAT to the file
+# NUMBER.FORMAT.
 each_sweep() { # SETTING FORMAT...
     local sweep number=0 format setting=$1
     shift
@@ -36,7 +37,7 @@ each_sweep() { # SETTING FORMAT...
     done
 }
 
-@test "the same bytes on any number of threads" {
+@test "the output is the same on any number of threads" {
     for threads in 1 2 3 4 0; do
         mkdir "$BATS_TEST_TMPDIR/$threads" && cd "$BATS_TEST_TMPDIR/$threads"
         each_sweep "set threads $threads" csv json table <<<"$sweeps" | "$DOMINO" --bail
@@ -46,7 +47,7 @@ each_sweep() { # SETTING FORMAT...
     for file in *; do [ "$(wc -l <"$file")" -gt 2 ] || same "$file" 'some rows' "$(cat "$file")"; done
 }
 
-@test "workers share what the first of them makes: functions, rows, the engine, leans, studies, design" {
+@test "workers share data that the first one makes: functions, rows, the engine, leans, studies, designs" {
     while IFS= read -r line; do
         same "$line" "$("$DOMINO" -n -e "set output csv; set threads 1; $line")" "$("$DOMINO" -n -e "set output csv; set threads 4; $line")"
     done <<'END'
@@ -59,7 +60,7 @@ set q hollow; sweep s 0.3 0.5 3 : design 1 m
 END
 }
 
-@test "parts of any number concatenate to the whole, in csv and json" {
+@test "any number of parts concatenate to the whole sweep, in csv and json" {
     some=$(grep -v 'row 3\|40 log\|print' <<<"$sweeps")
     mkdir "$BATS_TEST_TMPDIR/whole" && cd "$BATS_TEST_TMPDIR/whole"
     each_sweep 'set hints off' csv json <<<"$some" | "$DOMINO" --bail
@@ -77,13 +78,13 @@ END
     for part in 1 2 3; do "$DOMINO" --shard "$part/3" -e "set output csv; $(head -n 1 <<<"$sweeps")"; done | cmp 1.csv -
 }
 
-@test "each row is what the command answers when asked for it alone" {
+@test "each row is the answer of the command for this point" {
     csv 'sweep s 0.1 0.5 5 d 0.1 0.3 3 : rmax' >rows
     same rows 16 "$(wc -l <rows)"
     while IFS=, read -r s d r ends exact paper _; do
         same "s = $s, d = $d" "$(csv "set d $d; rmax $s" | tail -n 1 | cut -d, -f 1-5)" "$s,$r,$ends,$exact,$paper"
     done < <(tail -n +2 rows)
-    # The first parameter is the slowest.
+    # The first parameter changes slowest.
     same order '0.1 0.1,0.1 0.2,0.3 0.1,0.3 0.2' \
         "$(json 'sweep s 0.1 0.3 2 d 0.1 0.2 2 : fuel' | sed -E 's/\{"s":([^,]*),"d":([^,]*),.*/\1 \2/' | paste -sd , -)"
     same 'like curve' "$(csv 'curve 0.02 0.9 33' | tail -n +2 | cut -d , -f 1,2)" \
@@ -94,7 +95,7 @@ END
         "$(json "effect row $root/examples/record.csv; effect push 3; sweep push 3 4 2 : verdict" | tail -n 1 | values short_by)"
 }
 
-@test "an effect is swept over off, its numbers, and on, its usual value" {
+@test "an effect is swept over off, numbers, and on, which means its usual value" {
     for value in off 0.1 on; do differ "$value" "$(json 'effect friction 0.5; rmax' | values r_max)" \
         "$(json "effect friction $value; rmax" 2>/dev/null | values r_max)"; done
     same 'r_max' "$(for value in off 0.1 on; do json "effect friction $value; rmax" 2>/dev/null | values r_max; done)" \
@@ -125,7 +126,7 @@ END
         "$(csv 'sweep precision float, double, quad : print tol' | tail -n +2 | cut -d , -f 2 | paste -sd ' ' -)"
 }
 
-@test "columns: none twice, what only repeats a parameter is left out" {
+@test "columns: none occurs twice, and columns that repeat a parameter are left out" {
     same rmax s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax' | head -n 1)"
     same 'rmax S' s,rmax.s,r_max,ends_by,r_max_exact,r_max_paper,reason "$(csv 'sweep s 0.2 0.4 2 : rmax s/2' | head -n 1)"
     same best s,best.s,r_max,reason "$(csv 'sweep s 0.2 0.4 2 : best' | head -n 1)"
@@ -134,7 +135,7 @@ END
     same 'count H R' r,height,count.r "$(csv 'sweep r 1.2 1.5 2 : count 112 m r/2+1' | head -n 1 | cut -d , -f 1-3)"
     same errors s,s_error,theta,theta_error,omegasq,omegasq_error,omega,omega_error,reason \
         "$(csv 'set errors on; sweep s 0.001 0.4 2 : omega 0' | head -n 1)"
-    # With and without friction, and with masses or none: the same columns in every row.
+    # Rows have the same columns with and without friction, and with and without masses.
     same friction 14 "$(csv 'sweep friction 0, 0.2 : step' | awk -F , '{ print NF }' | sort -u)"
     csv 'effect row 3; sweep mass 0, 1 : row' |
         awk -F , 'NR > 1 && ($1 == 0 ? $6 != "" : $7 != "") { bad = 1 } END { exit bad || NR != 7 }'
@@ -152,13 +153,13 @@ END
     run -0 "$DOMINO" -e 'sweep s 0.1 0.9 9 : theta1 40 deg'
     same table 7 "$(grep -cE '^ +0\.[0-9] +- +- +- +- +-$' <<<"$output")"
     grep -q '^7 of 9 points have no answer\. The first is s = 0\.1: T = 0\.69.* csv and json give the reason for each\.$' <<<"$output"
-    # Answers with a reason of their own, in an argument, in a command inside an expression, of a row.
+    # Reasons from an argument, from a command inside an expression, and from a row.
     grep -q 'a fallen one is as high as an upright one' <<<"$(csv 'sweep s 0.001 0.4 2 : rmax')"
     grep -q "rmax.r_max does not exist here" <<<"$(csv 'sweep s 0.001 0.4 2 : count 112 rmax')"
     grep -q 'division by zero' <<<"$(csv 'sweep s 0.4 0.5 2 : print 1/(s - 0.4)')"
     grep -q ',all fall$' <<<"$(csv 'effect row 5; effect push 6; sweep s 0.3 0.4 2 : mend')"
     grep -q "'fuel paper' cannot be combined with friction" <<<"$(csv 'effect friction 0.1; sweep fuel exact, paper : barrier')"
-    # A row, and why there is no more of it.
+    # The rows before a stop, and the reason for the stop.
     same 'stops' 3 "$(csv 'sweep r 1.9 1.9 1 : step 9' | wc -l)"
     grep -q 'the train has stopped' <<<"$(csv 'sweep r 1.9 1.9 1 : step 9' | tail -n 1)"
     run -0 "$DOMINO" -e 'sweep s 0.9 0.1 3 : cycle 2'
@@ -175,7 +176,7 @@ END
         "$("$DOMINO" -e 'effect row 4; sweep row 3, 5 > /dev/null : verdict' 2>/dev/null; "$DOMINO" -e 'effect row 4; sweep row 3, 5 : verdict > /dev/null; scene')"
 }
 
-@test "what is wrong with a line is one message and no row" {
+@test "an error in a line gives one message and no row" {
     wrong_line 'sweep' 'GRID is missing; usage: sweep GRID : ANSWER'
     wrong_line 'sweep : rmax' 'the grid is missing; a grid is NAME FROM TO N'
     wrong_line 'sweep s 0.1 0.9 9' "':' and a command are missing after the grid; for example"
@@ -224,7 +225,7 @@ END
     grep -q 'No space left on device' <<<"$stderr"
 }
 
-@test "--shard: what is no part is one line and status 2" {
+@test "--shard: a wrong part is an error in one line, with status 2" {
     for shard in 0/3 4/3 3 /3 3/ a/b 1/2/3 -1/2 '' 1//2 1/0 ' 1/2' 1/99999999999999999999; do
         run --separate-stderr "$DOMINO" --shard "$shard" -e rmax
         same "--shard '$shard'" "2  1" "$status $output $(wc -l <<<"$stderr")"
@@ -233,8 +234,8 @@ END
     run -2 --separate-stderr "$DOMINO" -e rmax --shard
 }
 
-# The program, where it computes a part: writes which, and the first time, in the middle of the second part, kills the
-# worker and itself.
+# Replaces the program. Writes which part is computed, and kills the worker and itself once, in the middle of the
+# second part.
 mortal() {
     cat >mortal <<END
 #!/bin/bash
@@ -258,14 +259,14 @@ END
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
     for study in placement errors; do "$DOMINO" -f "$root/examples/cluster/$study.dom" | cmp - "$study.csv"; done
     for file in sweep placement errors; do [ "$(wc -l <"$file.csv")" -gt 1 ]; done
-    # Only what was lost is computed when the script is run again.
+    # When the script is run again, only the missing part is computed.
     rm computed sweep.csv sweep.parts/4.csv
     DOMINO=$PWD/mortal PARALLEL=--jobs=2 "$root/examples/cluster/parallel.sh" 5 "$PWD" "$root/examples/cluster/sweep.dom"
     same 'computed again' 4/5 "$(cat computed)"
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" | cmp - sweep.csv
 }
 
-@test "examples/cluster: a part of the map of a million points is that of the whole map" {
+@test "examples/cluster: a part of the map of a million points is right" {
     map=$root/examples/cluster/map.dom
     [ "$(($(sed -En 's/^sweep s [0-9.]+ 1 ([0-9]+) d [0-9.]+ 1 ([0-9]+) .*/\1*\2/p' "$map")))" -eq 1000000 ]
     "$DOMINO" --shard 25001/50000 -f "$map" >part
@@ -274,7 +275,7 @@ END
 }
 
 @test "examples/cluster: improvements from several seeds are parts of a sweep" {
-    # Rows of three with good gaps all fall, which needs no search.
+    # Rows of three with precise gaps all fall, which needs no search.
     sed 's/placement 5 mm/placement 0.01 mm/; s/row 11/row 3/; s/ 20 20 / 4 4 /' "$root/examples/cluster/improve.dom" >scene.dom
     for part in 1 2 3; do "$DOMINO" --shard $part/3 -f scene.dom; done >parts
     "$DOMINO" -f scene.dom | cmp - parts
@@ -290,20 +291,20 @@ END
     "$DOMINO" -f "$root/examples/cluster/sweep.dom" >whole
     cat part-*.csv | cmp - whole
     [ "$(wc -l <whole)" -gt 11 ]
-    # What Slurm reads are comments at the top.
+    # Slurm reads comments at the beginning of the script.
     same array '#SBATCH --array=1-20' "$(grep -x '#SBATCH --array=.*' "$root/examples/cluster/slurm.sh")"
-    # A part that fails leaves none that looks whole.
+    # A part that fails leaves no file.
     rm part-*
     SLURM_ARRAY_TASK_ID=12 run ! sh "$root/examples/cluster/slurm.sh" "$root/examples/cluster/sweep.dom"
     same 'no part' 0 "$(find . -name 'part-*.csv' | wc -l)"
 }
 
-@test "^C ends a script in the middle of a sweep; on a terminal see prompt.bats" {
+@test "^C ends a script in the middle of a sweep; for terminals see prompt.bats" {
     run -124 timeout --foreground -s INT -k 20 1 "$DOMINO" -e 'set threads 4; sweep s 0.01 0.9 1e7 : rmax > /dev/null; print 1'
     same 'no answer' '-e:1: sweep: interrupted' "$output"
 }
 
-@test "several answers of each point: commands, keys, expressions, one column each" {
+@test "several answers for each point: commands, keys and expressions have a column each" {
     local csv='set output csv; sweep r 1 2 5'
     same 'columns' "$(paste -d, <("$DOMINO" -n -e "$csv : barrier" | cut -d, -f1,5) <("$DOMINO" -n -e "$csv : fuel" | cut -d, -f2) \
         <("$DOMINO" -n -e "$csv : print 2*rmax(0.3)" | cut -d, -f2) | sed 1d)" \

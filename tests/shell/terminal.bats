@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The calculator on a real screen: tmux is the terminal, and the tests check what is on the screen.
+# The calculator in a terminal emulator: the tests run it in tmux, and check the screen.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# A partner in a pty may come too late on a busy machine: each test has a second try.
+# On a busy machine, a program in a pty may react too late, so each test has a second try.
 export BATS_TEST_RETRIES=1
 
 setup() {
@@ -22,7 +22,7 @@ teardown() {
 
 terminal() { tmux -u -S "$socket" -f /dev/null "$@"; }
 
-# A server that ends still answers under its name for a moment, so that the next one gets a new name.
+# A tmux server that ends still answers under its name for a moment, so the next one gets a new name.
 close_terminal() {
     terminal kill-server
     socket+=x
@@ -37,7 +37,7 @@ open_session() { # WIDTH HEIGHT
     see_last "$prompt"
 }
 
-# What is on the screen, without the blanks at its end; with -J what wrapped is one line.
+# Prints the screen without blanks at the end. With -J, wrapped lines are joined.
 screen() {
     local text
     text=$(terminal capture-pane -p "$@" | sed 's/ *$//')
@@ -47,7 +47,7 @@ cursor() { terminal display-message -p '#{cursor_x}'; }
 
 tty_is() { [ "$(stty -F "$(terminal display-message -p '#{pane_tty}')" size | cut -d ' ' -f 2)" = "$1" ]; }
 
-# Repeats a test until it holds; only a failure waits so long.
+# Repeats a command until it succeeds. The time limit matters only in a failure.
 until_true() { # COMMAND...
     local end=$((SECONDS + 60))
     until "$@"; do
@@ -85,7 +85,7 @@ clear_screen() {
 }
 only() { [ "$(screen)" = "$1" ]; }
 
-# Checks that every line of the answers to these commands fits in the width.
+# Checks that every line of the answers to these commands fits into the width.
 fits() { # WIDTH COMMAND...
     local width=$1 command wide=''
     open_session "$width" 180
@@ -108,7 +108,7 @@ for topic in apropos barrier best chain complete count curve duration energy exi
 done
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
 
-# At 40 columns, too, and no word is cut: a line that tmux had to wrap would be one line with -J.
+# The same at 40 columns, and no word is cut: -J would join a line that tmux had to wrap.
 narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 'cycle 3' 'curve 0.1 0.9 3' effects
     'set errors on; thetac')
 @test "answers fit in 40 columns, and in 60, where no word is cut" {
@@ -144,7 +144,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see '^-- more -- .*\) *$'
     [[ $(screen) == 'The first five minutes'* ]]
     [ "$(screen | wc -l)" -eq 24 ]
-    sleep 1.5 # long enough for a sign of work that takes a second
+    sleep 1.5 # long enough for a progress sign, which comes after a second
     see_last '-- more -- (Enter: next page; q, Enter: end)'
     press Enter
     see '^  goto PLACE '
@@ -161,7 +161,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     press q Enter
     see '^64$'
     see_last "$prompt"
-    # To its end, in two pages, and a text that fits.
+    # Read a text to its end in two pages, and then a text that fits.
     terminal resize-window -x 80 -y 72
     until_true rows_are 72
     press Enter
@@ -175,7 +175,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     see "'set s VALUE' changes it"
 }
 
-@test "help on a short terminal goes through PAGER, not in a pipe, into a file, or in a safe session" {
+@test "help on a short terminal goes through PAGER, but not in a pipe, into a file, or in a safe session" {
     export PAGER="sed -e '1s/.*/PAGED/' -e '2,\$d'"
     open_session 80 24
     ask 'help; print 6*7'
@@ -190,7 +190,7 @@ modes() { stty -F "$(terminal display-message -p '#{pane_tty}')" -a; }
     ask 'effect row 40; effect push 6; fall'
     see '^PAGED$'
     clear_screen
-    ask 'effect row 20; fall; why' # longer than the screen, but no screen and a half
+    ask 'effect row 20; fall; why' # longer than the screen, but shorter than one and a half screens
     hides PAGED
     clear_screen
     ask 'curve 0.1 0.9 4; print 6*7'
@@ -248,7 +248,7 @@ gone() { ! terminal has-session 2>/dev/null; }
 
 @test "a long line is drawn again when the terminal is resized" {
     local line
-    line="print 1$(printf ' + %d' {2..40})" # 194 letters
+    line="print 1$(printf ' + %d' {2..40})" # 194 characters
     open_session 80 24
     type_in "$line"
     for width in 50 100 61 80; do
@@ -284,10 +284,10 @@ at_end() { # LINE WIDTH: is the cursor behind the line?
 }
 
 @test "300 lines pasted, between brackets and without" {
-    echo foo >"$BATS_TEST_TMPDIR/lines" # an error; what follows is run
+    echo foo >"$BATS_TEST_TMPDIR/lines" # an error, after which the other lines are run
     for i in {1..299}; do echo "set s 0.0$((100 + i))"; done >>"$BATS_TEST_TMPDIR/lines"
     echo 'print s*10000' >>"$BATS_TEST_TMPDIR/lines"
-    for option in -p -d; do # -p: as terminals of today paste
+    for option in -p -d; do # -p pastes with brackets, as modern terminals do
         open_session 80 24
         terminal load-buffer "$BATS_TEST_TMPDIR/lines"
         terminal paste-buffer "$option"
@@ -319,7 +319,7 @@ suspended_session() {
     press C-z
     see Stopped
     see_last 'shell>'
-    press -l 'expr 6 \* 7' # the shell has its terminal back
+    press -l 'expr 6 \* 7' # the terminal modes of the shell are restored
     press Enter
     see '^42$'
     see_last 'shell>'
@@ -339,7 +339,7 @@ suspended_session() {
         press C-z
         see_last 'shell>'
         terminal resize-window -x "$width"
-        until_true tty_is "$width" # tmux tells the tty a moment later
+        until_true tty_is "$width" # tmux changes the size of the tty a moment later
         press -l fg
         press Enter
         see_last "$prompt"
@@ -349,7 +349,7 @@ suspended_session() {
     same 'the table fits' "$(screen -J)" "$(screen)"
     press C-d
     see_last 'shell>'
-    press -l 'stty -a; echo stty=$?' # a terminal as it was
+    press -l 'stty -a; echo stty=$?' # the terminal modes are restored
     press Enter
     see 'stty=0'
     see '[^-]icanon'
@@ -393,24 +393,24 @@ $prompt" "$(screen | tail -n 2)"
     same 'progress' '(nothing)' "$(grep -E 'left|\^C' "$BATS_TEST_TMPDIR/all")"
 }
 
-@test "the caret stands under its place in a line that wraps" {
+@test "the caret stands under the error in a line that wraps" {
     open_session 80 24
     line="print 1$(printf ' + %d' {2..30}) + fooo"
     clear_screen
     ask "$line"
     place=$(((8 + ${#line} - 4) % 80))
-    # Directly below the row of the screen that has the word.
+    # The caret must be directly below the screen line that has the word.
     same caret "$(printf '%*s^' "$place" '')" "$(screen | grep -A 1 'fooo$' | sed -n 2p)"
 }
 
-@test "the caret never points at an answer" {
+@test "the caret never stands under an answer" {
     open_session 80 24
     ask 'show s; foo'
     row=$(screen | grep -n '^ *^$' | cut -d : -f 1)
     [ -z "$row" ] || same 'the line above the caret' 'foo' "$(screen | sed -n "$((row - 1))p" | grep -o foo)"
 }
 
-@test "^L, ^U and ^R do what they do everywhere" {
+@test "^L, ^U and ^R do what they do in other programs" {
     open_session 80 24
     ask 'print 6*7'
     type_in 'print 1'
@@ -425,12 +425,12 @@ $prompt" "$(screen | tail -n 2)"
     see '^42$'
 }
 
-# The words of the typed line that have the colour of commands.
+# Prints the words of the typed line that have the colour of commands.
 cyan() { screen -e | sed -n 's/\x1b\[1m/\n/p' | tail -n 1 | grep -o $'\033\\[36m[^\033]*' | sed 's/^[^m]*m//' | paste -sd ' ' -; }
 cyan_is() { [ "$(cyan)" = "$1" ]; }
 commands_are() { until_true cyan_is "$1"; } # WORDS
 
-@test "the commands of a typed line have a colour, wherever it is changed, and its text stays" {
+@test "the commands of a typed line have a colour, wherever the line is edited, and its text does not change" {
     unset NO_COLOR
     open_session 80 24
     press -l 'rmax 0.3; set s 0.2; q = 3; sweep s 0.1 0.4 3 : pair'
@@ -457,7 +457,7 @@ commands_are() { until_true cyan_is "$1"; } # WORDS
     press C-u
 }
 
-# The text that is faint on the screen; a colour may end before it.
+# Prints the faint text on the screen, before which a colour may end.
 faint() { terminal capture-pane -p -e | sed -n 's/\x1b\[3[69]m//g; s/.*\x1b\[2m\([^\x1b]*\).*/\1/p' | tail -n 1 | sed 's/ *$//'; }
 hint_is() { [ "$(faint)" = "$1" ]; }
 hint() { until_true hint_is "$1"; } # HINT
@@ -478,7 +478,7 @@ hinted() { # TEXT HINT
     press -l 'theta1 0.1'
     press Enter
     see 'arm_b'
-    hinted 'theta1 0' '.1' # once the line is there again
+    hinted 'theta1 0' '.1' # after the line is shown again
     press Right
     see 'theta1 0\.1$'
     hint ''
@@ -497,7 +497,7 @@ hinted() { # TEXT HINT
     press C-u
     press -l 'the'
     hint 'ta1 0.1'
-    press Enter # what was only a hint is not run, and leaves nothing on the screen
+    press Enter # the hint is not run, and is wiped from the screen
     see "'the' is ambiguous"
     same 'the line above' "$prompt the" "$(screen | grep "$prompt the$" | tail -n 1)"
     press -l 'set hints off'
@@ -508,7 +508,7 @@ hinted() { # TEXT HINT
 }
 shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
 
-@test "a hint stays in its row, whatever the width, and is not there without colours" {
+@test "a hint stays in its screen line, whatever the width, and is not shown without colours" {
     unset NO_COLOR
     open_session 40 12
     hinted 'effect placement ' 'SIGMA [HEIGHTS'
@@ -545,7 +545,7 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     type_in 'curve 0.01 0.9 10000000; print 8*8'
     press Enter
     see_last 'space: more, q: back'
-    press C-c # ends the computation; less shows what there is
+    press C-c # ends the computation, and less shows the output so far
     press q
     see 'interrupted$'
     see_last "$prompt"
@@ -553,7 +553,7 @@ shown_twice() { [ "$(screen | grep -Ec -- "$1")" -ge 2 ]; }
     ask 'print 9*9'
     see '^81$'
     modes | diff "$BATS_TEST_TMPDIR/before" -
-    # What is typed at less by mistake writes no file, and runs nothing.
+    # Keys that a user types in less by mistake must not write a file or run a command.
     type_in help
     press Enter
     see_last 'space: more, q: back'

@@ -1,13 +1,13 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Tolerance: how far each domino of a row may be off.
+# Tolerance: how far the values of each domino of a row may be off.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
 scene='effect row 6; effect push 6; effect friction 0.1'
 
-# The verdicts of a row with these commands after the scene, each on its own: "yes" if all fall.
+# Prints the verdict of the row after each single command: "yes" if all dominoes fall.
 verdicts() { # COMMANDS...
     for commands in "$@"; do json "$scene; $commands; verdict" | values verdict; done | sed 's/all fall/yes/;t;s/.*/no/' | paste -sd ' ' -
 }
@@ -50,7 +50,7 @@ verdicts() { # COMMANDS...
     done
 }
 
-@test "tolerance: in words, rounded inwards; and for a row that does not fall" {
+@test "tolerance: sentences, in which windows are rounded inwards; and a row that does not fall" {
     said=$("$DOMINO" -e 'effect row 5; tolerance')
     grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the least room of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
@@ -61,13 +61,13 @@ verdicts() { # COMMANDS...
     within from "$(values from <<<"$exact")" 0.0325 'o >= e && d < 0.01'
     within to "$(values to <<<"$exact")" 0.0464 'o <= e && d > -0.01'
     within 'top backwards' "$(values lean_low <<<"$exact")" -0.0017 'd <= 0 && d > -0.01'
-    # Until its middle is above its front edge: h sin(theta_u) with theta_u = atan(0.0070 / 0.048) and h = 0.048.
+    # The first domino may lean until its centre is above its front edge: the top is off by h sin(theta_u).
     within 'top forwards' "$(json 'effect row 5; tolerance' | head -n 1 | values lean_high)" 0.00692673 'd*d < 1e-10'
-    for precision in float double quad; do # no precision takes what is tried for a domino that falls over by itself
+    for precision in float double quad; do # in no precision does the search try a domino that falls over by itself
         grep -q '^Set domino 2 up plumb: ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; tolerance")"
         grep -q '^Set domino 1 up square ' <<<"$("$DOMINO" -e "set precision $precision; effect row 3; effect slope 0.1; tolerance")"
     done
-    # What is not known is not said.
+    # If leans are not computed, they are not mentioned.
     run ! grep -q plumb <<<"$("$DOMINO" -e 'effect row 3; effect edges 0.01; tolerance')"
     same 'no lean' 'null null null' "$(json 'effect row 3; effect edges 0.01; tolerance' | values lean_high | paste -sd ' ' -)"
     grep -q '^Set domino 1 up square to the floor: ' <<<"$("$DOMINO" -e 'effect row 3; effect slope 0.1; tolerance')"
@@ -92,7 +92,7 @@ verdicts() { # COMMANDS...
     within 'thinner than now' "$now" "$low" 'd <= 0'
 }
 
-@test "tolerance names the commands to type, and each of them leads to a row that falls" {
+@test "tolerance suggests commands, and each of these leads to a row that falls" {
     local scene commands
     for scene in 'effect row 5' 'effect row 3; place 2 4 m'; do
         commands=$("$DOMINO" -e "$scene; tolerance" | grep -oE "^'change [^']*'" | tr -d "'")

@@ -5,7 +5,7 @@
 
 load common
 
-@test "undo and redo: whatever changes the scene" {
+@test "undo and redo: all kinds of changes of the scene" {
     printf 'set s 0.3\nset r 1.2\n' >two.dom
     printf 'height (mm), thickness (mm), gap (mm)\n48, 7, -\n60, 8, 20\n80, 9, 30\n' >row.csv
     local before change state
@@ -38,7 +38,7 @@ set q hollow|design 1
 END
 }
 
-@test "undo: what it says, where it ends, and a change that is none" {
+@test "undo: the message, the end of the list, and a change that changes nothing" {
     same 'says' 'undone: r = 2' "$("$DOMINO" -e 'r = 2; undo')"
     same 'again' 'done again: r = 2' "$("$DOMINO" -e 'r = 2; undo > /dev/null; redo')"
     same 'as data' '{"change":"s = 0.3"} {"change":"s = 0.3"}' "$(json 's = 0.3; undo; redo' | paste -sd ' ' -)"
@@ -53,7 +53,7 @@ END
     same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"
 }
 
-@test "diff: what differs from the defaults" {
+@test "diff: lists differences from the defaults" {
     same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
     same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"
     same 'and variables' 's x f(a)' "$(json 's = 0.3; let x = 2; let f(a) = 2*a; diff' | values name | grep -v output | paste -sd ' ' -)"

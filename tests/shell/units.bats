@@ -1,11 +1,11 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Units: with numbers, between quantities, after "to", in columns of tables; angles in degrees.
+# Units: with numbers, in products, after "to", in columns of tables; angles in degrees.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
 
-# The line of a key in an answer to people: its value, and its unit.
+# Prints the value and the unit of a key in a table.
 shown() { # KEY COMMANDS
     "$DOMINO" -e "$2" | awk -v key="$1" '$1 == key { print $2, $3 }'
 }
@@ -19,7 +19,7 @@ shown() { # KEY COMMANDS
     wrong 'set r 2 cm' 'r is a plain number, not a length'
 }
 
-@test "units: with and without a blank, their products and powers" {
+@test "units: with and without a blank, products and powers" {
     all_worth <<'END'
 3|m|3 m
 0.003|m|3mm
@@ -132,7 +132,7 @@ END
     [[ $output == *'each domino can be 1.000002 times as large'* ]]
 }
 
-@test "kinds that do not fit: both are named" {
+@test "kinds of units that do not fit: the message names both" {
     all_wrong <<'END'
 7|count 112 deg|^count: H is a length, not an angle
 7|count 3 s|^count: H is a length, not a time
@@ -177,11 +177,11 @@ END
 END
 }
 
-@test "the square of an angle is no angle, and is called what it is" {
+@test "the square of an angle is not an angle, and messages name it" {
     wrong_at 8 'theta1 0.1 rad * 1 rad' '^theta1: T is an angle, not in rad\^2'
 }
 
-@test "angle: typed and answered, in each output" {
+@test "angle: input and output, in each format" {
     deg() { awk -v x="$1" 'BEGIN { printf "%.17g", x * 180 / atan2(0, -1) }'; }
     for format in csv json; do
         while IFS='|' read -r command keys; do
@@ -201,7 +201,7 @@ END
                 obtained=$(column "$answer")
                 close "$command in $format: $key" "$value" "${obtained:-null}"
             done
-            # The rest is as before.
+            # The other numbers do not change.
             for key in slope J kinetic; do
                 value=$(values $key <<<"$rad")
                 same "$command: $key" "${value:-(nothing)}" "$(values $key <<<"$answer")"
@@ -234,20 +234,20 @@ END
     same 'both ends' 2 "$(json "set angle deg; theta1 0; theta1 $theta_c" | grep -c '"theta_1":[0-9]')"
 }
 
-@test "angle deg: functions take degrees, print answers in them" {
+@test "angle deg: functions take degrees, and print answers in degrees" {
     same 'sin(90)' 1 "$("$DOMINO" -e 'set angle deg; print sin(90)')"
     same 'thetac' '36.8699 deg' "$("$DOMINO" -e 'set angle deg; print thetac')"
     same 'atan(1)' '45 deg' "$("$DOMINO" -e 'set angle deg; print atan(1)')"
     same 'sin(90 deg)' 1 "$("$DOMINO" -e 'print sin(90 deg)')"
 }
 
-@test "a misspelt unit is named, and functions and units are topics of help" {
+@test "a message suggests the right unit after a misspelling, and functions and units are topics of help" {
     wrong_at 11 'theta1 10 dge' "^theta1: 'dge' is not a unit; did you mean 'deg'"
     wrong_at 9 'print 3 furlong' "^print: 'furlong' is not a unit"
     for topic in sin pi cm units ans; do "$DOMINO" -e "help $topic" | grep -q '^print VALUE'; done
 }
 
-@test "units as words, in one and in many; decimal commas and percent are explained" {
+@test "units as words, singular and plural; decimal commas and percent are explained" {
     same words '0.0508 0.6096 2.7432 0.005 0.05 1.5708' "$(printf '%s\n' '2 inch' '2 feet' '3 yards' '5 grams' '50 millimetres' '90 degrees to rad' |
         "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
     same percent '0.95 1.05 0.3' "$(printf '%s\n' '95%' '1 + 5 %' '2 * 15 %' | "$DOMINO" | awk 'NF { print $1 }' | paste -sd ' ' -)"
@@ -282,14 +282,14 @@ END
     wrong 'rmax to m/h' "'m/h' is not a unit"
 }
 
-@test "a table shows lengths in mm, cm or m as fits, masses in g or kg; csv and json keep m and kg" {
+@test "tables show lengths in mm, cm or m, and masses in g or kg; csv and json always have m and kg" {
     local pair
     for pair in '9.99 mm|9.99 mm' '10 mm|1 cm' '4.8 cm|4.8 cm' '99.9 cm|99.9 cm' '1 m|1 m' '112 m|112 m' '0.001 mm|0.001 mm'; do
         same "${pair%|*}" "${pair#*|}" "$(shown height "count ${pair%|*}")"
     done
     same json '{"height":0.03,"first_height":0.01}' "$(json 'set h 1 cm; count 3 cm' | sed -E 's/("height":[^,]*),.*("first_height":[^,]*),.*/\1,\2}/')"
     same csv 0.048 "$("$DOMINO" -e 'set output csv; count 1 m' | tail -n 1 | cut -d , -f 5)"
-    # One unit holds for a column of rows, that of the largest.
+    # A column has a single unit, which fits the largest value.
     same 'a row in tables' '4.8 0.7 0
 7.2 1.05 2.88' "$("$DOMINO" -e 'effect row 2; row' | awk 'NR > 2 { print $2, $3, $4 }')"
     same 'a row for programs' '0.048,0.007,0
@@ -297,7 +297,7 @@ END
     same 'units of a sweep' 'cm m cm m rad/s' "$("$DOMINO" -e 'sweep h 1 cm 10 cm 2 : count 112' | sed -n 2p | xargs)"
     same 'of a longer one' 'm cm cm cm rad/s' "$("$DOMINO" -e 'sweep h 1 cm 1 m 2 : count 30 cm' | sed -n 2p | xargs)"
     same mass '10 g' "$("$DOMINO" -e 'set mass 0.01; effect row 1; row' | awk 'NR == 2 { unit = $4 } NR == 3 { print $5, unit }')"
-    # An expression has the base unit, whatever a table shows.
+    # Expressions use the base unit, whatever unit a table shows.
     same 'ans' 0.048 "$(json 'count 1 m; print ans.first_height' | tail -n 1 | values value)"
     # All digits are right in every unit.
     same digits '4.8 cm' "$(shown first_height 'set digits 33; set precision quad; count 1 m')"

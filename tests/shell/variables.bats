@@ -5,7 +5,7 @@
 
 load common
 
-@test "let: a variable keeps its value, and its unit" {
+@test "let: a variable keeps its value and its unit" {
     all_print <<'END'
 let x = 2; x|2
 let x = 2; x = 3; x^2|9
@@ -19,7 +19,7 @@ let big = 0.5; rmax big; ans.s|0.5
 END
 }
 
-@test "let: what is defined is shown, explained, forgotten and completed" {
+@test "let: definitions are shown, explained, removed and completed" {
     local all='let xx = 2 m; let ff(a) = 2*a'
     while IFS='|' read -r line commands; do same "$line" "$(json "$all; $commands")" "$(json "$all; $line")"; done <<'END'
 xx?|help xx
@@ -63,7 +63,7 @@ END
     same 'in solve' 2 "$(json 'let f(x) = x^2; solve r : f(r) = 4' | values value | head -n 1 | sed 's/\(1.99999\).*/2/')"
 }
 
-@test "let: names that have a meaning, and texts that are none" {
+@test "let: names that already have a meaning, and invalid definitions" {
     wrong 'let r = 2' "'r' is a parameter; choose another name"
     wrong 'let rmax = 2' "'rmax' is a command"
     wrong 'let m = 2' "'m' is a unit"
@@ -102,7 +102,7 @@ END
     same 'quad' 0 "$("$DOMINO" -e 'source s.dom; n*3 - 1')"
 }
 
-@test "a definition may not make a session hang" {
+@test "a definition cannot make a session hang" {
     {
         echo 'let f0(x) = x'
         for i in {1..60}; do echo "let f$i(x) = f$((i - 1))(x)"; done

@@ -39,7 +39,7 @@ version: str = lib.dom_version().decode()
 
 
 class DominoError(ArithmeticError):
-    """A question without an answer. `status` is the library's word for the reason, such as "STOPS"."""
+    """Raised if a question has no answer. `status` is the name of the library's status, such as "STOPS"."""
 
     def __init__(self, message: str, status: str = ""):
         super().__init__(message)
@@ -47,7 +47,7 @@ class DominoError(ArithmeticError):
 
 
 class OutOfRange(DominoError, ValueError):
-    """A parameter is outside its range; `parameter` is its name."""
+    """Raised if a parameter is outside its range. `parameter` is the name of the parameter."""
 
     def __init__(self, message: str, status: str = "", parameter: str = ""):
         super().__init__(message, status)
@@ -59,7 +59,7 @@ PARAMETERS = {"mu": "friction", "alpha": "slope", "rho": "edges", "tilt": "theta
 
 
 def raise_status(status: int, where: str = "") -> None:
-    """Raises the error of a status, unless it is OK; `where` says which train or domino has no answer."""
+    """Raises an error unless the status is DOM_OK. `where` says which train or domino has no answer."""
     if status == api.dom_status.DOM_OK:
         return
     name = api.dom_status(status).name.removeprefix("DOM_")
@@ -80,7 +80,7 @@ PRECISIONS = {"float": api.dom_precision.DOM_FLOAT, "double": api.dom_precision.
 
 
 def computing(tol: float | None, precision: str, errors: bool = False) -> api.dom_compute:
-    """Returns how to compute; without a tolerance it is that of the precision."""
+    """Returns a struct dom_compute. The default of the tolerance depends on the precision."""
     if precision not in PRECISIONS:
         raise OutOfRange(f"precision: {precision!r} is none of float, double and quad", "BAD_PRECISION", "precision")
     compute = lib.dom_compute_default()
@@ -92,7 +92,7 @@ def computing(tol: float | None, precision: str, errors: bool = False) -> api.do
 
 @contextmanager
 def interruptible(compute: api.dom_compute) -> Iterator[None]:
-    """While the library computes, ^C ends the computation: KeyboardInterrupt then follows.
+    """A context in which ^C ends a computation of the library and then raises KeyboardInterrupt.
 
     Python runs signal handlers between its own instructions only, so the work is done on another thread, which `run`
     starts, while this one waits.
@@ -123,7 +123,7 @@ _pool = ThreadPoolExecutor(CORES + 1, "domino")
 
 
 def run(function: Any, *arguments: Any) -> Any:
-    """Calls a function of the library on another thread, so that this one can see ^C."""
+    """Calls a function of the library on another thread, so that this thread can react to ^C."""
     return _pool.submit(function, *arguments).result()
 
 
@@ -134,7 +134,7 @@ def run_all(calls: list[Any]) -> list[Any]:
 
 @api.dom_parallel
 def parallel(count: int, task: Any, context: int, pool: int) -> int:
-    """Runs the tasks of a study on all cores: a dom_parallel. Its caller waits on a thread of its own."""
+    """A dom_parallel that runs the tasks of a study on all cores. Call it on a separate thread, which waits."""
     numbers = iter(range(count))
     lock = threading.Lock()
 

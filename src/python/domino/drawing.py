@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import Iterable
 
-WIDTH = 640  # of a picture, in pixels
+WIDTH = 640  # width of a picture in pixels
 BLOCK, FLOOR = "#0072B2", "#555555"
 
 Point = tuple[float, float]
@@ -71,7 +71,8 @@ def train_svg(train) -> str:
         return len(tilts) < 8
 
     raise_status(lib.dom_chain_walk(ctypes.byref(one), None, angles.theta_c, visit, None))
-    # The back of a foot is measured from that of the head; the gap before a domino is s times its own height.
+    # Positions are distances from the back of the head's foot. The gap before a domino is s times the height
+    # of this domino.
     blocks = [block(one.d + one.s * one.r, one.r, one.r * one.d, 0.0)]
     size, foot = 1.0, 0.0
     for tilt in tilts:

@@ -17,7 +17,7 @@ STATUS = api.dom_status
 
 
 class Domino(NamedTuple):
-    """A block: height, thickness and the gap before it in m; mass in kg; lean in rad; radius of its edges in m."""
+    """A block: height, thickness and the gap before the block in m, mass in kg, lean in rad, radius of edges in m."""
 
     height: float
     thickness: float
@@ -28,7 +28,7 @@ class Domino(NamedTuple):
 
 
 class Fall(NamedTuple):
-    """What a domino had when it was hit: times in s, omega in rad/s, energies in J."""
+    """The state of a domino when it is hit: times in s, omega in rad/s, energies in J."""
 
     domino: int
     time: float
@@ -41,7 +41,7 @@ class Fall(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """How the row ends, and where. `spare` is margin / barrier of the weakest domino that goes on."""
+    """How the row ends, and at which domino. `spare` is margin / barrier of the weakest domino that falls."""
 
     falls: bool
     end: str
@@ -53,7 +53,7 @@ class Verdict(NamedTuple):
 
 
 class Window(NamedTuple):
-    """The values of one measure with which all dominoes fall; NaN if there are none."""
+    """The values of one gap, place, height, lean or friction with which all dominoes fall; NaN if there are none."""
 
     domino: int
     now: float
@@ -62,7 +62,7 @@ class Window(NamedTuple):
 
 
 class Mend(NamedTuple):
-    """A change of one gap, in m, that makes all dominoes fall: from `to` to `until`."""
+    """A change of one gap in m. All dominoes fall with every gap from `to` to `until`."""
 
     domino: int
     gap: float
@@ -98,7 +98,7 @@ class Budget(NamedTuple):
 
 
 class Design(NamedTuple):
-    """A row that meets a wish; see `row`."""
+    """A row that fulfils a wish. The attribute `row` holds its dominoes."""
 
     s: float
     r: float
@@ -120,7 +120,7 @@ WINDOWS = {"gap": api.dom_window_of.DOM_WINDOW_GAP, "place": api.dom_window_of.D
 
 
 def error_kind(name: str) -> int:
-    """The number of a kind of error."""
+    """Returns the number of a kind of error."""
     kinds = [kind.name.removeprefix("DOM_ERROR_") for kind in api.dom_error_of if kind.name != "DOM_ERROR_COUNT"]
     if name not in kinds:
         raise ValueError(f"there is no error of {name!r}; use one of: {', '.join(kinds)}")
@@ -128,7 +128,7 @@ def error_kind(name: str) -> int:
 
 
 class Row:
-    """A row of dominoes, which does not change; a notebook shows its picture.
+    """An immutable row of dominoes. A notebook shows a picture of the row.
 
     Row([(0.05, 0.008), (0.06, 0.009, 0.02)]) takes height, thickness and gap in m; see Domino. A row can also be made
     of a train, a csv file or a pandas DataFrame with the columns height, thickness, gap and, if known, mass, lean and
@@ -237,15 +237,15 @@ class Row:
             for name, value in domino._asdict().items():
                 setattr(one, name, value)
         row = api.dom_row(domino=dominoes, count=len(self), **self._effects)
-        row.keep = dominoes  # as long as the row
+        row.keep = dominoes  # keeps the dominoes alive as long as the row
         return row
 
     def _call(self, function: Any, *arguments: Any, wrong: Any = None) -> None:
-        """Calls a function of rows, and raises its status; `wrong` is a verdict that names the wrong domino."""
+        """Calls a function about rows, and raises an error if it fails. The verdict `wrong` names the bad domino."""
         row, compute = self._row(), computing(**self._how)
         with interruptible(compute):
             status = run(function, ctypes.byref(row), ctypes.byref(compute), *arguments)
-        if status != STATUS.DOM_OK and wrong is None:  # which domino it is, only a run tells
+        if status != STATUS.DOM_OK and wrong is None:  # only a run tells which domino is bad
             wrong = api.dom_verdict()
             lib.dom_row_run(ctypes.byref(row), ctypes.byref(compute), False, api.dom_fall_visit(), None,
                             ctypes.byref(wrong))  # fmt: skip
@@ -253,7 +253,7 @@ class Row:
         raise_status(status, f" (domino {wrong.domino})" if is_wrong else "")
 
     def fall(self) -> list[Fall]:
-        """Each domino when it is hit, in order; the list ends where the row stops."""
+        """The falls of all dominoes that are hit, in order."""
         falls: list[Fall] = []
 
         @api.dom_fall_visit
@@ -266,7 +266,7 @@ class Row:
         return falls
 
     def verdict(self) -> Verdict:
-        """Whether all dominoes fall; if not, where the row stops, and why."""
+        """Whether all dominoes fall and, if not, where the row ends and why."""
         v = api.dom_verdict()
         self._call(lib.dom_row_run, True, api.dom_fall_visit(), None, ctypes.byref(v), wrong=v)
         end = api.dom_row_end(v.end)
@@ -274,7 +274,7 @@ class Row:
                        v.seconds, v.weakest, v.spare)  # fmt: skip
 
     def tolerance(self, of: str = "gap") -> list[Window]:
-        """The windows of each "gap", "place", "height" or "lean", or of the "friction", with which all fall."""
+        """The windows of each "gap", "place", "height" or "lean", or of the "friction": values with which all fall."""
         if of not in WINDOWS:
             raise OutOfRange(f"of: {of!r} is none of {', '.join(WINDOWS)}", "BAD_METHOD", "of")
         count = {"friction": 1, "gap": len(self) - 1, "place": len(self) - 1}.get(of, len(self))
@@ -283,13 +283,13 @@ class Row:
         return [Window(w.domino, w.now, w.low, w.high) for w in windows[:count]]
 
     def mend(self) -> list[Mend]:
-        """Changes of single gaps that make the row fall, the smallest first; empty if it falls already."""
+        """The changes of single gaps that make the row fall, the smallest first; empty if the row falls already."""
         mends, count = (api.dom_mend * api.DOM_MENDS)(), ctypes.c_size_t()
         self._call(lib.dom_row_mend, api.dom_progress(), None, mends, ctypes.byref(count))
         return [Mend(m.domino, m.gap, m.to, m.until) for m in mends[: count.value]]
 
     def weakest_push(self, strongest: float = 100.0) -> float:
-        """The weakest push in rad/s with which all dominoes fall; the row's own push if they fall with it already."""
+        """The weakest push in rad/s with which all dominoes fall, or the push of the row if all fall already."""
         push = ctypes.c_double()
         self._call(lib.dom_row_push, strongest, ctypes.byref(push))
         if math.isnan(push.value) and not self.verdict().falls:
@@ -319,7 +319,7 @@ class Row:
 
     def budget(self, probability: float, of: str = "gap", *, rows: int = 1000, seed: int = 1,
                **errors: float | tuple[float, str]) -> Budget:  # fmt: skip
-        """The size of one error with which the row falls with this probability, beside others as in `placement`.
+        """The size of one error at which the row falls with this probability, in addition to errors as in `placement`.
 
         of="all" finds the factor by which all errors may be multiplied.
         """

@@ -18,7 +18,7 @@ FUELS = {"exact": api.dom_fuel.DOM_FUEL_EXACT, "paper": api.dom_fuel.DOM_FUEL_PA
 
 
 class Angles(NamedTuple):
-    """The angles that bound a cycle, in rad; `error` has the bounds of their errors, or None."""
+    """The angles of a cycle in rad. `error` holds their error bounds, or is None."""
 
     theta_c: Number
     theta_u: Number
@@ -49,7 +49,7 @@ class Energy(NamedTuple):
 
 
 class Fuel(NamedTuple):
-    """The energy that one cycle releases: from the balance of energy, and by the paper's formula."""
+    """The energy that a cycle releases, from the energy balance and by the paper's formula."""
 
     exact: Number
     paper: Number
@@ -68,7 +68,7 @@ class Launch(NamedTuple):
 
 
 class Barrier(NamedTuple):
-    """The barrier of a cycle; the train goes on if margin = kinetic - barrier is not negative."""
+    """The barrier of a cycle. The train keeps falling if margin = kinetic - barrier is not negative."""
 
     theta_m: Number
     barrier: Number
@@ -78,14 +78,14 @@ class Barrier(NamedTuple):
 
 
 class Duration(NamedTuple):
-    """A number in units of tau, and the bound of its error, or None."""
+    """A number in units of tau, and its error bound or None."""
 
     value: Number
     error: Number | None = None
 
 
 class Limit(NamedTuple):
-    """The largest growth, and what limits it: "barrier", "reach", or "none" where not even r = 1 is possible."""
+    """The largest growth, and its limit: "barrier", "reach", or "none" if even equal dominoes stop."""
 
     r_max: Number
     ends: Any
@@ -93,7 +93,7 @@ class Limit(NamedTuple):
 
 
 class Best(NamedTuple):
-    """The separation that allows the largest growth, and that growth."""
+    """The separation that allows the largest growth, and the growth."""
 
     s: Number
     r_max: Number
@@ -101,7 +101,7 @@ class Best(NamedTuple):
 
 
 class Count(NamedTuple):
-    """How many dominoes topple one of a height, ln(height/first) / ln r, and the height of the toppled one in m."""
+    """The number of dominoes that topple a height, ln(height/first) / ln r, and the height of the last domino in m."""
 
     dominoes: int | float
     exact: float
@@ -109,7 +109,7 @@ class Count(NamedTuple):
 
 
 class Proof(NamedTuple):
-    """What is proved: low <= r_max <= high, what limits r_max, and why a proof is not whole ("" if it is)."""
+    """What is proved: low <= r_max <= high, what limits r_max, and why a proof is incomplete ("" if complete)."""
 
     low: float
     high: float
@@ -127,7 +127,7 @@ def _named(values: dict[str, Any], given: Any, what: str) -> Any:
 
 
 class Train:
-    """A train: its parameters, checked when a question is asked. A notebook shows its picture."""
+    """The parameters of a train, which are checked by every question. A notebook shows a picture of the train."""
 
     def __init__(self, s: Number = 0.4, r: Number = 1.5, d: Number = 7 / 48, q: Number | str = 4.0, *,
                  friction: Number = 0.0, slope: Number = 0.0, edges: Number = 0.0, walls: Number = 0.0,
@@ -137,7 +137,7 @@ class Train:
         self.fuel = int(_named(FUELS, fuel, "fuel"))
 
     def structure(self) -> ctypes.Structure:
-        """The struct dom_train of a train whose parameters are numbers, for a call of the library."""
+        """Returns the struct dom_train for a train whose parameters are numbers."""
         return api.dom_train(fuel=self.fuel, **{name: float(value) for name, value in self.values.items()})
 
     def __repr__(self) -> str:
@@ -155,7 +155,7 @@ def _is_array(value: Any) -> bool:
 
 
 def _ask(question: int, kind: type, train: Train, tilt: Any, how: dict[str, Any], accepted: tuple[str, ...] = ()) -> Any:
-    """Returns the structure of the answer of one train, or the array of structures of many, and its statuses.
+    """Returns the structure with the result for one train, or the array of results for many trains, and the statuses.
 
     Statuses of `accepted` come with an answer. Other statuses raise an error for one train, and for the parameters of
     many; a train among many that has no answer gets NaN.
@@ -219,14 +219,14 @@ def _ask_many(question: int, kind: type, fuel: int, values: dict[str, Any], comp
 
 @functools.cache
 def _dtype(structure: type) -> Any:
-    """Returns NumPy's description of a structure, which takes as long to make as a hundred answers."""
+    """Returns the NumPy dtype of a structure. Making it takes as long as a hundred results."""
     import numpy as np
 
     return np.dtype(structure)
 
 
 def _set_nan(answers: Any, where: Any) -> None:
-    """Sets all numbers of these answers to NaN, those of nested structures too."""
+    """Sets all numbers of these results to NaN, including those in nested structures."""
     import numpy as np
 
     for name in answers.dtype.names:
@@ -237,7 +237,7 @@ def _set_nan(answers: Any, where: Any) -> None:
 
 
 def _tuple(kind: type, answer: Any, fields: list[str], errors: bool) -> Any:
-    """Returns the named tuple of an answer, with its bounds of errors if they were asked for."""
+    """Converts a result to a named tuple, with error bounds if these were requested."""
     get = (lambda a, name: a[name]) if hasattr(answer, "dtype") else getattr
     error = None
     if errors:
@@ -299,7 +299,7 @@ def launch(s: Number = 0.4, *, tol: float | None = None, precision: str = "doubl
 
 def barrier(s: Number = 0.4, *, tol: float | None = None, precision: str = "double", errors: bool = False,
             **train: Any) -> Barrier:  # fmt: skip
-    """The barrier of a cycle, and what is left at its top (26; c8): the train goes on if margin >= 0."""
+    """The barrier of a cycle, and the energy left at its top (26; c8). The train keeps falling if margin >= 0."""
     a = _ask(ASK.DOM_ASK_BARRIER, api.dom_barrier, Train(s, **train), None, _how(tol, precision, errors),
              ("STOPS", "NO_FUEL"))  # fmt: skip
     return _tuple(Barrier, a, ["theta_m", "barrier", "kinetic", "margin"], errors)
@@ -343,7 +343,7 @@ def pair(s: Number = 0.4, *, tol: float | None = None, precision: str = "double"
 
 
 def best(*, tol: float | None = None, precision: str = "double", errors: bool = False, **train: Any) -> Best:
-    """The separation that allows the largest growth, and that growth; s and r are not used."""
+    """The separation that allows the largest growth, and the growth; s and r are not used."""
     a = _ask(ASK.DOM_ASK_BEST, api.dom_best, Train(**train), None, _how(tol, precision, errors))
     return _tuple(Best, a, ["s", "r_max"], errors)
 
@@ -356,7 +356,7 @@ def count(height: float, r: float = 1.5, *, first: float = 0.048) -> Count:
 
 
 def prove(what: str = "rmax", s: float = 0.4, *, tol: float = 1e-12, **train: Any) -> Proof:
-    """Proves the largest growth of a train ("rmax"), or of two dominoes ("pair"), by interval arithmetic."""
+    """Proves bounds of the largest growth of a train ("rmax") or of two dominoes ("pair") by interval arithmetic."""
     functions = {"rmax": lib.dom_prove_rmax, "pair": lib.dom_prove_pair}
     function = _named(functions, what, "what")
     t, compute, proof = Train(s, **train), computing(tol, "double"), api.dom_proof()
