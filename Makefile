@@ -21,34 +21,35 @@ DESTDIR ?=
 B       ?= .build
 
 CC      ?= gcc
-# -g1 is lines and functions, in less time than all of -g; for a debugger: make OPTIM='-O0 -g'.
+# -g1 records lines and functions, and compiles faster than -g. For a debugger, use make OPTIM='-O0
+# -g'.
 OPTIM   ?= -O2 -g1
-# A wild write ends the program, and addresses of functions are found before main, in memory that is read-only from then
-# on. FORTIFY needs an optimiser.
+# A stack protector and FORTIFY end the program after a buffer overflow, and the addresses of functions are bound before
+# main, in memory that is then read-only. FORTIFY needs optimization.
 HARDEN  := -fstack-protector-strong $(if $(filter-out -O0,$(filter -O%,$(OPTIM))),-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
 WARN    := -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wvla
 CFLAGS  ?= $(OPTIM) $(HARDEN)
-# The linker and the archiver of macOS have other options than those of GNU, LLVM and FreeBSD.
+# The linker and the archiver of macOS have different options from those of GNU, LLVM and FreeBSD.
 DARWIN  := $(filter Darwin,$(shell uname -s))
 LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now)
-# Every digit must be equal on every machine: no contraction, never -ffast-math. The code never reads errno after a
-# square root, which is one instruction without errno.
+# Results must have the same digits on every machine, so there is no contraction and no -ffast-math. The code never
+# reads errno after a square root, which is a single instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
-# Stacks may be small: large data is on the heap. 'make WERROR=1' makes no object that any warning is about.
+# Large data are on the heap, since stacks may be small. 'make WERROR=1' treats warnings as errors.
 STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
 C_FLAGS := -std=c17 $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 BSD     := $(if $(PORTABLE),-lbsd)
 GSL     := -lgsl -lgslcblas -lm -pthread $(BSD)
-# The program takes what it uses of GSL and Readline from their archives, where they are installed: to load the shared
-# libraries takes a quarter of its start.
+# The program links GSL and Readline statically if their archives are installed, because loading the shared libraries
+# takes a quarter of the start-up time.
 THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
-# The other files of src/model are the source of the kernels, which precision/*.c include.
-# Proofs are in double alone. TYPED is compiled twice: with answers in double, and in the widest type. WIDE, all kernels
-# but the one in double, is compiled only for the widest type; by NARROW these kernels answer in double too.
+# The remaining files of src/model are the source of the kernels, and precision/*.c include them. Proofs exist only in
+# double. TYPED is compiled twice: with results in double, and in the widest type. WIDE consists of all kernels except
+# the one in double, and is compiled only for the widest type. NARROW converts the results of these kernels to double.
 COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
 WIDE    := $(addprefix src/model/,precision/float.c precision/quad.c dispatch/wide.c) $(wildcard src/model/compare/*.c)
 NARROW  := $(wildcard src/model/dispatch/narrow*.c)
@@ -67,7 +68,7 @@ OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
         install uninstall deb dist clean
 all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
-# ---- Dependencies: only what the goals of this call need ----
+# ---- Dependencies, but only those that the goals of this call need ----
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
 DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
@@ -94,20 +95,20 @@ NEEDED        := $(sort $(DEPS_run) $(foreach goal,$(MAKECMDGOALS),$(DEPS_$(goal
 deps:
 	@.packaging/deps $(NEEDED)
 
-# Tests use all processors, unless -j says how many.
+# Tests use all processors unless -j is given.
 ifneq ($(filter test quick unit hard sessions,$(MAKECMDGOALS)),)
 ifeq ($(filter -j%,$(MAKEFLAGS)),)
 MAKEFLAGS := $(MAKEFLAGS) -j$(shell nproc)
 endif
 endif
 
-# In 'make deps test' nothing is compiled before the headers are installed.
+# 'make deps test' compiles nothing before the headers of other libraries are installed.
 FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
 HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h \
-           $(B)/system_features.h # made of other sources
+           $(B)/system_features.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -115,20 +116,22 @@ $(B)/obj/%.o: %.c | $(FIRST)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
 $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE)): | $(HEADERS)
 
-# The functions of this system that are not in POSIX. 'make PORTABLE=1' uses none of them, but on Linux funopen of libbsd.
+# Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
+# Linux.
 FEATURES := src/shell/io/features
 $(B)/system_features.h: $(FEATURES) | $(FIRST)
 	@mkdir -p $(@D)
 	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
-# The functions of the kernels, each renamed to have the name of its precision in a debugger: chain_sum_double.
+# Renames each function of the kernels after its precision, as in chain_sum_double, for debuggers.
 KERNEL_C := $(filter-out $(MODEL) src/model/proof/%,$(wildcard src/model/*/*.c src/model/*/*.h))
 $(B)/kernel_names.h: $(KERNEL_C)
 	@mkdir -p $(@D)
 	@sed -nE 's/^(KERNEL|KERNEL_LOOP|static) .*[ *]([a-z][A-Za-z_0-9]*)\(.*/#define \2 KERNEL_NAME(\2)/p' $(KERNEL_C) | sort -u > $@.new
 	@cmp -s $@.new $@ || cp $@.new $@
 
-# The names that the files of the library share. All are compiled again if one is added, but not after another change.
+# The names that the files of the library share. All files are compiled again if a name is added, but not after other
+# changes.
 SHARED_AWK := src/model/precision/shared.awk
 SHARED_OF  := $(wildcard src/model/*/*.h)
 $(B)/library.h: $(SHARED_OF) $(SHARED_AWK)
@@ -136,12 +139,12 @@ $(B)/library.h: $(SHARED_OF) $(SHARED_AWK)
 	@awk -f $(SHARED_AWK) $(SHARED_OF) > $@.new
 	@cmp -s $@.new $@ || cp $@.new $@
 
-# The text of 'lesson', as numbers for an array of C.
+# The text of 'lesson', as numbers for a C array.
 $(B)/tutorial.h: examples/tutorial.dom
 	@mkdir -p $(@D)
 	@od -An -v -td1 $< | sed 's/  */,/g; s/^,//; s/$$/,/' > $@
 
-# <domino_quad.h>, made of these headers, and the names in it for the sources.
+# <domino_quad.h>, which is generated from these headers, and a list of its names for the sources.
 QUAD_AWK := src/model/precision/quad.awk
 QUAD_OF  := include/domino_common.h include/domino.h include/domino_row.h
 $(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
@@ -158,7 +161,7 @@ $(B)/members.h: $(QUAD_OF) src/model/dispatch/members.awk
 MODEL_OBJ  := $(call OBJ,$(TYPED) $(NARROW))
 MODEL_OBJQ := $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE))
 COMMON_OBJ := $(call OBJ,$(COMMON))
-# With -flto the archive has machine code as well, for programs that are linked without it.
+# With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
 # -O1 takes two thirds of the time to compile or less, and makes the shell, which waits for the model, and the kernel in
@@ -172,13 +175,15 @@ $(B)/objq/%.o: %.c | $(FIRST)
 
 LIB_OBJ := $(MODEL_OBJ) $(MODEL_OBJQ) $(COMMON_OBJ)
 $(LIB_OBJ): $(B)/library.h
-# Files of several folders may have one name, so each is appended, where 'r' would replace another.
+# Objects from different folders may have the same name, so they are appended. 'r' would replace one
+# by another.
 $(B)/libdomino.a: $(LIB_OBJ)
 	$(call SAY,AR,$@)
 	$(Q)rm -f $@
 	$(Q)$(AR) $(if $(DARWIN),qcs,qcsD) $@ $^
 
-# A change of a structure or of a function needs a new major version, which is the number of the soname.
+# If a structure or a function changes, the major version, which is the number in the soname, must
+# increase.
 MAJOR  := $(firstword $(subst ., ,$(VERSION)))
 SONAME := libdomino.so.$(MAJOR)
 # The library exports the functions that begin with dom_ or domq_.
@@ -196,7 +201,7 @@ $(B)/$(SONAME): $(LIB_OBJ)
 $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
-# The program with POSIX alone, for 'make portable'. All that differs is in one file.
+# The program with nothing beyond POSIX, for 'make portable'. Only one file differs.
 $(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
 	@mkdir -p $(@D)
 	@PORTABLE=1 $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
@@ -212,7 +217,8 @@ $(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomin
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -o $@
 
-# Programs find a shared library in /usr/lib; in other places only one whose folder they name.
+# Programs find a shared library in /usr/lib without help. For other folders, domino.pc adds an
+# rpath.
 PC_PATH = "$(1)=$$(printf %s "$(2)" | sed 's/[[:blank:]]/\\&/g')"
 PC_TEXT = printf '%s\n' $(call PC_PATH,libdir,$(LIBDIR)) $(call PC_PATH,includedir,$(INCLUDEDIR)) \
   'rpath=$(if $(filter-out /usr/lib /usr/lib/%,$(LIBDIR)),-Wl$(,)-rpath$(,)$${libdir})' '' \
@@ -224,7 +230,7 @@ $(B)/domino.pc: include/domino.h Makefile
 	@mkdir -p $(@D)
 	@$(PC_TEXT) > $@
 
-# The Python module, with the declarations that are made of the headers.
+# The Python module, with declarations that are generated from the headers.
 PYTHON3   ?= python3
 PYTHON_PY := $(wildcard src/python/domino/*)
 python: $(B)/python/domino/_api.py $(B)/libdomino.so
@@ -245,28 +251,29 @@ $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
 	$(call SAY,LD,$@)
 	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
 
-# In this test memory and threads run out where it asks for that.
+# This test can make allocations and threads fail.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
-# The library has no threads: the shell's pool runs its tasks.
+# The library starts no threads, so the thread pool of the shell runs its tasks.
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
-# Unit tests of the shell: how it writes numbers.
+# Unit tests of the shell: numbers.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
-# Where the quotes and comments of a line end.
+# Quotes and comments in a line.
 $(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
-# How csv files are read.
+# The reader of csv files.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
-# What completion offers, by the tables of commands.
+# Completion and other functions that need the tables of commands.
 $(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: $(filter-out %/main.o,$(call OBJ,$(SHELL_C) $(ENGINE_C)))
 $(B)/unit/test_complete $(B)/unit/test_lines $(B)/unit/test_stage: GSL := $(B)/libdomino.a $(GSL) -lreadline
 # Rows in the rigid-body engine.
 $(B)/unit/test_engine: $(call OBJ,$(ENGINE_C))
 
 UNIT_BIN := $(patsubst tests/unit/%.c,$(B)/unit/%,$(UNIT))
-# Tests compare answers of the widest type in double.
+# Tests compare results of the widest type in double.
 $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversion -Wno-conversion
 .SECONDARY: $(call OBJ,$(wildcard tests/unit/*.c tests/hard/*.c tests/verify/*.c)) $(UNIT_BIN)
 
-# Hard cases and sweeps against a reference in MPFR: the other files of tests/hard are linked into each test_*.c.
+# Hard cases and sweeps, compared with a reference in MPFR. The other files of tests/hard are linked into each
+# test_*.c.
 HARD     := $(wildcard tests/hard/*.c)
 HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
 $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
@@ -292,7 +299,8 @@ $(B)/tap/shell/%.count: tests/shell/% all FORCE
 	@tests/run --suite $(B) $<
 FORCE:
 
-# Runs the quick tests: a twentieth of the sweeps' points, the short sessions, the unit tests.
+# Runs the quick tests: the unit tests, the short sessions, and a twentieth of the points of the
+# sweeps.
 QUICK_HARD := $(B)/hard/test_sweep $(B)/hard/test_properties
 QUICK_BATS := $(patsubst %,tests/shell/%.bats,output count growth effects rows precision draw cycle)
 QUICK_RUN   = $(call COUNTS_OF,$(QUICK_HARD) $(QUICK_BATS)) $(UNIT_RUN)
@@ -306,7 +314,7 @@ sessions: $(SHELL_RUN)
 quick test unit hard sessions:
 	@tests/run --sum $^
 
-# Compares rows with Chipmunk, a rigid-body engine; fails if the two differ.
+# Compares rows with Chipmunk, a rigid-body engine. Fails if they differ.
 VERIFY := $(wildcard tests/verify/*.c)
 $(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/libdomino.a
 	$(call SAY,LD,$@)
@@ -315,8 +323,8 @@ $(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/li
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
 
-# The table of proved growths, made in parts as on a cluster, and checked by other means, which takes a minute. A run
-# gives the same bytes again.
+# Makes the table of proved growths in parts, as on a cluster, and checks it by other means, which takes a minute.
+# Every run gives the same bytes.
 ATLAS_PARTS := 1 2 3 4
 atlas: all
 	@echo '  ATLAS  examples/atlas.csv'
@@ -325,17 +333,18 @@ atlas: all
 	@tests/atlas $(B)/atlas.csv
 	@cp $(B)/atlas.csv examples/atlas.csv
 
-# The sessions that use files and streams, with POSIX alone.
+# Runs the sessions that use files and streams, with nothing beyond POSIX.
 PORTABLE_BATS := $(patsubst %,tests/shell/%.bats,fifo files output)
 portable: $(B)/portable/domino
 	@tests/run $(B)/portable $(PORTABLE_BATS)
 
-# The unit tests and 300 answers on other machines, under qemu.
+# Runs the unit tests and 300 answers on other processors, under qemu.
 CROSS := aarch64-linux-gnu i686-linux-gnu
 cross: | $(FIRST)
 	+@for machine in $(CROSS); do tests/cross $(B)/cross $$machine || exit 1; done
 
-# Tests failing memory, disks, streams and partners, and signals at the wrong moment.
+# Tests failing memory, full disks, closed streams, missing readers and writers, and signals at the
+# wrong moment.
 FAULTS := $(wildcard tests/faults/*.bats)
 faults: all $(B)/faults/fail_alloc.so
 	@tests/run $(B) $(FAULTS)
@@ -346,8 +355,8 @@ $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
 
 # Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and keep rows, under
-# sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of the model that the tests run. With
-# -g1, which is lines alone, gcc takes half as long.
+# sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of
+# the model that the tests run. With -g1, which records only lines, gcc takes half as long.
 SANITIZED := $(patsubst %,tests/shell/%.bats,prompt assert complete draw effects errors escape expressions files fifo help lines \
   mend names options placement prove rowfiles rows save settings tolerance undo units variables)
 sanitize: | $(FIRST)
@@ -358,16 +367,16 @@ sanitize: | $(FIRST)
 
 valgrind: all
 	@tests/valgrind $(B)
-# Runs the parallel sessions under ThreadSanitizer, which knows only the order that the program itself makes.
+# Runs the parallel sessions under ThreadSanitizer.
 race: | $(FIRST)
 	@$(MAKE) --no-print-directory B=$(B)/race CFLAGS='-O1 -g -fsanitize=thread' all
 	@TSAN_OPTIONS=halt_on_error=1 tests/run $(B)/race tests/shell/sweep.bats
 
 # ---- Fuzzing and speed ----
 
-# Runs the line interpreter under libFuzzer, ASan and UBSan: on bytes, from a seeded corpus, then on grammatical lines
-# that bytes choose from the tables of commands; and the reader of csv files. FUZZ_SHOW=1 with an input of the second
-# shows its lines.
+# Runs the line interpreter under libFuzzer, ASan and UBSan, first on bytes from a seeded corpus, and then on
+# grammatical lines that are generated from the tables of commands. Also runs the reader of csv files. FUZZ_SHOW=1
+# shows the lines of an input for the grammar.
 FUZZ_SECONDS ?= 600
 FUZZ         := fuzz_line fuzz_grammar fuzz_csv
 FUZZ_RUN     := -seed=1 -timeout=10 -rss_limit_mb=2048 -close_fd_mask=3 -artifact_prefix=$(abspath $(B))/fuzz/ \
@@ -407,7 +416,7 @@ guard: all $(B)/answers
 
 # ---- Checks ----
 
-# What programs that are linked with the library rely on, compared with the first library of this soname.
+# Compares the binary interface with that of the first library of this soname.
 abi: $(B)/python/domino/_api.py
 	@$(if $(KEEP),cp $< tests/abi/$(SONAME).py)
 	@tests/abi/check tests/abi/$(SONAME).py $<
@@ -418,9 +427,10 @@ H_FILES := $(wildcard include/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h tests/*/*.
 
 LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 
-# Compiles everything with gcc, warnings as errors: in a folder of its own, since make does not know which objects here
-# were made with warnings; 'make WERROR=1' has none. Clang then only reads the sources. It reports the exact widening to
-# the widest type, by which answers leave a kernel, as a promotion; gcc checks promotions from float to double.
+# Compiles everything with gcc, with warnings as errors. This takes a separate folder, since make does not know which
+# objects were compiled with warnings, unless WERROR=1 is set. Clang then only checks the sources. Its warning about
+# promotions is off, because results leave a kernel by an exact conversion to the widest type. gcc checks promotions
+# from float to double.
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
 CLANG_READ := clang -fsyntax-only -std=c17 $(WARN) -Werror -Wno-double-promotion -D_GNU_SOURCE $(INCLUDES)
 MUSL_READ  := musl-gcc -fsyntax-only -std=c17 $(WARN) -Wno-conversion -Werror -D_GNU_SOURCE $(INCLUDES) -idirafter /usr/include -DDOMQ
@@ -451,12 +461,12 @@ format:
 
 # ---- Installation ----
 
-# The folder of Python's modules under PREFIX: the one where Python looks, if it looks there; empty without Python.
+# The folder under PREFIX for Python modules, preferably one in which Python looks. Empty without Python.
 PYTHONDIR ?= $(shell $(PYTHON3) -c 'import sys; \
   print(next((d[len(sys.argv[1]) + 1:] for d in sys.path if d.startswith(sys.argv[1] + "/lib") and d.endswith("-packages")), \
              "lib/python%d.%d/site-packages" % sys.version_info[:2]))' '$(PREFIX)' 2>/dev/null)
 
-# Folders, as GNU names them.
+# Folders with their GNU names.
 BINDIR     ?= $(PREFIX)/bin
 LIBDIR     ?= $(PREFIX)/lib
 INCLUDEDIR ?= $(PREFIX)/include
@@ -464,7 +474,7 @@ DATADIR    ?= $(PREFIX)/share
 MANDIR     ?= $(DATADIR)/man
 DOCDIR     ?= $(DATADIR)/doc/domino
 
-# Each installed file and its folder, as words of the shell.
+# Each installed file and its folder, as shell words.
 EXAMPLES  := $(wildcard examples/*.* examples/*/*)
 COMPLETIONS := $(addprefix $(B)/completion/,domino _domino domino.fish)
 IN         = $(foreach file,$(1),'$(file)' "$(2)")
@@ -485,7 +495,7 @@ $(B)/completion/domino.fish: src/shell/prompt/domino.fish
 $(COMPLETIONS):
 	@mkdir -p $(@D) && cp $< $@
 
-# domino.pc is written anew for the folders of this installation.
+# domino.pc is written again for the folders of this installation.
 install: all $(COMPLETIONS) $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHONDIR),python))
 	@printf '%s\t%s\n' $(INSTALLED) | DESTDIR="$(DESTDIR)" .packaging/install $(MANIFEST)
 	@$(PC_TEXT) > "$(DESTDIR)$(LIBDIR)/pkgconfig/domino.pc"
@@ -493,12 +503,12 @@ install: all $(COMPLETIONS) $(if $(filter install,$(MAKECMDGOALS)),$(if $(PYTHON
 uninstall:
 	@DESTDIR="$(DESTDIR)" .packaging/install --remove $(MANIFEST)
 
-# Debian packages in .build/deb. Their program takes GSL and Readline from shared libraries.
+# Debian packages in .build/deb. Their program links GSL and Readline dynamically.
 deb: $(B)/shared/domino
 	+@MAKE='$(MAKE)' .packaging/deb $(VERSION) $(SONAME) '$(abspath $(B))'
 
-# The tracked files; in a tree that came from such an archive, all files. The text of the licence is the system's, as the
-# file COPYING. Equal files make equal bytes: the archive of an unpacked archive is that archive.
+# Packs the tracked files or, in an unpacked archive, all files. The text of the licence comes from the system, and is
+# added as COPYING. The same files give the same bytes, so an unpacked archive packs itself again.
 LICENCE = $(firstword $(wildcard COPYING /usr/share/common-licenses/GPL-3))
 DIST = domino-$(VERSION)
 BY_GIT = [ -e .git ] && git rev-parse HEAD >/dev/null 2>&1

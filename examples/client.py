@@ -17,7 +17,7 @@ class Domino:
     def __init__(self, program="domino"):
         self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.DEVNULL, text=True, bufsize=1)
-        self.process.stdin.write("set output json\n")  # answers nothing: the output is not json before it
+        self.process.stdin.write("set output json\n")  # this command has no answer, because the output is not yet json
 
     def ask(self, command):
         """Returns the answer; raises ValueError with the message of an error."""
@@ -39,7 +39,7 @@ def main(arguments):
     domino = Domino()
     try:
         growth = domino.ask(f"print {arguments[0]}")["value"]
-        low, high = 0.001, domino.ask("best")["s"]  # up to there the largest growth increases with s
+        low, high = 0.001, domino.ask("best")["s"]  # the largest growth increases with s up to the best separation
         for _ in range(40):
             middle = (low + high) / 2
             if domino.ask(f"rmax {middle!r}")["r_max"] < growth:

@@ -14,13 +14,13 @@ folder=${2:-.}
 shift $(($# < 2 ? $# : 2))
 [ $# -gt 0 ] || set -- "$here/sweep.dom" "$here/placement.dom" "$here/errors.dom"
 
-# Each part computes on one thread, since as many parts run together as there are processors.
+# Each part uses one thread, since there are as many parts at a time as processors.
 for scene; do
     name=$(basename "$scene" .dom)
     mkdir -p "$folder/$name.parts"
     seq -w "$parts" | parallel --quote --retries 3 --halt now,fail=1 \
         "$here/part.sh" "$scene" {} "$parts" "$folder/$name.parts/{}.csv"
-    # The parts of a sweep, in order, are the whole. Those of a study are counts of rows, and their sum is the answer.
+    # The parts of a sweep are concatenated. The parts of a study are counts of rows, which are added up.
     if grep -q '^placement' "$scene"; then
         cat "$folder/$name.parts"/*.csv | "${DOMINO:-domino}" -e 'set output csv' -e 'pool -' >"$folder/$name.csv"
     else

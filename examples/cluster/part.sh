@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Computes part I of N of a scene into a file, unless the file is there already. The file gets its name only when it is
-# whole, so that a part that was lost is computed again, and no other one.
+# complete, so that only missing parts are computed again.
 #
 #   part.sh SCENE I N FILE
 set -eu
