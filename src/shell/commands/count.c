@@ -11,7 +11,7 @@ const struct column count_columns[] = {
     {"dominoes", "", "the number of dominoes needed: the smallest n with first_height r^n >= height", 0},
     {"exact", "", "n before it is rounded up: ln(height / first_height) / ln r", 0},
     {"first_height", "m", "height of the first domino", 0},
-    {"last_height", "m", "height of the tallest domino that they can topple, first_height r^n", 0},
+    {"last_height", "m", "height of the tallest domino that this row can topple, first_height r^n", 0},
     {"feasible", "", "whether such a row falls when its first domino is let go or pushed", 8},
     {"goes_on", "", "whether an endless train with this growth keeps falling once it moves", 7},
     {"stops_at", "", "the domino at which such a row ends, if it does not fall", 8},

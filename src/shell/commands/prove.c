@@ -188,8 +188,8 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
               : start.falls                                    ? "goes on"
                                                                : "no start",
               proof.work,
-              !is_known                 ? "not proved: the last digit of a height or of r decides"
-              : !is_enough              ? "with r = 1 dominoes do not grow, so no number of them is enough"
+              !is_known    ? "not proved: the result depends on the last digit of a height or of r"
+              : !is_enough ? "with r = 1 dominoes do not grow, so no number of them is enough"
               : goes_on && !start.falls ? ends
                                         : NULL);
     if (is_enough)

@@ -262,7 +262,7 @@ const struct command session_commands[] = {
                    .optional = true,
                    .parse = conversion_parse,
                    .bind = conversion_bind}},
-     .summary = "the value of an expression, if you like in another unit",
+     .summary = "the value of an expression, optionally in another unit",
      .help = "The word print may be left out: '2+2', 'rmax(0.3)^20', '112 m to ft', 'rmax to percent'. An "
              "expression has numbers, + - * / ^ and parentheses; units of length (m mm cm km in ft yd), of "
              "mass (kg g t lb oz), of time (s ms) and of angle (rad deg); pi; the functions sin cos tan asin "

@@ -122,12 +122,12 @@ bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Replaces what the user has chosen: texts, and the scales and ends of the axes. Returns NULL, or a message
- * if the chart cannot be drawn so. */
+/* Applies what the user has chosen: texts, and the scales and ends of the axes. Returns NULL, or a message if
+ * the chart cannot be drawn in this way. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the size of the picture and of its letters: what the user has chosen, and defaults for the
- * remainder. */
+/* Returns the size of the picture and of its letters: what the user has chosen, and defaults for everything
+ * else. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.

@@ -170,7 +170,8 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
     page_end(p);
 }
 
-/* Writes the gnuplot terminal. The letters are smaller than those of 'draw', because a guide has margins. */
+/* Writes the gnuplot terminal. The letters are smaller than the letters in a picture of 'draw', because a
+ * guide has margins. */
 static void guide_terminal(const struct sheet *v, const char *ending, char *terminal, size_t size)
 {
     if (strcmp(ending, ".pdf") == 0)

@@ -23,7 +23,7 @@ struct guide_table {
 
 struct guide {
     const struct stage *stage; /* its caption says what a builder must know */
-    const char *title;         /* NULL if there is none */
+    const char *title;         /* title of the guide, or NULL */
     struct guide_table table[GUIDE_TABLES];
     int tables;
 };

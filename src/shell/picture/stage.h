@@ -33,7 +33,8 @@ enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4
 
 /* A domino on a stage. */
 struct drawn {
-    int number; /* in a row, from 1; in a train, 0 is the head, and 1, 2, ... are its followers */
+    int number; /* the number of the domino: from 1 in a row; in a train, 0 is the head, and 1, 2, ... are its
+                   followers */
     enum part part;
     double height, thickness, theta;
     double foot;   /* position of the hinge, its lower front edge while it stands */
@@ -42,7 +43,8 @@ struct drawn {
     struct point corner[CORNERS];
     bool touched; /* its follower touches it at `contact`; otherwise `contact` is NaN */
     struct point contact;
-    /* Push at the contact, in units of the weight of the head and of this domino; NaN if unknown. */
+    /* The push at the contact, divided by the weight of the head, and divided by the weight of this domino.
+     * NaN if unknown. */
     double force, of_own;
 };
 

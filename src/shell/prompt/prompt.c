@@ -112,9 +112,8 @@ static void leave_warn(struct session *session)
         return;
     has_warned = true;
     session->quit = false;
-    session_note(session,
-                 "dominoes of the row have changed and are not saved: 'save FILE' or 'row > FILE.csv' "
-                 "saves them, 'quit' or ^D again leaves without");
+    session_note(session, "dominoes of the row have changed and are not saved: 'save FILE' or 'row > "
+                          "FILE.csv' saves them, 'quit' or ^D again leaves without saving");
 }
 
 static void on_line(char *text)

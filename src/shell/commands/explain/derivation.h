@@ -25,9 +25,9 @@ enum {
 /* The sum over all dominoes i whose terms an equation gives. */
 enum sum {
     SUM_NONE,
-    SUM_LAUNCH, /* with the head at the tilt 0 */
-    SUM_TILT,   /* with the head at the tilt theta */
-    SUM_TOP,    /* with the head at the tilt theta_m */
+    SUM_LAUNCH, /* a sum with the head at the tilt 0 */
+    SUM_TILT,   /* a sum with the head at the tilt theta */
+    SUM_TOP,    /* a sum with the head at the tilt theta_m, where the train is highest */
 };
 
 /* A symbol in equations: as it is typed, with Greek letters, and in TeX. */

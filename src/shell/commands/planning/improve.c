@@ -205,7 +205,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     changes_list(a, i);
     answer_say(a, "With its last domino fallen the row is %s long; it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
-               query->next ? " 'row > hall.csv' writes it, 'undo' takes the changes back." : "");
+               query->next ? " 'row > hall.csv' writes the row, and 'undo' takes the changes back." : "");
 }
 
 /* Reports why there is no improvement. Returns false. */

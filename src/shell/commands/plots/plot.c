@@ -36,7 +36,7 @@ static const struct column plot_columns[] = {
     {"gap", "m", "gaps: gap before the domino, as planned", 0},
     {"low", "m", "gaps: the narrowest gap with which all fall", 0},
     {"high", "m", "gaps: the widest gap with which all fall", 0},
-    {"others", "", "gaps: whether all also fall with some gaps outside these", 6},
+    {"others", "", "gaps: whether all dominoes also fall with some gaps outside this range", 6},
     {"sigma", "m", "placement: standard deviation of every gap", 0},
     {"probability", "", "placement: probability that the whole row falls", 0},
     {"low", "", "placement: lower end of the 95 % interval of the probability", 0},
