@@ -263,12 +263,12 @@ struct dom_row_growth {
 
 /*
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. r is raised from 1
- * to `highest`, first until the row falls, and then until it no longer falls. make writes the dominoes for
- * each r that is tried; for a train, let make call dom_row_of_train, and let `highest` be dom_train_reach.
+ * to `highest`, first until the row falls, and then until it no longer falls. `make` writes the dominoes for
+ * each r that is tried. For a train, let `make` call dom_row_of_train, and let `highest` be dom_train_reach.
  * row->domino is not used. r is raised in steps of 2 %, or in steps of 10 % while the row does not fall in an
  * engine; an interval of growths that is narrower than a step can be missed. The statuses are those of
- * dom_row_run, also for the dominoes that make writes. The status is DOM_BAD_R if `highest` is not a finite
- * number >= 1.
+ * dom_row_run, which also checks the dominoes that `make` has written. The status is DOM_BAD_R if `highest`
+ * is not a finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);

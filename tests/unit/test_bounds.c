@@ -149,7 +149,7 @@ static void dominoes_make(struct random_dominoes *row, uint64_t *seed, double mu
     }
 }
 
-/* Changes a measure of a domino. */
+/* Changes one property of a domino. */
 static void domino_change(struct dom_domino *d, uint64_t *seed)
 {
     const double factor = random_unit(seed) < 0.5 ? uniform(seed, 0.6, 1.7) : uniform(seed, 0.99, 1.01);

@@ -197,11 +197,11 @@ TEST(interrupted_in_the_middle)
     assert_memory_equal(&part, &whole, sizeof part);
 }
 
-/* ---- What is drawn ---- */
+/* ---- The random errors ---- */
 
 enum { DRAWS = 3000, DRAWN = 4 };
 
-/* Returns the change of a measure of domino k, relative to the size of the error. */
+/* Returns the change of one property of domino k, divided by the size of the error. */
 static double drawn(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind, size_t k,
                     double size)
 {

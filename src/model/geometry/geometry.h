@@ -159,9 +159,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest scale of tilts at the beginning of a cycle: theta_u or, if that is smaller, the tilt
- * of the head at which a follower that began near pi/2 has come down from there. With edges of radius d/2,
- * theta_u is 0 and does not count.
+ * Returns the smallest scale of tilts at the beginning of a cycle. This is theta_u, or, if it is smaller, the
+ * tilt of the head at which a follower that began near pi/2 has come down. With edges of radius d/2, theta_u
+ * is 0 and does not count.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {

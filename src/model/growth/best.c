@@ -421,16 +421,16 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* Larger than the relative error of a best separation that the double kernel has found, and so small that its
- * r_max is still near. */
+/* The relative width of the neighbourhood in which the best separation of the double kernel is refined. It
+ * exceeds the error of that separation, but r_max hardly changes within it. */
 #define NEAR_WIDTH ((real)1e-8)
 
-/* A straight line through two points of r_max(s). */
+/* The straight line through two points of the curve r_max(s). */
 struct line {
     real s[2], r[2], slope;
 };
 
-/* Moves the line on to the point at s. */
+/* Replaces the older of the two points by the one at s. */
 static void line_to(struct line *line, struct margin_context *c, real s)
 {
     line->s[0] = line->s[1];
@@ -440,8 +440,8 @@ static void line_to(struct line *line, struct margin_context *c, real s)
     line->slope = (line->r[1] - line->r[0]) / (line->s[1] - line->s[0]);
 }
 
-/* Finds the kink of r_max very close to b->s, where an increasing branch and a decreasing one meet: each
- * branch is continued by the line through its last two points. Returns false if there is no such kink. */
+/* Finds a kink of r_max very close to b->s, at which an increasing branch meets a decreasing one. Each branch
+ * is extrapolated by the line through its last two points. Returns false if there is no such kink. */
 static bool search_kink(struct search *b, real tol)
 {
     struct line up = {.slope = 0}, down = up;
@@ -464,8 +464,8 @@ static bool search_kink(struct search *b, real tol)
     return b->c->status == DOM_OK;
 }
 
-/* Finds the best separation near c->s, where the double kernel has found it. If it is not *found, c->near is
- * reset: beyond a jump, the root near the one at c->s is not the first root. */
+/* Finds the best separation near c->s, which is the result of the double kernel. If *found is false, c->near
+ * is reset, because beyond a jump of r_max(s) a root near c->near is not the first root. */
 static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
 {
     struct margin_context *c = b->c;

@@ -82,9 +82,9 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r);
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
- * Returns margin_share at r, and starts the search for the maximum of H from the one found last. Near a root
- * margin_share is less curved than the margin. It is computed only as precisely as a root search requires, in
- * which each step nearly squares margin_share. margin_follow_begin must be called before the first call.
+ * margin_follow returns margin_share at r, which is less curved than the margin near a root. It begins its
+ * search for the maximum of H at the maximum that it found last, and computes only as many digits as a root
+ * search needs, whose next step nearly squares margin_share. Call margin_follow_begin first.
  */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);

@@ -53,17 +53,15 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 
 /*
  * Shows K - D > 0 for tilts from low to high and all growths of the strip. Any of three lower bounds of K - D
- * will do:
- * 1. Monotony: the bounds of K and D from the corners of the box of tilts and growths.
- * 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is monotonic
- * in the box, mid is the end of the box where D is largest. At every growth of the strip at which a larger
- * tilt of the box belongs to the cycle, mid belongs to the cycle, too.
- * 3. The mean value theorem in r: where d(K - D)/dr <= M, K - D is at least its value at the upper end of the
- * strip, minus max(M, 0) times the width of the strip. If M <= 0, the upper end decides for all growths of
- * the strip.
+ * will do: 1. Monotony: the bounds of K and D from the corners of the box of tilts and growths. 2. The mean
+ * value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is monotonic in the box,
+ * mid is the end of the box where D is largest. At every growth of the strip at which a larger tilt of the
+ * box belongs to the cycle, mid belongs to the cycle, too. 3. The mean value theorem in r: where d(K - D)/dr
+ * <= M, K - D is at least its value at the upper end of the strip, minus max(M, 0) times the width of the
+ * strip. If M <= 0, the upper end decides for all growths of the strip.
  *
- * If these bounds fail, the tilts are halved. But a part of the tilts can do no better than its middle alone,
- * so where even the bounds at the middle fail, the strip is too wide.
+ * If these bounds fail, the interval of tilts is halved. If even the bounds for the single tilt in the middle
+ * fail, halving cannot help, and the strip is too wide.
  */
 static enum outcome cover_tilts(struct proof *proof, const struct level *level, double low, double high,
                                 int depth, size_t *left)
