@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The bounds by which searches and studies leave out work, against what they leave out: all trains of a
- * strip, whole rows in the place of the rest of a row, and the motion of a head that certainly keeps falling.
+ * The bounds with which searches and studies save work, compared with the work that they save: all trains of
+ * a strip, runs of whole rows, and the motion of heads that certainly keep falling.
  */
 #include "library.h" /* the names of functions that the files of the library share */
 
@@ -21,11 +21,11 @@ enum { SAMPLES = 6 };
 struct strip_case {
     struct margin_context context;
     bool in_r;
-    double lo, hi, other; /* both ends, and the separation or the growth that all trains have in common */
+    double lo, hi, other; /* both ends of the strip, and the separation or the growth that is constant */
     struct geometry at_lo, at_hi;
 };
 
-/* Returns the margin of a train of the strip; sets *along to ln r, or to s. */
+/* Returns the margin of a train in the strip, and sets *along to its ln r or its s. */
 static struct margin margin_in(struct strip_case *c, double share, double *along)
 {
     const double at = c->lo * pow(c->hi / c->lo, share);
@@ -52,7 +52,7 @@ static void top_check(struct strip_case *c, const struct strip *strip, const str
                     (1 - 1e-7) * tilt_angle(strip_least_top(&c->at_lo, &c->at_hi, kinetic, strip->grows)));
 }
 
-/* Counts of strips: all, and those with useful bounds. */
+/* The number of strips, and the number of strips with useful bounds. */
 struct strips {
     int all, slopes, grows, close;
 };
@@ -76,7 +76,7 @@ static void strip_check(struct strip_case *c, const struct strip *strip, struct 
         assert_true(strip->kinetic_least <= 0 || m[k].kinetic >= strip->kinetic_least - slack);
         assert_true(m[k].kinetic <= strip->kinetic_most + slack);
         assert_true(m[k].barrier <= highest + slack && m[k].barrier >= lowest - slack);
-        if (k == 0 || !(m[k - 1].kinetic >= 0 && m[k].kinetic >= 0)) /* without fuel no slope is known */
+        if (k == 0 || !(m[k - 1].kinetic >= 0 && m[k].kinetic >= 0)) /* without fuel, there is no slope */
             continue;
         const double step = along[k] - along[k - 1], rise = margin_value(&m[k]) - margin_value(&m[k - 1]);
         assert_true(m[k - 1].barrier - m[k].barrier <= strip->drops * step + slack);
@@ -164,8 +164,8 @@ static bool falls_all(const struct row_request *request)
     return verdict.end == DOM_ROW_FALLS;
 }
 
-/* Makes the last domino nearly as heavy as one at which the row stops, or a little heavier, so that a small
- * change far before it decides. Does nothing if the row stops earlier. */
+/* Makes the last domino almost so heavy that the row stops, or slightly heavier, so that a small change of a
+ * much earlier domino decides. Does nothing if the row stops earlier. */
 static void last_domino_balance(struct random_dominoes *row, uint64_t *seed)
 {
     double *mass = &row->domino[row->request.count - 1].mass, light = 1e-3 * *mass, heavy = 1e3 * *mass;
@@ -244,8 +244,8 @@ static void curve_check(const struct geometry *head, size_t moving)
     }
 }
 
-/* Checks a head that is hit in the state of the run: it must not be said to keep falling with too little
- * energy, and where it does, it arrives with the energy of a run in full. */
+/* Checks the head that is hit next in a run. It must not count as certain to keep falling if its energy is
+ * too small, and otherwise must arrive with the energy of a full run. */
 static void head_check(struct random_row *s, const struct run *run, size_t k, int *count)
 {
     struct run full = *run, slow = *run;

@@ -233,8 +233,8 @@ static double drawn(const struct draw *draw, const struct dom_row *row, enum dom
     }
 }
 
-/* Checks that each kind of error changes what it is about, in every domino, by as much as its size says, and
- * nothing else. Only the gap before the first domino means nothing. */
+/* Checks that each kind of error changes its property of every domino by the right amount, and changes
+ * nothing else. The gap before the first domino is ignored. */
 TEST(every_measure_is_drawn)
 {
     struct dom_domino domino[DRAWN];

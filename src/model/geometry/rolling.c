@@ -102,7 +102,7 @@ static real half_of_turn(struct tilt a, struct tilt b, real by)
     return (a.x * b.y - a.y * b.x) / (1 + a.y * b.y + a.x * b.x);
 }
 
-/* The difference between the tilts of one domino in two chains, as an angle, and as the tangent of half that
+/* The difference between the tilts that one domino has in two chains: the angle, and the tangent of half the
  * angle. */
 struct apart {
     real by, t;

@@ -56,8 +56,8 @@ struct span tilt_rise(const struct shape *shape, struct span v)
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }
 
-/* Sine and cosine of the turn theta_1 - theta at one tilt and one growth: X decreases, and Y increases, with
- * v. */
+/* Sine X and cosine Y of the turn theta_1 - theta at one tilt and one growth. X decreases with v, and Y
+ * increases. */
 struct turn {
     struct span X, Y;
 };

@@ -79,9 +79,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* At larger growths the head falls farther. So at every growth at which any other tilt of the box
-     * belongs to the cycle, this tilt belongs to it, too. Outside the cycle the bounds of D are not those
-     * of a train. */
+    /* Keep `at` within the cycle, outside of which the bounds of D do not hold. The lower bound of theta_c
+     * belongs to the cycle at all growths, and `low` belongs to it whenever any tilt of the box does. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));

@@ -112,7 +112,7 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 }
 
 /* Returns by how much the time from the beginning of the passage to the tilt `at` exceeds s->into. If the
- * passage ends at rest, `at` is the variable x, and the time is the one from x to the rest. */
+ * passage ends at rest, `at` is instead the variable x, and the function uses the time from x to the rest. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;

@@ -5,8 +5,8 @@
 
 #include "motion/segment.h"
 
-/* The beginning of a passage: `passed` tau after the head was hit, which happened at `begins`. begins and tau
- * are in s. */
+/* When a passage begins: the head was hit at the time `begins`, and the passage begins `passed` tau later.
+ * `begins` and `tau` are in s. */
 struct since {
     real begins, tau, passed;
 };
