@@ -208,6 +208,8 @@ TEST(rows_again_end_like_whole_rows)
             falls += whole.end == DOM_ROW_FALLS;
             other += (whole.end == DOM_ROW_FALLS) != (before.end == DOM_ROW_FALLS);
         }
+        row.domino[1].thickness *= -1;
+        assert_status(row_again(course, row.domino, 0, 1, &again), DOM_BAD_THICKNESS);
         (void)row_course_end(course);
     }
     print_message("# %d rows fall; %d changes turn the verdict\n", falls, other);

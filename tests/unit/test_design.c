@@ -302,6 +302,31 @@ TEST(both_headers)
     }
 }
 
+/* Checks the dominoes that both headers make of a train. */
+TEST(dominoes_of_a_train)
+{
+    struct dom_train train = dom_train_default();
+    struct domq_train wide = domq_train_default();
+    const struct dom_scale scale = {.h = 0.05, .g = 9.81};
+    const struct domq_scale wide_scale = {.h = scale.h, .g = scale.g};
+    struct dom_domino own[6];
+    train.q = 2.7;
+    train.r = 1.3;
+    wide.q = train.q;
+    wide.r = train.r;
+    dom_row_of_train(&train, &scale, 0.02, own, 6);
+    domq_row_of_train(&wide, &wide_scale, 0.02, domino, 6);
+    for (int k = 0; k < 6; k++) {
+        const double size = pow(1.3, k), mass = 0.02 * pow(size, 1.7);
+        assert_near("height", own[k].height, 0.05 * size, 1e-14);
+        assert_near("thickness", own[k].thickness, train.d * 0.05 * size, 1e-14);
+        assert_near("gap", own[k].gap, k ? train.s * 0.05 * size : 0, 1e-14);
+        assert_near("mass", own[k].mass, mass, 1e-14);
+        assert_near("mass in quad", (double)domino[k].mass, mass, 1e-14);
+        assert_near("height in quad", (double)domino[k].height, 0.05 * size, 1e-14);
+    }
+}
+
 TEST(wrong_wishes)
 {
     static const double bad[] = {0, -1, NAN, INFINITY};
