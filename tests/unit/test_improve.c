@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Improved rows: a result is never worse than the given row, and it is within the limits, even after an
  * interrupt. Also: a common error is a mixture of rows with fixed values. */
+#include "planning/shape.c"
 #include "support.h"
 #include <string.h>
 
@@ -210,4 +211,26 @@ TEST(common_error_is_a_mixture)
     assert_in_range(mixed, FIXED * EACH / 5, FIXED * EACH * 9 / 10); /* friction matters */
     /* Each share has a standard deviation of at most 0.016. */
     assert_true(fabs((double)count.fall - (double)mixed) < 0.07 * FIXED * EACH);
+}
+
+/* Checks the length that the limits count, and the mass of a domino whose walls keep their thickness. */
+TEST(lengths_and_masses)
+{
+    scene_begin();
+    const struct shape shape = {&row, &limits};
+    assert_true(shape_keeps(&shape, given));
+    limits.hall *= 1 - 1e-4;
+    assert_false(shape_keeps(&shape, given));
+    limits.hall *= 1.001;
+    limits.heaviest = given[1].mass * (1 - 1e-6);
+    assert_false(shape_keeps(&shape, given));
+
+    struct dom_domino d = given[1];
+    struct dom_box before, after;
+    const double height = 1.2 * d.height, thickness = 0.9 * d.thickness;
+    row.walls = 5e-4;
+    assert_status(dom_box_find(d.height, d.thickness, d.height / 2, row.walls, &before), DOM_OK);
+    assert_status(dom_box_find(height, thickness, height / 2, row.walls, &after), DOM_OK);
+    shape_resize(&shape, &d, height, thickness);
+    assert_near("mass", d.mass / given[1].mass, 1.2 * 1.2 * 0.9 * after.filled / before.filled, 1e-14);
 }
