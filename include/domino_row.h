@@ -342,6 +342,23 @@ enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_comp
 enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute *compute, dom_real strongest,
                              dom_real *push);
 
+/* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
+struct dom_limits {
+    /* For dom_row_improve: true to change the sizes of all dominoes but the first and the last, too, and not
+     * only the gaps. A domino keeps its proportions, except that its thickness is one of the boards if there
+     * are any. */
+    bool sizes;
+    /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
+     * walls, the masses follow from the walls instead. */
+    dom_real q;
+    dom_real hall; /* m, the space for the row with its last domino lying; may be infinite */
+    /* For dom_row_improve: kg, the mass of the heaviest domino that changes; may be infinite. */
+    dom_real heaviest;
+    dom_real grid;         /* m, all measures that change are multiples of this length; 0 for any measures */
+    const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
+    size_t boards;
+};
+
 /* ---- The design of a row ---- */
 
 /* The row that a builder wants. */
@@ -383,6 +400,34 @@ struct dom_design {
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
+
+/*
+ * Does what dom_design_find does, for a row whose measures are those that can be built: the measures of all
+ * dominoes but the first are multiples of the grid, and thicknesses are boards if there are any. The rounded
+ * row has the safety, and fits into the hall of the wish; the endless train is that before rounding. The last
+ * domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not used. Other statuses are
+ * DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ */
+enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
+                               const struct dom_limits *limits, const struct dom_compute *compute,
+                               struct dom_design *design);
+
+/*
+ * Finds a row with a given number of steps >= 1 from the first domino to the last, which falls and fits into
+ * the hall. The separation is the one that dom_design_find takes for this safety, or one as close to it as
+ * the hall and the start of the row allow. wish->least and wish->engine are not used. The limit is
+ * DOM_DESIGN_SAFETY if no such row falls, and DOM_DESIGN_HALL if the hall is too short for this number of
+ * dominoes even without gaps. `limits` may be NULL.
+ */
+enum dom_status dom_design_steps(const struct dom_train *train, const struct dom_wish *wish,
+                                 const struct dom_limits *limits, const struct dom_compute *compute,
+                                 size_t steps, struct dom_design *design);
+
+/* Writes the design->steps + 1 dominoes of a design that was found for these arguments. The first domino has
+ * the mass 1. `limits` may be NULL. */
+enum dom_status dom_design_dominoes(const struct dom_train *train, const struct dom_wish *wish,
+                                    const struct dom_limits *limits, const struct dom_design *design,
+                                    struct dom_domino *domino);
 
 /* ---- Errors: the same row, set up many times ---- */
 
@@ -470,29 +515,14 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
 
 /* ---- The most reliable row ---- */
 
-/* What dom_row_improve may change, and the limits within which the result must be. */
-struct dom_limits {
-    /* true if the sizes of all dominoes except the first and the last may change, too. The proportions of a
-     * domino do not change, except that its thickness becomes that of a board if boards are given. */
-    bool sizes;
-    /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
-     * walls, the masses follow from the walls instead. */
-    dom_real q;
-    dom_real hall;     /* m, the space for the row with its last domino lying; may be infinite */
-    dom_real heaviest; /* kg, the mass of the heaviest domino that changes; may be infinite */
-    /* m, every length that changes becomes a multiple of `grid`; 0 if any length is allowed */
-    dom_real grid;
-    const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
-    size_t boards;
-};
-
 /*
  * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes
  * the changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the
  * placement fall before the changes, and study[1] how many fall after them. The search itself uses other
- * random rows, whose numbers follow those of the placement. The result is within the limits. If the search
- * finds no better row, the result is the given row, even if the given row is outside the limits. The same
- * seed gives the same result, whatever placement->parallel is.
+ * random rows, whose numbers follow those of the placement. If the given row is within the limits, the
+ * result is the given row unless the search finds one of which more fall. Otherwise the result is the best
+ * row found within the limits, even if fewer fall, or the given row if none was found. The
+ * same seed gives the same result, whatever placement->parallel is.
  *
  * The search runs the model in double. If the row has an engine, the engine runs only the rows that study[0]
  * and study[1] count. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so

@@ -112,3 +112,34 @@ END
     wrong 'design 8 m minimise time' 'use one of: dominoes, length, mass'
     wrong 'design' 'H is missing; usage: design H \[WISHES\]'
 }
+
+@test "design: the fewest dominoes with which the row falls with a probability, by the lower end of the interval" {
+    scene='set q hollow; effect friction 0.3; effect row 2; effect placement 5 mm'
+    answer=$(json "$scene; sweep seed 1 1 1 : design 30 cm falls 90 %")
+    steps=$(values steps <<<"$answer")
+    within enough 0.9 "$(values low <<<"$answer")" 'o >= e'
+    # 'placement' counts the same rows, and fewer dominoes are not enough.
+    row="$scene; set s $(values s <<<"$answer"); set r (30/4.8)^(1/"
+    same rows "$(values probability <<<"$answer")" "$(json "$row$steps); effect row $((steps + 1)); placement 2000" | values probability)"
+    within fewer 0.9 "$(json "$row$((steps - 1))); effect row $steps; placement 2000" | values low)" 'o < e'
+    # The session gets the improved row, of which 'placement' says the same.
+    run -0 "$DOMINO" -e "$scene; effect placement 0.1 mm; design 30 cm falls 90 %; show row"
+    grep -qE "^dominoes +length +relative +fail +rows +falls +low$" <<<"$output"
+    grep -qE '^ +[0-9]+ .* 0 +2000 +100 +99\.816$' <<<"$output"
+    run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
+    grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
+    wrong 'effect row 2; design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
+    wrong "$scene; design 1 m falls 2" "'falls' is a probability up to 99.99 %"
+    wrong "$scene; design 1 m falls 2 m" "'falls' is a probability up to 99.99 %"
+}
+
+@test "design: whole mm and boards, and the rounded row is the one that has the safety" {
+    boards='boards 9, 12, 15, 18, 25, 30, 50, 70, 100, 150, 250, 400, 700, 1100 mm'
+    json "$wood; design 8 m grid 1 mm $boards; row; fall" >answers
+    values safety <answers >safety
+    within safety 2 "$(cat safety)" 'o >= e'
+    close verified "$(values energy <answers | awk 'NR > 2 && (m == "" || $1 < m) { m = $1 } END { print m }')" "$(cat safety)" 1e-6
+    same 'whole mm' 0 "$(values gap <answers | awk '{ x = 1000 * $1; d = x - int(x + 0.5); n += d * d > 1e-12 } END { print n }')"
+    same boards 0 "$(values thickness <answers | awk -v all="7 $boards" 'BEGIN { gsub(/[^0-9. ]/, " ", all); split(all, b, " "); for (k in b) ok[b[k]] } { n += !(sprintf("%.10g", 1000 * $1) in ok) } END { print n }')"
+    within hall 20 "$(json "$wood; design 8 m grid 1 mm hall 20 m" | values length)" 'o <= e && o > 19'
+}

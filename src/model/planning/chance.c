@@ -19,15 +19,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Margins for rows without a margin: MARGIN_MOST if no domino needs energy, MARGIN_NONE if the row ends in a
- * way that has nothing to do with energy, and MARGIN_LEAST, the smallest margin of all, if friction locks the
- * row. */
+/* The largest and the smallest margin: that of a domino that needs no energy, and that of one that friction
+ * locks. MARGIN_NONE is the margin of a domino at which a row ends in a way that the model does not follow.
+ */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
+#define UNSEEN       20.0 /* the margin of a domino that is not hit, since the row has ended before */
 
-/* Rows whose margin is larger than this many widths have no derivative worth computing. */
-#define FAR 4.0
+/* A row that fails with a smaller share than this, or falls with a smaller share, has no derivative. */
+#define SURE 1e-3
+
+/* A run with a change ends at a domino whose margin changes by less than this share of the largest change. */
+#define DECAYED 1e-3
 
 /* The relative step of difference quotients. The margins are correct to about 1e-7. */
 #define CHANGE ((dom_real)1e-4)
@@ -35,42 +39,62 @@
 /* The number of rows in a task. */
 enum { BATCH = 16 };
 
-/* The margin of one row. */
-struct margin {
-    double z;
-    size_t domino; /* number of the domino with the smallest margin, from 1 */
-    size_t until;  /* the run ends after this domino */
-    bool tips;     /* true if the first domino is tipped and has no margin */
+/* ---- The margins of one row ---- */
+
+/* The energy margins of a row while it runs. */
+struct run {
+    double *margin;
+    bool tips;          /* the first domino is tipped, and has no margin */
+    const double *base; /* the margins without the change that is tried, or NULL */
+    size_t from;        /* the number of the first domino that the change concerns */
+    double most;        /* the largest change of a margin so far */
 };
 
 static bool margin_seen(const struct dom_fall *fall, void *context)
 {
-    struct margin *m = context;
-    double z = fall->barrier > 0 ? (double)log(fall->kinetic / fall->barrier) : MARGIN_MOST;
+    struct run *run = context;
+    const size_t k = fall->domino - 1;
+    double z = fall->barrier > 0 ? (log)((double)(fall->kinetic / fall->barrier)) : MARGIN_MOST;
     z = z > MARGIN_LEAST ? z : MARGIN_LEAST; /* the barrier is infinite where friction locks */
-    if (z < m->z && !(m->tips && fall->domino == 1)) {
-        m->z = z;
-        m->domino = fall->domino;
-    }
-    return fall->domino < m->until;
+    if (!(run->tips && k == 0))
+        run->margin[k] = z < MARGIN_MOST ? z : MARGIN_MOST;
+    if (!run->base || fall->domino < run->from)
+        return true;
+    const double change = run->margin[k] - run->base[k], by = change < 0 ? -change : change;
+    run->most = by > run->most ? by : run->most;
+    return fall->domino < run->from + 2 || by > DECAYED * run->most;
 }
 
-/* Finds the margin of a row, or of its first `until` dominoes. A row that the model cannot decide counts as a
- * failure. */
-static enum dom_status margin_find(const struct chance *c, const struct dom_row *row, size_t until,
-                                   struct margin *m)
+/* Finds the energy margins of a row, one for each domino. If the row has a change, `base` has the margins
+ * without it, and the run ends once the change has decayed. */
+static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
+                                     size_t from, double *margin)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
-    *m = (struct margin){.z = MARGIN_MOST, .until = until, .tips = isnan(row->push)};
-    const enum dom_status status = row_verdict(row, &c->compute, false, margin_seen, m, &verdict);
+    struct run run = {.margin = margin, .tips = isnan(row->push), .base = base, .from = from};
+    for (size_t k = 0; k < row->count; k++)
+        margin[k] = base ? base[k] : UNSEEN;
+    struct row_question q = row_question_make(row, &c->compute);
+    q.request.carries_on = true;
+    const enum dom_status status = ASK(q, row_run, false, margin_seen, &run, &verdict);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return status;
-    if (status != DOM_OK || (verdict.end != DOM_ROW_FALLS && m->z > 0)) {
-        m->z = MARGIN_NONE;
-        m->domino = 0;
-    }
+    if (status != DOM_OK)
+        margin[0] = MARGIN_NONE;
+    else if (verdict.end != DOM_ROW_FALLS && verdict.end != DOM_ROW_STOPS && verdict.end != DOM_ROW_MISSES)
+        margin[verdict.domino > 0 ? verdict.domino - 1 : 0] = MARGIN_NONE;
     return DOM_OK;
 }
+
+/* Finds the margins of reach: by which share of its height each domino reaches beyond the gap after it. */
+static void reaches_find(const struct dom_row *row, double *margin)
+{
+    margin[0] = MARGIN_MOST;
+    for (size_t k = 1; k < row->count; k++)
+        margin[k] = (double)(1 - row->domino[k].gap / row->domino[k - 1].height);
+}
+
+/* ---- Sums over rows ---- */
 
 /* The sums of one batch. */
 struct totals {
@@ -83,73 +107,106 @@ struct shared {
     const struct chance *chance;
     struct dom_row row;
     struct totals *sums;
-    double *margin; /* the margin of each row, or NULL */
+    double *margin; /* the margins of each row, or NULL */
     enum dom_status *status;
 };
 
-/* Adds the derivatives of one row. The row has the margin of domino m->domino, so later dominoes have no
- * effect. */
-static enum dom_status slopes_add(const struct chance *c, struct draw *draw, const struct margin *m,
+/* The margins of one row, and how much its share of falling changes with each of them. */
+struct weighed {
+    double *margin, *changed, *weight;
+};
+
+/* Returns the probability that the row falls, which is the product of those of its margins, and writes its
+ * derivative by each margin. */
+static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
+{
+    double before = 1, after = 1;
+    for (size_t k = 0; k < margins; k++) {
+        const double x = w->margin[k] / c->width[k];
+        w->weight[k] = before * gsl_ran_ugaussian_pdf(x) / c->width[k];
+        before *= gsl_cdf_ugaussian_P(x);
+    }
+    for (size_t k = margins; k-- > 0;) {
+        w->weight[k] *= after;
+        after *= gsl_cdf_ugaussian_P(w->margin[k] / c->width[k]);
+    }
+    return before;
+}
+
+/* Returns how much the changed energy margins change the probability that the row falls. */
+static double change_of(const struct weighed *w, size_t count)
+{
+    double sum = 0;
+    for (size_t k = 0; k < count; k++)
+        if (w->margin[k] < UNSEEN && w->changed[k] < UNSEEN)
+            sum += w->weight[k] * (w->changed[k] - w->margin[k]);
+    return sum;
+}
+
+/* Adds the derivatives of one row. */
+static enum dom_status slopes_add(const struct chance *c, struct draw *draw, const struct weighed *w,
                                   struct totals *sums)
 {
-    const double weight = gsl_ran_ugaussian_pdf(m->z / c->width) / c->width;
+    const size_t count = draw->row.count;
     const struct dom_limits *limits = c->shape->limits;
     enum dom_status status = DOM_OK;
-    for (size_t k = 1; k < m->domino && status == DOM_OK; k++) {
+    for (size_t k = 1; k < count; k++) {
+        const double height = (double)draw->domino[k - 1].height;
+        sums->by_gap[k] += w->weight[count + k] / height;
+        sums->by_size[k - 1] -= w->weight[count + k] * (double)draw->domino[k].gap / height;
+    }
+    for (size_t k = 1; k < count && w->margin[k] < UNSEEN && status == DOM_OK; k++) {
         struct dom_domino *d = &draw->domino[k], before = *d;
-        struct margin with;
         const dom_real step = CHANGE * d[-1].height;
         d->gap += step;
-        status = margin_find(c, &draw->row, m->domino, &with);
-        if (with.domino == m->domino)
-            sums->by_gap[k] -= weight * (with.z - m->z) / (double)step;
+        status = energies_find(c, &draw->row, w->margin, k, w->changed);
+        sums->by_gap[k] -= change_of(w, count) / (double)step;
         *d = before;
-        if (status != DOM_OK || !limits->sizes || k + 1 == draw->row.count)
+        if (status != DOM_OK || !limits->sizes || k + 1 == count)
             continue;
         shape_resize(c->shape, d, d->height * (1 + CHANGE),
                      d->thickness * (limits->boards > 0 ? 1 : 1 + CHANGE));
-        status = margin_find(c, &draw->row, m->domino, &with);
-        if (with.domino == m->domino)
-            sums->by_size[k] -= weight * (with.z - m->z) / (double)CHANGE;
+        status = energies_find(c, &draw->row, w->margin, k, w->changed);
+        sums->by_size[k] -= change_of(w, count) / (double)CHANGE;
         *d = before;
     }
     return status;
 }
 
-static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, struct totals *sums)
+static enum dom_status row_add(struct shared *s, struct draw *draw, size_t i, const struct weighed *w,
+                               struct totals *sums)
 {
     const struct chance *c = s->chance;
-    struct margin m;
-    i = c->row ? c->row[i] : i;
+    const size_t count = s->row.count;
     draw_row(draw, &s->row, &c->placement, c->placement.first + i, 0);
-    enum dom_status status = margin_find(c, &draw->row, s->row.count, &m);
-    if (status != DOM_OK)
-        return status;
+    enum dom_status status = energies_find(c, &draw->row, NULL, 0, w->margin);
+    reaches_find(&draw->row, w->margin + count);
     if (s->margin)
-        s->margin[i] = m.z;
-    else
-        sums->fails += gsl_cdf_ugaussian_Q(m.z / c->width);
-    if (sums->by_gap && fabs(m.z) < FAR * c->width)
-        status = slopes_add(c, draw, &m, sums);
+        memcpy(s->margin + 2 * count * i, w->margin, 2 * count * sizeof *w->margin);
+    if (s->margin || status != DOM_OK)
+        return status;
+    const double falls = weigh(c, 2 * count, w);
+    sums->fails += 1 - falls;
+    if (sums->by_gap && falls > SURE && falls < 1 - SURE)
+        status = slopes_add(c, draw, w, sums);
     return status;
 }
 
-/* Returns how many rows are run. */
-static size_t rows_run(const struct chance *c)
-{
-    return c->row ? c->rows : c->placement.rows;
-}
-
-/* A dom_task: runs one batch of rows. */
+/* A dom_task. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
-    const size_t rows = rows_run(s->chance);
+    const size_t rows = s->chance->placement.rows, margins = 2 * s->row.count;
     struct draw draw;
+    double *memory = malloc(3 * margins * sizeof *memory);
     enum dom_status status = draw_begin(&draw, &s->row);
+    if (!memory)
+        status = DOM_NO_MEMORY;
+    const struct weighed w = {memory, memory + margins, memory + 2 * margins};
     for (size_t i = index * BATCH; i < rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
-        status = row_add(s, &draw, i, &s->sums[index]);
+        status = row_add(s, &draw, i, &w, &s->sums[index]);
     draw_end(&draw);
+    free(memory);
     s->status[index] = status;
 }
 
@@ -172,7 +229,7 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
 static enum dom_status chance_run(const struct chance *c, const struct dom_domino *domino, double *margin,
                                   struct totals *total)
 {
-    const size_t count = c->shape->row->count, batches = (rows_run(c) + BATCH - 1) / BATCH,
+    const size_t count = c->shape->row->count, batches = (c->placement.rows + BATCH - 1) / BATCH,
                  slopes = total->by_gap ? 2 * count : 0;
     struct shared s = {.chance = c, .row = *c->shape->row, .margin = margin};
     s.row.domino = domino;
@@ -219,8 +276,6 @@ enum dom_status chance_find(const struct chance *c, const struct dom_domino *dom
 
 enum dom_status chance_margins(const struct chance *c, const struct dom_domino *domino, double *margin)
 {
-    struct chance all = *c;
     struct totals none = {0, NULL, NULL};
-    all.row = NULL;
-    return chance_run(&all, domino, margin, &none);
+    return chance_run(c, domino, margin, &none);
 }

@@ -8,15 +8,10 @@
 struct chance {
     const struct shape *shape;
     struct dom_compute compute;
-    struct dom_placement placement; /* the errors and the numbers of the random rows */
-    /* The indices of the `rows` rows that are run, while the others are known to fall. If NULL, all rows are
-     * run. */
-    const size_t *row;
-    size_t rows;
-    /* A row with the margin z counts as falling with the probability Phi(z / width). Its margin is the
-     * smallest ln(kinetic / barrier) of its dominoes. The smaller the width, the closer is the sum to a plain
-     * count. */
-    double width;
+    struct dom_placement placement; /* its rows are those that are run */
+    /* For each margin the width of the smoothing: a row with the margins z falls with the probability that is
+     * the product of Phi(z / width). Smaller widths are closer to counting. */
+    const double *width;
 };
 
 /* Finds the share of the rows that do not fall. Unless by_gap is NULL, also finds the derivatives of this
@@ -25,7 +20,8 @@ struct chance {
 enum dom_status chance_find(const struct chance *chance, const struct dom_domino *domino, double *fails,
                             double *by_gap, double *by_size);
 
-/* Finds the margin of each row. */
+/* Finds the margins of each row, 2 * count numbers for each: ln(kinetic / barrier) of each domino, and then
+ * the share of its height by which the domino before it reaches beyond the gap. */
 enum dom_status chance_margins(const struct chance *chance, const struct dom_domino *domino, double *margin);
 
 #endif

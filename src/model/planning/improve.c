@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Finds the row that falls most reliably under random errors. The search minimizes the smoothed share of
- * random rows that do not fall (chance.h). It begins with few rows and a smoothing as wide as the standard
- * deviation of their margins, so that rows far from failing contribute, too. It goes on with more rows and
- * less smoothing, until the share is almost a plain count. All steps use the same random rows. Other random
- * rows decide whether a result is kept.
+ * random rows that do not fall (chance.h). The smoothing of each margin is as wide as a multiple of its own
+ * standard deviation. It begins with the factor 1, where the share is about that with errors sqrt(2) times as
+ * large, so that rows far from failing contribute, too, and goes on with more rows and less smoothing. If all
+ * margins have the same width, the large dominoes, which hardly notice errors of a few mm, keep as much
+ * energy to spare as the small ones, which need it. All steps use the same random rows. Other random rows
+ * decide whether a result is kept.
  *
- * The minimizer is BFGS from GSL. SLSQP from NLopt is slightly better: for rows of eleven dominoes, 7.2 %
- * failed after the second level instead of 7.6 %, with as many runs. But Debian has NLopt only as a shared
- * library. Loading it takes 190,000 instructions, and the whole program starts in 440,000.
+ * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better in an earlier version of this search:
+ * 7.2 % of the rows of eleven dominoes failed instead of 7.6 %, with as many runs. But Debian has NLopt only
+ * as a shared library. Loading it takes 190,000 instructions, and the whole program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -26,27 +28,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search: the number of rows, the width of the smoothing in standard deviations of the
- * margins, and the largest number of function evaluations. Evaluations are limited rather than steps, because
- * a line search of GSL may need 200 evaluations where the function has a kink. */
+/* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of each
+ * margin, and the largest number of values of the function with a gradient. */
 static const struct level {
     size_t rows;
     double width;
     size_t values;
-} levels[] = {{256, 1, 60}, {1024, 0.25, 60}, {4096, 0.1, 60}};
+} levels[] = {{256, 1, 15}, {512, 0.5, 15}, {1024, 0.25, 15}, {2048, 0.15, 8}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* A result is checked after this many evaluations. */
-enum { CHECK = 20 };
+/* A result is checked after this many values. */
+enum { CHECK = 8 };
 
-/* Rows whose margin is larger than this many widths are left out until the next level. */
-#define FAR 8
-
-/* A lower limit for the standard deviation of the margins. */
-#define SCATTER_LEAST 0.05
+/* The standard deviation of the margins is taken to be at least this. */
+#define SCATTER_LEAST 0.03
 
 /* The tolerance of the margins. */
-#define MARGIN_TOL ((dom_real)1e-7)
+#define MARGIN_TOL ((dom_real)1e-5)
 
 /* The length of the minimizer's first step, in logarithms of gaps and heights, and the accuracy of its line
  * searches, which is the one that the manual of GSL recommends. */
@@ -57,19 +55,19 @@ struct search {
     struct shape shape;
     struct chance chance;
     const struct dom_compute *compute;
-    const struct dom_placement *placement; /* the random rows that decide whether a result is kept */
-    double scatter;
-    /* The dominoes of the row that is being evaluated, of the row that is being checked, and of the best row
-     * so far. */
-    struct dom_domino *domino, *candidate, *best;
+    const struct dom_placement *placement;        /* the rows that decide */
+    double *width;                                /* of each margin, on this level */
+    struct dom_domino *domino, *candidate, *best; /* for one trial; for one check; the best row so far */
     double *by_gap, *by_size;
-    double *margin;       /* the margin of each row of a level */
-    size_t *row;          /* indices of the rows that are run */
-    gsl_vector *lowest_x; /* the variables at the lowest value on this level */
+    double *margin;       /* the margins of each row of a level */
+    double *sorted;       /* one margin of all rows */
+    gsl_vector *lowest_x; /* where the function had its lowest value on this level */
     double lowest;
-    size_t left;             /* the number of evaluations that are left on this level */
-    double fails;            /* the smoothed share for the best row, as the last level computes it */
-    struct dom_study *study; /* the counts for the given row and for the best row so far */
+    size_t left;             /* the number of values that are left on this level */
+    double fails;            /* the smooth share of the best row, on the last level */
+    struct dom_study *study; /* of the row as given, and of the best row so far */
+    bool given_allowed;      /* the row as given keeps the limits */
+    bool is_allowed;         /* the best row so far keeps the limits */
     enum dom_status status;
     dom_progress *progress;
     void *context;
@@ -93,9 +91,7 @@ static size_t rows_of(const struct dom_placement *placement, const struct level 
 
 static void level_set(struct search *s, const struct level *level)
 {
-    s->chance.row = NULL;
     s->chance.placement.rows = rows_of(s->placement, level);
-    s->chance.width = level->width * s->scatter;
 }
 
 /* ---- The function that is minimized ---- */
@@ -108,9 +104,11 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
     double fails;
     if (s->status != DOM_OK || s->left == 0 || !shape_dominoes(&s->shape, x->data, false, s->domino))
         return HUGE_VAL;
-    s->left--;
-    if (s->progress)
-        s->progress(++s->done, values_all(), s->context);
+    if (gradient) {
+        s->left--;
+        if (s->progress)
+            s->progress(++s->done, values_all(), s->context);
+    }
     const enum dom_status status =
         chance_find(&s->chance, s->domino, &fails, gradient ? s->by_gap : NULL, s->by_size);
     if (status != DOM_OK) {
@@ -157,40 +155,24 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 
 /* ---- The search ---- */
 
-/* Finds the margins of the rows of this level. If `selects` is true, then selects the rows that may fail;
- * otherwise sorts the margins in increasing order. */
-static void margins_find(struct search *s, const gsl_vector *x, bool selects)
+/* Sets the width of each margin from its standard deviation. This is estimated from the median and the values
+ * below the median, since the large ones say nothing about the rows that fail. */
+static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
-    const size_t rows = s->chance.placement.rows;
+    const size_t rows = s->chance.placement.rows, margins = 2 * s->shape.row->count;
     if (s->status == DOM_OK && !shape_dominoes(&s->shape, x->data, false, s->domino))
         s->status = DOM_BAD_HALL;
     if (s->status == DOM_OK)
         s->status = chance_margins(&s->chance, s->domino, s->margin);
-    if (s->status != DOM_OK)
-        return;
-    if (!selects) {
-        gsl_sort(s->margin, 1, rows);
-        return;
+    for (size_t k = 0; k < margins && s->status == DOM_OK; k++) {
+        for (size_t i = 0; i < rows; i++)
+            s->sorted[i] = s->margin[i * margins + k];
+        gsl_sort(s->sorted, 1, rows);
+        const double scatter =
+            gsl_stats_quantile_from_sorted_data(s->sorted, 1, rows, 0.5) -
+            gsl_stats_quantile_from_sorted_data(s->sorted, 1, rows, gsl_cdf_ugaussian_P(-1));
+        s->width[k] = level->width * GSL_MAX_DBL(SCATTER_LEAST, scatter);
     }
-    s->chance.row = s->row;
-    s->chance.rows = 0;
-    for (size_t i = 0; i < rows; i++)
-        if (s->margin[i] < FAR * s->chance.width)
-            s->row[s->chance.rows++] = i;
-}
-
-/* Returns the standard deviation of the margins of the given row. It is estimated from the median and the
- * margins below the median, since the large margins say nothing about the rows that fail. */
-static double scatter_of(struct search *s, const gsl_vector *x)
-{
-    const size_t rows = rows_of(s->placement, &levels[0]);
-    level_set(s, &levels[0]);
-    margins_find(s, x, false);
-    if (s->status != DOM_OK)
-        return SCATTER_LEAST;
-    return GSL_MAX_DBL(SCATTER_LEAST,
-                       gsl_stats_quantile_from_sorted_data(s->margin, 1, rows, 0.5) -
-                           gsl_stats_quantile_from_sorted_data(s->margin, 1, rows, gsl_cdf_ugaussian_P(-1)));
 }
 
 /* Counts how many of the deciding rows fall. */
@@ -201,8 +183,9 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Keeps a row if it does better than the best row so far in the random rows of the search, and no worse than
- * the given row in the deciding ones. */
+/* Keeps a row if it is better than the best so far by the rows of the search, and not worse than the row as
+ * given by the rows that decide. If the row as given is outside the limits, any row that keeps them is
+ * better. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;
@@ -210,17 +193,15 @@ static void consider(struct search *s, const gsl_vector *x)
     if (s->status != DOM_OK || !shape_dominoes(&s->shape, x->data, true, s->candidate) ||
         !shape_keeps(&s->shape, s->candidate))
         return;
-    const struct chance now = s->chance;
-    level_set(s, &levels[LEVELS - 1]);
     s->status = chance_find(&s->chance, s->candidate, &fails, NULL, NULL);
-    s->chance = now;
-    if (s->status != DOM_OK || !(fails < s->fails))
+    if (s->status != DOM_OK || !(fails < s->fails || !s->is_allowed))
         return;
     const enum dom_status status = count(s, s->candidate, &study);
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         s->status = status;
-    if (status != DOM_OK || study.fall < s->study[0].fall)
+    if (status != DOM_OK || (s->given_allowed && study.fall <= s->study[0].fall))
         return;
+    s->is_allowed = true;
     memcpy(s->best, s->candidate, s->shape.row->count * sizeof *s->best);
     s->fails = fails;
     s->study[1] = study;
@@ -235,10 +216,14 @@ static void level_run(struct search *s, const struct level *level, gsl_multimin_
     const size_t begun = s->done;
     double before = HUGE_VAL;
     level_set(s, level);
-    margins_find(s, x, true);
+    widths_set(s, level, x);
+    if (s->status == DOM_OK)
+        s->status = chance_find(&s->chance, s->best, &s->fails, NULL, NULL);
     s->left = level->values;
     s->lowest = HUGE_VAL;
     gsl_vector_memcpy(s->lowest_x, x);
+    if (!s->is_allowed)
+        consider(s, x);
     size_t check = s->left - CHECK;
     bool more = gsl_multimin_fdfminimizer_set(m, &f, x, FIRST_STEP, LINE_TOL) == GSL_SUCCESS;
     while (more && s->left > 0 && s->status == DOM_OK) {
@@ -267,13 +252,8 @@ static void search_run(struct search *s)
         gsl_multimin_fdfminimizer_alloc(gsl_multimin_fdfminimizer_vector_bfgs2, variables);
     s->lowest_x = gsl_vector_alloc(variables);
     s->status = x && m && s->lowest_x ? DOM_OK : DOM_NO_MEMORY;
-    if (s->status == DOM_OK) {
-        shape_begin(&s->shape, x->data);
-        s->scatter = scatter_of(s, x);
-    }
-    level_set(s, &levels[LEVELS - 1]);
     if (s->status == DOM_OK)
-        s->status = chance_find(&s->chance, s->best, &s->fails, NULL, NULL);
+        shape_begin(&s->shape, x->data);
     for (int i = 0; i < LEVELS && s->status == DOM_OK; i++)
         level_run(s, &levels[i], m, x);
     if (m)
@@ -282,18 +262,6 @@ static void search_run(struct search *s)
         gsl_vector_free(s->lowest_x);
     if (x)
         gsl_vector_free(x);
-}
-
-static enum dom_status limits_check(const struct dom_limits *l)
-{
-    enum dom_status status = !(l->q > 0 && (double)l->q < HUGE_VAL)          ? DOM_BAD_Q
-                             : !(l->hall > 0)                                ? DOM_BAD_HALL
-                             : !(l->heaviest > 0)                            ? DOM_BAD_MASS
-                             : !(l->grid >= 0 && (double)l->grid < HUGE_VAL) ? DOM_BAD_GAP
-                                                                             : DOM_OK;
-    for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
-        status = l->board[i] > 0 && (double)l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
-    return status;
 }
 
 enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_compute *compute,
@@ -319,7 +287,8 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     }
     memcpy(domino, row->domino, n * sizeof *domino);
     study[1] = study[0];
-    if (study[0].fall == study[0].rows || n < 2)
+    s.given_allowed = s.is_allowed = shape_keeps(&s.shape, row->domino);
+    if ((study[0].fall == study[0].rows && s.given_allowed) || n < 2)
         return DOM_OK;
     s.chance =
         (struct chance){.shape = &s.shape, .compute = compute_or_default(compute), .placement = *placement};
@@ -331,14 +300,19 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
     s.candidate = malloc(n * sizeof *s.candidate);
     s.by_gap = malloc(n * sizeof *s.by_gap);
     s.by_size = malloc(n * sizeof *s.by_size);
-    s.margin = malloc(levels[LEVELS - 1].rows * sizeof *s.margin);
-    s.row = malloc(levels[LEVELS - 1].rows * sizeof *s.row);
-    s.status = s.domino && s.candidate && s.by_gap && s.by_size && s.margin && s.row ? DOM_OK : DOM_NO_MEMORY;
+    s.margin = malloc(2 * n * levels[LEVELS - 1].rows * sizeof *s.margin);
+    s.sorted = malloc(levels[LEVELS - 1].rows * sizeof *s.sorted);
+    s.width = malloc(2 * n * sizeof *s.width);
+    s.chance.width = s.width;
+    s.status = s.domino && s.candidate && s.by_gap && s.by_size && s.margin && s.sorted && s.width
+                   ? DOM_OK
+                   : DOM_NO_MEMORY;
     dom_quiet_begin();
     if (s.status == DOM_OK)
         search_run(&s);
     dom_quiet_end();
-    free(s.row);
+    free(s.width);
+    free(s.sorted);
     free(s.margin);
     free(s.by_size);
     free(s.by_gap);

@@ -10,11 +10,26 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* The largest factor by which a height may change. */
+/* Gaps of a row that just fits into the hall are narrowed by the factor 2^(-1 / SHARP). */
+#define SHARP ((dom_real)64)
+
+/* A height changes at most by this factor. */
 #define FARTHEST ((dom_real)4)
 
 /* An allowance for rounding errors: a limit may be exceeded by this factor. */
 #define ROUNDED (1 + (dom_real)1e-9)
+
+enum dom_status limits_check(const struct dom_limits *l)
+{
+    enum dom_status status = !(l->q > 0 && (double)l->q < HUGE_VAL)          ? DOM_BAD_Q
+                             : !(l->hall > 0)                                ? DOM_BAD_HALL
+                             : !(l->heaviest > 0)                            ? DOM_BAD_MASS
+                             : !(l->grid >= 0 && (double)l->grid < HUGE_VAL) ? DOM_BAD_GAP
+                                                                             : DOM_OK;
+    for (size_t i = 0; i < l->boards && status == DOM_OK; i++)
+        status = l->board[i] > 0 && (double)l->board[i] < HUGE_VAL ? DOM_OK : DOM_BAD_THICKNESS;
+    return status;
+}
 
 static bool has_size(const struct shape *s, size_t k)
 {
@@ -24,17 +39,29 @@ static bool has_size(const struct shape *s, size_t k)
 size_t shape_variables(const struct shape *s)
 {
     const size_t gaps = s->row->count - 1;
-    return s->limits->sizes && gaps > 1 ? 2 * gaps - 1 : gaps;
+    return s->limits->sizes && gaps > 1 ? 2 * gaps : gaps;
 }
 
 void shape_begin(const struct shape *s, double *x)
 {
     const struct dom_domino *d = s->row->domino;
     const size_t gaps = s->row->count - 1;
-    for (size_t k = 1; k <= gaps; k++)
-        x[k - 1] = (double)log(fmax(d[k].gap, LEAST * d[k - 1].height));
-    for (size_t k = 1; has_size(s, k); k++)
-        x[gaps + k - 1] = (double)log(d[k].height);
+    for (size_t k = 1; k <= gaps; k++) {
+        x[k - 1] = (double)log(fmax(d[k].gap / d[k - 1].height, LEAST));
+        if (shape_variables(s) > gaps)
+            x[gaps + k - 1] = (double)log(d[k].height / d[k - 1].height);
+    }
+}
+
+/* Returns the logarithm by which all growths must be divided, so that the last domino keeps its height. */
+static dom_real growth_excess(const struct shape *s, const double *growth)
+{
+    const struct dom_domino *d = s->row->domino;
+    const size_t gaps = s->row->count - 1;
+    dom_real sum = 0;
+    for (size_t k = 0; k < gaps; k++)
+        sum += (dom_real)growth[k];
+    return (sum - log(d[gaps].height / d[0].height)) / (dom_real)gaps;
 }
 
 /* Returns the volume of the walls of a domino that is half as wide as it is tall, or 0 if they do not fit. */
@@ -115,21 +142,43 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     const dom_real grid = s->limits->grid;
     dom_real room = s->limits->hall - s->row->domino[count - 1].height - grid, sum = 0;
     memcpy(d, s->row->domino, count * sizeof *d);
-    for (size_t k = 1; has_size(s, k); k++)
-        size_set(s, k, exp((dom_real)x[gaps + k - 1]), final, &d[k]);
+    const dom_real excess = has_size(s, 1) ? growth_excess(s, x + gaps) : 0;
+    dom_real height = d[0].height;
+    for (size_t k = 1; has_size(s, k); k++) {
+        height *= exp((dom_real)x[gaps + k - 1] - excess);
+        size_set(s, k, height, final, &d[k]);
+    }
     for (size_t k = 0; k < count; k++)
         room -= d[k].thickness;
     for (size_t k = 1; k < count; k++) {
-        d[k].gap = fmin(fmax(exp((dom_real)x[k - 1]), LEAST * d[k - 1].height), MOST * d[k - 1].height);
+        d[k].gap = fmin(fmax(exp((dom_real)x[k - 1]), LEAST), MOST) * d[k - 1].height;
         sum += d[k].gap;
     }
     if (room <= 0 && gaps > 0)
         return false;
-    for (size_t k = 1; k < count && sum > room; k++)
-        d[k].gap *= room / sum;
+    /* All but the smaller of 1 and room / sum, and smooth, so that a minimizer can follow the limit. */
+    const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
+    for (size_t k = 1; k < count; k++)
+        d[k].gap *= narrower;
     if (final && grid > 0)
         gaps_round(s, d);
     return true;
+}
+
+static bool is_on_grid(const struct shape *s, dom_real length)
+{
+    const dom_real grid = s->limits->grid, cells = grid > 0 ? length / grid : 0;
+    return fabs(cells - floor(cells + (dom_real)0.5)) < (dom_real)1e-6;
+}
+
+/* Returns true if the mass, the height and the thickness of a domino keep the limits. */
+static bool size_keeps(const struct shape *s, const struct dom_domino *d)
+{
+    const struct dom_limits *l = s->limits;
+    bool sold = l->boards == 0 && is_on_grid(s, d->thickness);
+    for (size_t i = 0; i < l->boards; i++)
+        sold = sold || fabs(d->thickness / l->board[i] - 1) < ROUNDED - 1;
+    return sold && is_on_grid(s, d->height) && d->mass <= l->heaviest * ROUNDED;
 }
 
 bool shape_keeps(const struct shape *s, const struct dom_domino *d)
@@ -138,8 +187,20 @@ bool shape_keeps(const struct shape *s, const struct dom_domino *d)
     dom_real length = d[count - 1].height;
     for (size_t k = 0; k < count; k++) {
         length += d[k].gap + d[k].thickness;
-        if (has_size(s, k) && d[k].mass > s->limits->heaviest * ROUNDED)
+        if ((has_size(s, k) && !size_keeps(s, &d[k])) || (k > 0 && !is_on_grid(s, d[k].gap)))
             return false;
     }
     return length <= s->limits->hall * ROUNDED;
+}
+
+void shape_round(const struct shape *s, struct dom_domino *d)
+{
+    const size_t count = s->row->count;
+    for (size_t k = 1; k < count; k++) {
+        const dom_real height = k + 1 < count ? on_grid(s, d[k].height) : d[k].height,
+                       thickness = d[k].thickness * (height / d[k].height);
+        shape_resize(s, &d[k], height, board_near(s, thickness, true));
+    }
+    if (s->limits->grid > 0)
+        gaps_round(s, d);
 }

@@ -11,8 +11,10 @@ struct shape {
     const struct dom_limits *limits;
 };
 
-/* Returns the number of variables: the logarithms of the gaps and, if sizes change, of the heights of the
- * dominoes between the first and the last. A row in which nothing may change has no variables. */
+/* Returns the number of variables: the logarithms of the gaps, each divided by the height of the domino
+ * before it, and, if sizes change, those of the growths from domino to domino. Only the differences between
+ * the growths matter, since the last domino keeps its height. A row whose measures may not change has none.
+ */
 size_t shape_variables(const struct shape *shape);
 
 /* Sets the variables to the values for the given row. */
@@ -26,7 +28,14 @@ void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real
  * that may change are rounded to the grid. Returns false if the dominoes do not fit into the hall. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
-/* Returns true if a row is within the limits. */
+/* Rounds the measures of a row: the heights of all dominoes but the first and the last, the thicknesses of
+ * all but the first, and the places. */
+void shape_round(const struct shape *shape, struct dom_domino *domino);
+
+/* Returns DOM_OK, or which of the limits is outside its range. */
+enum dom_status limits_check(const struct dom_limits *limits);
+
+/* Returns true if a row keeps the limits. */
 bool shape_keeps(const struct shape *shape, const struct dom_domino *domino);
 
 #endif

@@ -264,14 +264,29 @@ KERNEL void row_launch(struct run *run)
     run->moving = 1;
 }
 
+/* Runs head k again, which has stopped, with a little more energy than it needs. */
+static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
+{
+    const real more = 1 + (real)1e-4;
+    struct dom_fall fall;
+    run->omegasq = (run->omegasq - d->least_margin / d->J0) * more;
+    run->moving = moving;
+    return row_descend(run, k, d, &fall);
+}
+
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall)
 {
     bool tips = k == 0 && isnan(run->request->push);
     real before = run->carried;
+    const size_t moving = run->moving;
     *fall = (struct dom_fall){.domino = k + 1, .time = run->time, .moving = run->moving};
     if (dom_raised(run->request->interrupt))
         return DOM_INTERRUPTED;
     enum dom_status status = tips ? tip_run(run, d, fall) : row_descend(run, k, d, fall);
+    if (status != DOM_OK)
+        return status;
+    if (run->request->carries_on && !tips && d->stops && !d->locks)
+        status = carry_on(run, k, moving, d);
     if (status != DOM_OK)
         return status;
     if (k > 0)

@@ -2,129 +2,11 @@
 /* The command design, which finds a row with a given last height, a given safety and a limit on its length.
  */
 #include "answer/format.h"
+#include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
 #include "language/quad.h"
 #include <stdlib.h>
-
-const struct column design_columns[] = {
-    {"s", "h", "the gap divided by the height", 0},
-    {"r", "", "the growth from domino to domino", 0},
-    {"steps", "", "n, with h r^n = H: the row has n + 1 dominoes", 0},
-    {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
-    {"length", "m", "the length with the last domino fallen", 0},
-    {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
-    {"surface", "m^2", "the surface of the walls of all dominoes, if q is 3", 0},
-    {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
-    {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
-    {"weakest", "", "the weakest domino, which has this safety", 0},
-    {"train", "", "the safety of the endless train", 0},
-    {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
-    {NULL, NULL, NULL, 0},
-};
-
-/* ---- The dominoes of a design ---- */
-
-struct plan {
-    struct domq_domino *domino;
-    size_t count;
-    bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
-    bool hollow;
-};
-
-/* Makes the dominoes of a design, with the last one exactly `height` tall. If memory runs out, sets *problem
- * and returns false. */
-static bool plan_make(const struct query *query, struct problem *problem, const struct domq_design *d,
-                      domq_real height, struct plan *p)
-{
-    struct domq_train train = query->scene->train;
-    const domq_real mass = scene_mass(query->scene);
-    train.s = d->s;
-    train.r = d->r;
-    *p = (struct plan){.count = d->steps + 1, .has_masses = mass > 0, .hollow = train.q == 3};
-    p->domino = malloc(p->count * sizeof *p->domino);
-    if (!p->domino)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
-    domq_row_of_train(&train, &query->scene->scale, p->has_masses ? mass : 1, p->domino, p->count);
-    p->domino[d->steps].height = height;
-    return true;
-}
-
-/* Returns the surface of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half as
- * wide as they are tall. */
-static domq_real plan_material(const struct plan *p, const struct domq_domino *d)
-{
-    domq_real width = d->height / 2;
-    return p->hollow ? 2 * (d->height * width + d->height * d->thickness + width * d->thickness)
-                     : d->height * width * d->thickness;
-}
-
-/* Lists the dominoes: for people with the sizes to saw and the places to stand them, and for a file with the
- * columns that 'effect row FILE' reads. */
-static void plan_write(struct answer *a, const struct plan *p, bool file)
-{
-    static const struct column columns[] = {
-        {"domino", "", "", 6},   {"height", "m", "", 9},    {"thickness", "m", "", 9},
-        {"gap", "m", "", 9},     {"at", "m", "", 9},        {"mass", "kg", "", 9},
-        {"relative", "", "", 9}, {"surface", "m^2", "", 9}, {"volume", "m^3", "", 9},
-        {NULL, NULL, NULL, 0},
-    };
-    const struct domq_domino *last = &p->domino[p->count - 1];
-    domq_real at = 0;
-    a->columns = columns;
-    a->rows = true;
-    a->csv.units = file;
-    a->style.errors = false;
-    answer_leave_out(a, p->has_masses ? "relative" : "mass");
-    if (file)
-        answer_leave_out(a, "at");
-    if (file || p->hollow)
-        answer_leave_out(a, "volume");
-    if (file || !p->hollow)
-        answer_leave_out(a, "surface");
-    answer_largest(a, "height", last->height);
-    answer_largest(a, "thickness", last->thickness);
-    answer_largest(a, "gap", last->gap);
-    answer_largest(a, "at", last->height);
-    for (size_t k = 0; k < p->count && !answer_lost(a); k++) {
-        const struct domq_domino *d = &p->domino[k];
-        struct cell cells[] = {cell_count((domq_real)k + 1),
-                               cell_real(d->height),
-                               cell_real(d->thickness),
-                               cell_real(d->gap),
-                               cell_real(at += d->gap),
-                               cell_real(d->mass),
-                               cell_real(d->mass / p->domino[0].mass),
-                               cell_real(plan_material(p, d)),
-                               cell_real(plan_material(p, d))};
-        for (int i = 1; i < 9; i++)
-            cells[i].digits = 4;
-        answer_row(a, cells, NULL);
-        at += d->thickness;
-    }
-}
-
-/* Writes the row with the numbers of a design. If no design fits the wishes, `p` is NULL and `reason` says
- * why. */
-static void design_row(struct answer *a, const struct plan *p, const struct domq_design *d,
-                       const char *reason)
-{
-    const struct cell none = cell_real(DOMQ_NAN);
-    domq_real mass = 0, material = 0;
-    for (size_t k = 0; p && k < p->count; k++) {
-        mass += p->domino[k].mass;
-        material += plan_material(p, &p->domino[k]);
-    }
-    answer_row(a,
-               ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
-                   cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
-                   p && p->has_masses ? cell_narrow(mass, 5) : none,
-                   p && p->hollow ? cell_narrow(material, 5) : none,
-                   p && !p->hollow ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
-                   d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),
-                   cell_narrow(d->seconds, 5)),
-               reason);
-}
 
 /* ---- What would make a wish possible ---- */
 
@@ -273,8 +155,8 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w)
 
 /* Finds the design. If the scene runs rows in the rigid-body engine, the row of the design must fall there,
  * too. */
-static bool design_find(const struct query *query, struct domq_wish *wish, struct scene_engine *engine,
-                        struct domq_design *d, struct problem *problem)
+static bool design_find(const struct query *query, struct domq_wish *wish, const struct domq_limits *limits,
+                        struct scene_engine *engine, struct domq_design *d, struct problem *problem)
 {
     struct scene with_row = *query->scene;
     with_row.effect[DOM_EFFECT_row].on = true;
@@ -283,7 +165,10 @@ static bool design_find(const struct query *query, struct domq_wish *wish, struc
             return false;
         wish->engine = &engine->engine;
     }
-    enum dom_status status = domq_design_find(&query->scene->train, wish, &query->scene->compute, d);
+    const struct domq_train *train = &query->scene->train;
+    const struct domq_compute *compute = &query->scene->compute;
+    enum dom_status status =
+        limits ? domq_design_fit(train, wish, limits, compute, d) : domq_design_find(train, wish, compute, d);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     if (d->limit == DOM_DESIGN_FAILED)
@@ -296,7 +181,7 @@ static bool design_find(const struct query *query, struct domq_wish *wish, struc
 static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
                        const struct domq_design *d, const struct plan *plan)
 {
-    char least[160] = "", engine[120] = "";
+    char growth[80] = "", least[160] = "", engine[120] = "";
     if (isfinite(d->row))
         snprintf(least, sizeof least,
                  " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
@@ -305,28 +190,98 @@ static void design_say(const struct query *query, struct answer *a, const struct
         snprintf(engine, sizeof engine,
                  " All fall in the rigid-body engine, too, which runs rows because %s.",
                  scene_engine_why(query->scene));
-    answer_say(a, "\n%zu dominoes, each %.4g times as large as the one before; the last is %s tall.%s%s\n",
-               plan->count, (double)d->r, measured(wish->height, "m", 4).text, least, engine);
+    if (!plan->is_improved && !plan->limits)
+        snprintf(growth, sizeof growth, ", each %.4g times as large as the one before", (double)d->r);
+    answer_say(a, "\n%zu dominoes%s; the last is %s tall.%s%s\n", plan->count, growth,
+               measured(wish->height, "m", 4).text, least, engine);
     struct answer list = {.out = a->out, .style = a->style};
     plan_write(&list, plan, false);
 }
 
 /* Makes the design the row of the session. Does nothing if the command only gives the value of an expression:
  * then query->next is NULL. */
-static bool design_keep(const struct query *query, struct problem *problem, struct answer *a,
-                        const struct domq_design *d)
+static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
+                        const struct plan *plan)
 {
     const domq_real count = (domq_real)d->steps + 1;
     struct state *next = query->next;
-    if (!next)
-        return true;
-    if (!parameter_set(next, parameter_find("row"), &count, 1, problem) ||
-        !parameter_set(next, parameter_find("s"), &d->s, 1, problem) ||
-        !parameter_set(next, parameter_find("r"), &d->r, 1, problem))
+    return !next ||
+           (parameter_set(next, parameter_find("row"), &count, 1, problem) &&
+            parameter_set(next, parameter_find("s"), &d->s, 1, problem) &&
+            parameter_set(next, parameter_find("r"), &d->r, 1, problem) &&
+            (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
+}
+
+/* Improves the row of the session, which is the design, and makes it the row of the plan. */
+static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
+                           struct plan *plan, struct domq_design *d, struct domq_study *study,
+                           struct problem *problem)
+{
+    struct query of_row = *query;
+    struct improved found;
+    struct scene_row row;
+    of_row.scene = &query->next->scene;
+    struct wishes wishes = *w;
+    wishes.sizes = true;
+    if (!improve_row(&of_row, &wishes, a, &found, problem) ||
+        !scene_row_list(&query->next->scene, &row, problem))
         return false;
-    answer_say(
-        a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' writes it, "
-           "'effect row off' ends it.");
+    free(plan->domino);
+    plan->domino = row.domino;
+    d->feet += found.length - d->length;
+    d->length = found.length;
+    if (found.study[1].rows >= study->rows || found.changed > 0)
+        *study = found.study[1];
+    plan->is_improved = found.changed > 0;
+    if (plan->is_improved) { /* these are not those of the improved row */
+        d->row = d->train = d->seconds = DOMQ_NAN;
+        d->weakest = 0;
+    }
+    return true;
+}
+
+/* Returns the sizes that the dominoes may have. */
+static struct domq_limits design_limits(const struct query *query, const struct wishes *w)
+{
+    return (struct domq_limits){.sizes = true,
+                                .q = query->scene->train.q,
+                                .hall = w->hall,
+                                .heaviest = (domq_real)HUGE_VAL,
+                                .grid = w->grid,
+                                .board = w->board,
+                                .boards = w->boards};
+}
+
+/* Writes why there is no design. Returns false with a problem if the answer was to be written to a file. */
+static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
+                        struct problem *problem)
+{
+    if (file)
+        return problem_no_answer(problem, "%s", reason);
+    answer_say(a, "%s.", reason);
+    if (!answer_for_people(a))
+        design_row(a, NULL, d, NULL, reason);
+    return true;
+}
+
+/* Answers with a design that was found. */
+static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
+                          const struct domq_wish *wish, struct plan *plan, struct domq_design *d,
+                          struct domq_study *study, struct problem *problem)
+{
+    const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink && query->next;
+    if ((keeps && !design_keep(query, problem, d, plan)) ||
+        (keeps && w->falls > 0 && !design_improve(query, w, a, plan, d, study, problem)))
+        return false;
+    if (file)
+        plan_write(a, plan, true);
+    else
+        design_row(a, plan, d, study, NULL);
+    if (answer_for_people(a))
+        design_say(query, a, wish, d, plan);
+    if (keeps)
+        answer_say(a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' "
+                      "writes it, 'effect row off' ends it.");
     return true;
 }
 
@@ -334,7 +289,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
 {
     const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
-    const bool file = a->path && !a->style.format->for_people;
+    const bool file = a->path && !a->style.format->for_people, falls = w->falls > 0;
     struct domq_wish wish = {.first = query->scene->scale.h,
                              .height = query->given->number[0],
                              .safety = w->safety,
@@ -342,30 +297,26 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                              .g = query->scene->scale.g,
                              .push = push->on ? push->value[0] : DOMQ_NAN,
                              .least = w->least};
+    const struct domq_limits sizes = design_limits(query, w),
+                             *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
     struct domq_design d;
+    struct domq_study study = {.rows = 0};
     struct plan plan;
-    char reason[640];
+    char reason[REASON];
     struct scene_engine engine;
-    if (!wish_check(problem, &wish) || !design_find(query, &wish, &engine, &d, problem))
+    design_columns_choose(a, falls);
+    if (!wish_check(problem, &wish) ||
+        !(falls ? design_falls(query, a, &wish, limits, w->falls, &d, &study, reason, problem)
+                : design_find(query, &wish, limits, &engine, &d, problem)))
         return false;
     answer_holds(a, d.limit == DOM_DESIGN_FITS);
-    if (d.limit != DOM_DESIGN_FITS) {
+    if (d.limit != DOM_DESIGN_FITS && !falls)
         infeasible_text(query, &wish, &d, reason, sizeof reason);
-        if (file)
-            return problem_no_answer(problem, "%s", reason);
-        answer_say(a, "%s.", reason);
-        if (!answer_for_people(a))
-            design_row(a, NULL, &d, reason);
-        return true;
-    }
-    if (!plan_make(query, problem, &d, wish.height, &plan))
+    if (d.limit != DOM_DESIGN_FITS)
+        return design_none(a, &d, reason, file, problem);
+    if (!plan_make(query, problem, &wish, limits, &d, &plan))
         return false;
-    if (file)
-        plan_write(a, &plan, true);
-    else
-        design_row(a, &plan, &d, NULL);
-    if (answer_for_people(a))
-        design_say(query, a, &wish, &d, &plan);
+    const bool good = design_answer(query, w, a, &wish, &plan, &d, &study, problem);
     free(plan.domino);
-    return !a->out || a->sink || design_keep(query, problem, a, &d);
+    return good;
 }

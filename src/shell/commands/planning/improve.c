@@ -94,41 +94,6 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
 
 /* ---- The new row ---- */
 
-/* Changes one measure of domino k, from 0, to a value or, if `times` is true, by a factor. */
-static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
-                      struct problem *problem)
-{
-    const struct row_change change = {
-        .measure = measure, .how = times ? CHANGE_TIMES : CHANGE_TO, .value = value};
-    return scene_row_change(scene, &change, &(struct row_range){k + 1, k + 1}, 1, problem);
-}
-
-/* Stores the improved dominoes in the scene. */
-static bool improvement_keep(struct scene *scene, const struct improvement *i, struct problem *problem)
-{
-    struct scene_row now;
-    const size_t count = i->scene.row.count;
-    bool good = true;
-    for (size_t k = 0; k < count && good; k++) {
-        const struct domq_domino *a = &i->scene.domino[k], *b = &i->domino[k];
-        good = (b->gap == a->gap || change_to(scene, k, MEASURE_GAP, false, b->gap, problem)) &&
-               (b->height == a->height || change_to(scene, k, MEASURE_HEIGHT, false, b->height, problem)) &&
-               (b->thickness == a->thickness ||
-                change_to(scene, k, MEASURE_THICKNESS, false, b->thickness, problem)) &&
-               (b->radius == a->radius || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
-    }
-    /* The changes kept the density of each domino. */
-    if (!good || !i->limits.sizes || !scene_row_list(scene, &now, problem))
-        return good && !i->limits.sizes;
-    for (size_t k = 0; k < count && good; k++) {
-        const domq_real times = i->domino[k].mass / now.domino[k].mass;
-        good = quad(fabs)(times - 1) < (domq_real)1e-12 ||
-               change_to(scene, k, MEASURE_MASS, true, times, problem);
-    }
-    free(now.domino);
-    return good;
-}
-
 /* Lists the dominoes that have changed, with their sizes and gaps before and after the changes. */
 static void changes_list(struct answer *a, const struct improvement *i)
 {
@@ -183,7 +148,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     const size_t count = i->scene.row.count;
     if (interrupted)
         answer_say(a, "Interrupted; this is the best row so far.");
-    if (i->study[0].fall == i->study[0].rows)
+    if (i->study[0].fall == i->study[0].rows && i->changed == 0)
         answer_say(
             a, "All %zu random rows fall, so there is nothing to improve; the probability is at least %s.",
             i->study[0].rows, measured((domq_real)i->study[0].low, "share", 5).text);
@@ -220,9 +185,9 @@ static bool improvement_none(const struct query *query, struct problem *problem,
     return row_status(query, problem, status);
 }
 
-bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
+bool improve_row(const struct query *query, const struct wishes *w, struct answer *a, struct improved *found,
+                 struct problem *problem)
 {
-    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
     struct improvement i = {.domino = NULL};
     bool good = improvement_make(query, w, problem, &i);
     enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
@@ -235,19 +200,32 @@ bool run_improve(const struct query *query, struct answer *a, struct problem *pr
             i.changed += is_changed(&i.scene.domino[k], &i.domino[k]);
         if (answer_for_people(a))
             improvement_say(query, a, &i, interrupted);
-        const struct domq_study *s = i.study;
-#define SHARE(value) cell_bound((domq_real)(value), DOMQ_NAN)
-        answer_row(a,
-                   ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
-                       SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
-                       cell_count((domq_real)s[1].rows), cell_count((domq_real)i.changed),
-                       cell_narrow(i.after, 5)),
-                   interrupted ? "interrupted: the best row so far" : NULL);
-#undef SHARE
-        good =
-            !query->next || a->sink || i.changed == 0 || improvement_keep(&query->next->scene, &i, problem);
+        *found = (struct improved){.study = {i.study[0], i.study[1]},
+                                   .changed = i.changed,
+                                   .length = i.after,
+                                   .interrupted = interrupted};
+        good = !query->next || a->sink || i.changed == 0 ||
+               dominoes_keep(&query->next->scene, i.domino, i.scene.row.count, i.limits.sizes, problem);
     }
     free(i.domino);
     free(i.scene.domino);
     return good && (status == DOM_OK || improvement_none(query, problem, &i, status));
+}
+
+bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
+    struct improved i;
+    if (!improve_row(query, w, a, &i, problem))
+        return false;
+    const struct domq_study *s = i.study;
+#define SHARE(value) cell_bound((domq_real)(value), DOMQ_NAN)
+    answer_row(a,
+               ROW(SHARE((double)s[0].fall / (double)s[0].rows), SHARE(s[0].low), SHARE(s[0].high),
+                   SHARE((double)s[1].fall / (double)s[1].rows), SHARE(s[1].low), SHARE(s[1].high),
+                   cell_count((domq_real)s[1].rows), cell_count((domq_real)i.changed),
+                   cell_narrow(i.length, 5)),
+               i.interrupted ? "interrupted: the best row so far" : NULL);
+#undef SHARE
+    return true;
 }

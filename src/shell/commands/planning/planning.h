@@ -67,11 +67,32 @@ struct wishes {
     domq_real hall;   /* the greatest length of the row, in m */
     enum dom_least least;
     bool has_hall;                            /* the user has typed 'hall' */
+    domq_real falls;                          /* the least probability that a design falls, or 0 */
     bool sizes;                               /* 'improve' also changes sizes */
     domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
     size_t boards;
 };
 extern const struct wishes usual_wishes;
+
+/* ---- The row of 'design' and 'improve' ---- */
+
+/* Gives the row of the scene the gaps of other dominoes and, if `sizes` is true, their sizes and the ratios
+ * of their masses. The row has `count` dominoes. */
+bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
+                   struct problem *problem);
+
+/* The result of an improvement. */
+struct improved {
+    struct domq_study study[2]; /* before and after */
+    size_t changed;             /* the number of dominoes that have changed */
+    domq_real length;           /* m, with the last domino fallen */
+    bool interrupted;           /* the row is the best so far */
+};
+
+/* Improves the row of the scene, prints what has changed, and makes the new row that of the next state,
+ * unless there is none. */
+bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
+                 struct improved *found, struct problem *problem);
 
 /* ---- The commands ---- */
 

@@ -15,15 +15,22 @@ const struct command design_commands[] = {
                    .bind = wishes_bind,
                    .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
-     .help = "'design' finds the gaps and the growth with which each domino has at least 'safety' times the "
-             "energy that it needs, both in the endless train and in the row, except for the first domino. "
-             "The first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in "
-             "any order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its "
-             "last domino fallen), and 'minimise dominoes' (the default), 'minimise length' or 'minimise "
-             "mass'. The fewest dominoes weigh least. If the rigid-body engine runs rows ('effect feet', "
-             "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine, while "
-             "'safety' is that of the model, in which feet are hinges. The session then has this row; "
-             "'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
+     .help =
+         "'design' finds the gaps and the growth with which each domino has at least 'safety' times the "
+         "energy that it needs, both in the endless train and in the row, except for the first domino. "
+         "The first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in "
+         "any order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its "
+         "last domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', "
+         "'boards 9, 12, 15 mm' (the thicknesses to choose from), and 'grid 1 mm' for measures in whole mm; "
+         "the rounded row has the safety. The fewest dominoes weigh least. "
+         "'design 8 m falls 99 %' finds the fewest dominoes with which the row falls with this probability "
+         "under the random errors of the scene, such as 'effect placement 3 mm'. The lower end of the 95 % "
+         "interval counts. A table shows what fewer and more dominoes would give, and then the row is "
+         "improved as by 'improve sizes'. "
+         "If the rigid-body engine runs rows ('effect feet', "
+         "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine, while "
+         "'safety' is that of the model, in which feet are hinges. The session then has this row; "
+         "'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",

@@ -5,19 +5,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum wish { SAFETY, HALL, MINIMISE, SIZES, BOARDS, MASS, GRID, WISHES };
+enum wish { SAFETY, HALL, MINIMISE, FALLS, SIZES, BOARDS, MASS, GRID, WISHES };
 
 static const char *const names[WISHES] = {
-    [SAFETY] = "safety", [HALL] = "hall", [MINIMISE] = "minimise", [SIZES] = "sizes",
-    [BOARDS] = "boards", [MASS] = "mass", [GRID] = "grid"};
+    [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
+    [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
+
+/* Of enough rows, one that shows a larger probability takes minutes. */
+#define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {
     .safety = 2, .hall = (domq_real)HUGE_VAL, .mass = (domq_real)HUGE_VAL, .least = DOM_LEAST_DOMINOES};
 
 const char *design_wishes(const void *context, int k)
 {
+    static const enum wish wishes[] = {SAFETY, HALL, MINIMISE, FALLS, BOARDS, GRID};
     (void)context;
-    return k <= MINIMISE ? names[k] : NULL;
+    return k < (int)(sizeof wishes / sizeof *wishes) ? names[wishes[k]] : NULL;
 }
 
 const char *improve_wishes(const void *context, int k)
@@ -84,6 +88,7 @@ static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed 
                                  values[WISHES] = {[SAFETY] = {.name = "safety", .kind = ARGUMENT_ANY},
                                                    [HALL] = {.name = "hall", .kind = ARGUMENT_HEIGHT},
                                                    [MASS] = {.name = "mass", .kind = ARGUMENT_ANY},
+                                                   [FALLS] = {.name = "falls", .kind = ARGUMENT_ANY},
                                                    [GRID] = {.name = "grid", .kind = ARGUMENT_HEIGHT}};
     struct item name, thing;
     if (!item_parse_choice(r, &wish, &name))
@@ -97,7 +102,8 @@ static bool wish_parse(struct reader *r, names_list *list, struct wishes_parsed 
         return problem_error(
             r->problem, "the value of '%s' is missing; wishes are %s", names[k],
             list == design_wishes
-                ? "'safety 2', 'hall 20 m' and 'minimise dominoes'"
+                ? "'safety 2', 'falls 99 %', 'hall 20 m', 'boards 9, 12, 15 mm', 'grid 1 mm' and 'minimise "
+                  "dominoes'"
                 : "'sizes', 'hall 20 m', 'boards 9, 12, 15 mm', 'mass 50 kg' and 'grid 1 mm'");
     if (k == BOARDS)
         return boards_parse(r, w);
@@ -177,7 +183,7 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
     w->least = parsed->least;
     w->sizes = parsed->sizes;
     domq_real *const value[WISHES] = {
-        [SAFETY] = &w->safety, [HALL] = &w->hall, [MASS] = &w->mass, [GRID] = &w->grid};
+        [SAFETY] = &w->safety, [FALLS] = &w->falls, [HALL] = &w->hall, [MASS] = &w->mass, [GRID] = &w->grid};
     for (int k = 0; k < WISHES; k++)
         if (parsed->value[k].argument &&
             !item_bind(&parsed->value[k], q->text, query, &unit[k], value[k], problem))
@@ -186,6 +192,9 @@ bool wishes_bind(const struct question *q, const struct query *query, struct arg
     if (!quantity_bare(unit[SAFETY]))
         return problem_error(
             problem, "the safety is a number without a unit; 2 means twice the energy that a domino needs");
+    if (parsed->value[FALLS].argument &&
+        !(quantity_bare(unit[FALLS]) && w->falls > 0 && w->falls <= FALLS_MOST))
+        return problem_error(problem, "'falls' is a probability up to 99.99 %%, as in 'falls 99 %%'");
     if (parsed->value[MASS].argument &&
         !(w->mass > 0 && quantity_alike(unit[MASS], (struct quantity){.mass = 1})))
         return problem_error(problem, "the largest mass is in kg, as in 'mass 50 kg'");

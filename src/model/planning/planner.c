@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "planning/planner.h"
+#include "planning/shape.h"
+
+/* After a failure the tolerance is multiplied by ROUGHER, but never raised above ROUGHEST. */
+#define ROUGHER  1000
+#define ROUGHEST ((dom_real)1e-6)
+
+dom_real separation(int k)
+{
+    return (dom_real)k / GRID;
+}
+
+dom_real growth(const struct planner *p, size_t steps)
+{
+    return pow(p->wish->height / p->wish->first, 1 / (dom_real)steps);
+}
+
+/* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
+
+/* Returns true if a computation that ended with this status should be repeated, and then raises its
+ * tolerance. If the arithmetic has too few digits for the sums, a few digits of a ratio can still be
+ * found. */
+static bool tried_again(enum dom_status status, struct dom_compute *compute)
+{
+    if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
+        return false;
+    compute->tol = fmin(ROUGHER * compute->tol, ROUGHEST);
+    return true;
+}
+
+/* Records a failure. A status that has nothing to do with this train or row ends the search. A separation at
+ * which the computation did not converge is only skipped, so that a row at another separation can still be
+ * found. */
+static void failure_keep(struct planner *p, enum dom_status status)
+{
+    if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
+        p->failed = p->train.s;
+    else
+        p->status = status;
+}
+
+dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
+{
+    struct dom_barrier barrier = {.kinetic = DOM_NAN, .barrier = DOM_NAN};
+    if (p->status != DOM_OK || s * r > 1)
+        return 0;
+    p->train.s = s;
+    p->train.r = r;
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        struct question q = question_make(&p->train, &compute);
+        status = ASK(q, barrier_find, &barrier);
+    } while (tried_again(status, &compute));
+    if (status == DOM_OK || status == DOM_STOPS)
+        return barrier.kinetic / barrier.barrier;
+    if (status != DOM_NO_FUEL && status != DOM_LOCKS && status != DOM_OUT_OF_REACH &&
+        status != DOM_UNDERFLOW && status != DOM_TOO_LONG)
+        failure_keep(p, status);
+    return 0;
+}
+
+/* Called for each domino: remembers the domino with the smallest ratio. The first domino does not count,
+ * since its energy depends on the push. Returns false, which ends the run, if the ratio is already too
+ * small. */
+static bool ratio_seen(const struct dom_fall *fall, void *context)
+{
+    struct planner *p = context;
+    dom_real ratio = fall->kinetic / fall->barrier;
+    if (fall->domino > 1 && !(ratio >= p->least)) {
+        p->least = ratio;
+        p->weakest = fall->domino;
+    }
+    return p->whole || p->least >= p->wish->safety;
+}
+
+bool row_write(struct planner *p, struct choice c)
+{
+    size_t count = c.steps + 1;
+    if (count > p->room) {
+        struct dom_domino *more = realloc(p->domino, count * sizeof *more);
+        if (!more) {
+            p->status = DOM_NO_MEMORY;
+            return false;
+        }
+        p->domino = more;
+        p->room = count;
+    }
+    const struct dom_scale scale = {.h = p->wish->first, .g = p->wish->g};
+    p->train.s = separation(c.k);
+    p->train.r = growth(p, c.steps);
+    dom_row_of_train(&p->train, &scale, 1, p->domino, count);
+    p->domino[c.steps].height = p->wish->height;
+    if (p->limits) {
+        const struct dom_row row = row_of(p, c, p->wish->push, NULL);
+        const struct shape shape = {&row, p->limits};
+        shape_round(&shape, p->domino);
+    }
+    return true;
+}
+
+struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
+                      const struct dom_engine *engine)
+{
+    struct dom_row row = {
+        .domino = p->domino, .count = c.steps + 1, .g = p->wish->g, .push = push, .engine = engine};
+#define VALUE(effect, member, status) row.member = p->train.member;
+    DOM_DYNAMICS(VALUE)
+#undef VALUE
+    row.walls *= p->wish->first; /* from multiples of the first height to m */
+    return row;
+}
+
+dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times)
+{
+    struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
+    if (p->status != DOM_OK || !row_write(p, c))
+        return 0;
+    const struct dom_row row = row_of(p, c, push, NULL);
+    struct dom_compute compute = p->compute;
+    enum dom_status status;
+    do {
+        p->least = (dom_real)INFINITY;
+        p->weakest = 0;
+        p->whole = times;
+        status = row_verdict(&row, &compute, times, ratio_seen, p, &verdict);
+    } while (tried_again(status, &compute));
+    p->seconds = verdict.seconds;
+    if (status != DOM_OK)
+        failure_keep(p, status);
+    return status == DOM_OK && verdict.end == DOM_ROW_FALLS ? p->least : 0;
+}
+
+/* ---- Lengths ---- */
+
+dom_real feet_of(const struct planner *p, size_t steps, dom_real s)
+{
+    dom_real r = growth(p, steps), height = p->wish->first, sum = 0;
+    for (size_t k = 0; k <= steps; k++, height *= r)
+        sum += (p->train.d + (k ? s : 0)) * height;
+    return sum;
+}
+
+dom_real length_of(const struct planner *p, struct choice c)
+{
+    return feet_of(p, c.steps, separation(c.k)) + p->wish->height;
+}
+
+int widest(const struct planner *p, size_t steps, dom_real hall)
+{
+    dom_real closed = feet_of(p, steps, 0), open = feet_of(p, steps, 1);
+    dom_real s = (hall - p->wish->height - closed) / (open - closed);
+    return s >= 1 ? GRID : s > 0 ? (int)(double)floor(s * GRID) : 0;
+}
+
+dom_real row_feet(const struct planner *p, struct choice c)
+{
+    dom_real sum = 0;
+    for (size_t k = 0; p->limits && k <= c.steps; k++)
+        sum += p->domino[k].gap + p->domino[k].thickness;
+    return p->limits ? sum : feet_of(p, c.steps, separation(c.k));
+}
+
+void design_fill(struct planner *p, struct choice c, const struct dom_compute *compute,
+                 struct dom_design *design)
+{
+    p->compute = *compute;
+    dom_real train = train_ratio(p, separation(c.k), growth(p, c.steps));
+    dom_real row = row_ratio(p, c, p->wish->push, true);
+    design->s = separation(c.k);
+    design->r = growth(p, c.steps);
+    design->steps = c.steps;
+    design->feet = row_feet(p, c);
+    design->length = design->feet + p->wish->height;
+    design->train = train > 0 ? train : DOM_NAN;
+    design->row = row > 0 ? row : DOM_NAN;
+    design->weakest = p->weakest;
+    design->seconds = p->wish->engine ? p->engine_seconds : p->seconds;
+}
+
+const struct dom_design no_design = {.s = DOM_NAN,
+                                     .r = DOM_NAN,
+                                     .feet = DOM_NAN,
+                                     .length = DOM_NAN,
+                                     .seconds = DOM_NAN,
+                                     .train = DOM_NAN,
+                                     .row = DOM_NAN,
+                                     .needs = DOM_NAN};
+
+struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
+                            const struct dom_limits *limits, const struct dom_compute *compute)
+{
+    struct planner p = {.train = *train, .compute = *compute, .wish = wish, .limits = limits};
+    p.compute.errors = false;
+    p.compute.method = DOM_METHOD_OURS;
+    p.status = !(wish->first > 0 && wish->height > wish->first && isfinite(wish->height / wish->first))
+                   ? DOM_BAD_HEIGHT
+               : !(wish->safety > 1 && isfinite(wish->safety)) ? DOM_BAD_SAFETY
+               : !(wish->hall > wish->height)                  ? DOM_BAD_HALL
+               : !(wish->g > 0 && isfinite(wish->g))           ? DOM_BAD_G
+               : wish->push < 0 || isinf(wish->push)           ? DOM_BAD_PUSH
+               : limits                                        ? limits_check(limits)
+                                                               : DOM_OK;
+    if (p.status != DOM_OK)
+        return p;
+    p.train.s = separation(GRID / 2);
+    p.train.r = 1;
+    struct question q = question_make(&p.train, &p.compute);
+    struct dom_angles angles;
+    p.status = ASK(q, angles_find, &angles);
+    p.compute.precision = DOM_DOUBLE;
+    p.compute.tol = dom_arithmetic(DOM_DOUBLE)->tol_default;
+    return p;
+}

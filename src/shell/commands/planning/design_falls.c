@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The design that falls with a given probability: counts how many random rows fall with more and more
+ * dominoes. */
+#include "commands/planning/designs.h"
+#include "commands/planning/planning.h"
+#include "commands/rows/rows.h"
+#include "io/terminal.h"
+#include "language/quad.h"
+#include "session/errors.h"
+#include <stdlib.h>
+
+/* The search tries at most this many dominoes, and MORE rows of which even one with exact measures falls. */
+enum { DOMINOES_MOST = 200, MORE = 40 };
+
+/* The table ends with this many dominoes more than are needed, so that a user can choose. */
+enum { BEYOND = 2 };
+
+/* One number of dominoes. */
+struct tried {
+    size_t count;
+    domq_real length, mass;
+    struct domq_study study;
+};
+
+/* Returns the number of random rows for a probability: enough to see the failures that it allows. An engine
+ * takes thousands of times as long for a row. */
+static size_t rows_for(domq_real falls, bool engine)
+{
+    const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
+                 least = engine ? 100 : 2000;
+    return rows > least ? rows : least;
+}
+
+static void table_write(struct answer *a, const struct tried *tried, size_t count, bool has_masses)
+{
+    static const struct column columns[] = {
+        {"dominoes", "", "", 8},   {"length", "m", "", 9},  {"mass", "kg", "", 9},
+        {"relative", "", "", 9},   {"fail", "", "", 6},     {"rows", "", "", 7},
+        {"falls", "share", "", 9}, {"low", "share", "", 9}, {NULL, NULL, NULL, 0},
+    };
+    struct answer list = {.out = a->out, .style = a->style, .columns = columns, .rows = true};
+    list.style.errors = false;
+    answer_leave_out(&list, has_masses ? "relative" : "mass");
+    for (size_t i = 0; i < count && !answer_lost(&list); i++) {
+        const struct tried *t = &tried[i];
+        struct cell cells[] = {cell_count((domq_real)t->count),
+                               cell_real(t->length),
+                               cell_real(t->mass),
+                               cell_real(t->mass),
+                               cell_count((domq_real)(t->study.rows - t->study.fall)),
+                               cell_count((domq_real)t->study.rows),
+                               cell_real((domq_real)t->study.fall / (domq_real)t->study.rows),
+                               cell_real((domq_real)t->study.low)};
+        for (int k = 1; k < 8; k++)
+            cells[k].digits = k < 4 ? 4 : 5;
+        answer_row(&list, cells, NULL);
+    }
+}
+
+/* Counts how many random rows of a design fall: of a few rows, and of more if these leave it open. */
+static bool design_count(const struct query *query, const struct domq_wish *wish,
+                         const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
+                         struct tried *t, struct problem *problem)
+{
+    struct plan plan;
+    struct scene scene;
+    struct domq_error error[DOM_ERROR_COUNT];
+    if (!plan_make(query, problem, wish, limits, d, &plan))
+        return false;
+    bool good = design_scene(query->scene, d, &plan, &scene, problem);
+    struct query of_row = *query;
+    of_row.scene = &scene;
+    *t = (struct tried){.count = plan.count, .length = d->length, .mass = plan_mass(&plan)};
+    const bool engine = good && scene_has_engine(&scene);
+    good = good && study_run(&of_row, problem, rows_for(0, engine), &t->study, error);
+    if (good && (domq_real)t->study.high >= falls && rows_for(falls, engine) > t->study.rows)
+        good = study_run(&of_row, problem, rows_for(falls, engine), &t->study, error);
+    listed_free(&scene.listed);
+    free(plan.domino);
+    return good;
+}
+
+/* Writes that no number of dominoes is enough, and which of them is best. */
+static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish, domq_real falls,
+                       char reason[REASON])
+{
+    size_t best = 0;
+    for (size_t i = 1; i < count; i++)
+        best = tried[i].study.fall > tried[best].study.fall ? i : best;
+    if (count == 0)
+        snprintf(reason, REASON, "infeasible: no row of this height falls here, even with exact measures%s",
+                 isfinite(wish->hall) ? "; a longer hall may help" : "; a smaller friction may help");
+    else
+        snprintf(reason, REASON,
+                 "infeasible: no number of dominoes falls with %s; with %zu dominoes %zu of %zu rows fall; "
+                 "make the "
+                 "errors smaller%s",
+                 measured(falls, "share", 6).text, tried[best].count, tried[best].study.fall,
+                 tried[best].study.rows, isfinite(wish->hall) ? ", or the hall longer" : "");
+}
+
+bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
+                  const struct domq_limits *limits, domq_real falls, struct domq_design *design,
+                  struct domq_study *study, char reason[REASON], struct problem *problem)
+{
+    struct tried tried[MORE];
+    struct domq_error error[DOM_ERROR_COUNT];
+    size_t count = 0, beyond = 0;
+    if (!errors_check(query->scene, problem))
+        return false;
+    if (!scene_errors(query->scene, error))
+        return problem_error(
+            problem, "'falls' needs random errors; first enter 'effect placement 1 mm', or one such as "
+                     "'effect error_thickness 1 %%'");
+    design->limit = DOM_DESIGN_SAFETY;
+    for (size_t steps = 1; steps < DOMINOES_MOST && count < MORE && beyond <= BEYOND; steps++) {
+        struct domq_design d;
+        struct domq_wish w = *wish;
+        w.engine = NULL;
+        const enum dom_status status =
+            domq_design_steps(&query->scene->train, &w, limits, &query->scene->compute, steps, &d);
+        if (status != DOM_OK)
+            return problem_status(problem, query->scene, status);
+        if (design->limit != DOM_DESIGN_FITS && d.limit != DOM_DESIGN_FITS)
+            *design = d;
+        if (d.limit == DOM_DESIGN_HALL || (d.limit != DOM_DESIGN_FITS && count > 0))
+            break; /* more dominoes need more room */
+        if (d.limit != DOM_DESIGN_FITS)
+            continue;
+        if (!design_count(query, wish, limits, &d, falls, &tried[count], problem))
+            return false;
+        const struct tried *t = &tried[count++];
+        if (beyond == 0 && (domq_real)t->study.low >= falls) {
+            *design = d;
+            *study = t->study;
+        }
+        beyond += design->limit == DOM_DESIGN_FITS;
+    }
+    if (answer_for_people(a) && !a->sink && count > 0)
+        table_write(a, tried, count, scene_mass(query->scene) > 0);
+    if (design->limit != DOM_DESIGN_FITS)
+        none_write(tried, count, wish, falls, reason);
+    return true;
+}

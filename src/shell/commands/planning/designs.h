@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The parts of the command design: its dominoes, and the number of them that most likely falls. */
+#ifndef SHELL_DESIGNS_H
+#define SHELL_DESIGNS_H
+
+#include "interpreter/command.h"
+
+/* The dominoes of a design. */
+struct plan {
+    struct domq_domino *domino;
+    size_t count;
+    bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
+    bool hollow;
+    bool is_improved;                 /* the dominoes are no longer those of a train */
+    const struct domq_limits *limits; /* the sizes that the dominoes may have, or NULL for any */
+};
+
+/* Makes the dominoes of a design. Returns false with a problem if memory runs out; otherwise the caller frees
+ * plan->domino. */
+bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
+               const struct domq_limits *limits, const struct domq_design *design, struct plan *plan);
+
+/* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
+domq_real plan_mass(const struct plan *plan);
+
+/* Lists the dominoes: for people with the sizes to saw and the places to stand them, and for a file with the
+ * columns that 'effect row FILE' reads. */
+void plan_write(struct answer *a, const struct plan *plan, bool file);
+
+/* Leaves the columns about random rows out unless `falls` is true. */
+void design_columns_choose(struct answer *a, bool falls);
+
+/* Writes the row with the numbers of a design. If no design fits the wishes, `plan` is NULL and `reason` says
+ * why. `study` counts the random rows that fall, or is NULL. */
+void design_row(struct answer *a, const struct plan *plan, const struct domq_design *design,
+                const struct domq_study *study, const char *reason);
+
+/* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, also after a failure.
+ */
+bool design_scene(const struct scene *from, const struct domq_design *design, const struct plan *plan,
+                  struct scene *scene, struct problem *problem);
+
+enum { REASON = 640 };
+
+/*
+ * Finds the design with the fewest dominoes of which, under the random errors of the scene, at least the
+ * share `falls` falls, where the lower end of the 95 % interval counts. For people, prints a table of the
+ * numbers of dominoes that were tried. If there is no such design, design->limit is not DOM_DESIGN_FITS, and
+ * `reason` says why. Returns false with a problem if rows cannot be run.
+ */
+bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
+                  const struct domq_limits *limits, domq_real falls, struct domq_design *design,
+                  struct domq_study *study, char reason[REASON], struct problem *problem);
+
+#endif
