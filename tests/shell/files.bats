@@ -155,7 +155,7 @@ END
     for name in out ./out folder/../out again/out "$PWD/out"; do # none of these names exists yet
         printf 'rmax > %s\nfuel\n' "$name" >script
         run -1 --separate-stderr "$DOMINO" --keep-going -e 'source script > out; print 7'
-        same message "script:1:8: rmax: cannot write '$name': this session is writing it already; choose another file" "$stderr"
+        same message "script:1:8: rmax: cannot write '$name': this session is already writing to it; choose another file" "$stderr"
     done
     printf 'rmax > other\nfuel\n' >script
     "$DOMINO" -e 'source script > out'
@@ -265,7 +265,7 @@ END
     echo old >twice && ln twice hard && ln twice hard.gif && ln -s twice soft && ln -s new dangling
     while IFS='|' read -r begin then name; do
         run --separate-stderr "$DOMINO" --keep-going -e "$begin" -e "$then" -e 'log off; tee off; fuel'
-        [[ $stderr == *"cannot write '$name': this session is writing it already; choose another file" ]] ||
+        [[ $stderr == *"cannot write '$name': this session is already writing to it; choose another file" ]] ||
             same "$begin; $then" refused "$stderr"
         same "$begin; $then: goes on" "$answer" "$(tail -n 3 <<<"$output")"
         [ ! -s new ] || same "$begin; $then: the log" 1 "$(grep -c '^# A log' new)"
@@ -284,7 +284,7 @@ END
     "$DOMINO" -e 'log new; fuel; log new; log off' >/dev/null # opening the same log again is allowed
     same 'log anew' 2 "$(grep -c '^# A log' new)"
     run -1 --separate-stderr bash -c '"$DOMINO" -e "fuel; log out" >out'
-    same 'standard output' "-e:1: log: cannot write 'out': this session is writing it already; choose another file" "$stderr"
+    same 'standard output' "-e:1: log: cannot write 'out': this session is already writing to it; choose another file" "$stderr"
     same 'its answer' "$answer" "$(cat out)"
     echo 'fuel > /dev/null; tee /dev/null' >script
     same 'devices take more than one' "$answer" "$("$DOMINO" -e 'log /dev/null; tee /dev/null; source script; fuel' | tail -n 3)"

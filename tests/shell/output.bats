@@ -249,21 +249,21 @@ END
 }
 
 @test "values that a precision cannot represent are null in json and empty in csv, with the reason" {
-    null_of 'print 1e400' true value "beyond what double precision can hold; 'set precision quad'"
-    null_of 'print -1e4000' true value 'beyond what double precision can hold'
-    null_of 'set precision float; print 1e39' true value 'beyond what float precision can hold'
-    null_of 'set precision float; print -1e39 m' true value 'beyond what float precision can hold'
+    null_of 'print 1e400' true value "too large for double precision; 'set precision quad'"
+    null_of 'print -1e4000' true value 'too large for double precision'
+    null_of 'set precision float; print 1e39' true value 'too large for float precision'
+    null_of 'set precision float; print -1e39 m' true value 'too large for float precision'
     same 'a float that is one' 3e+38 "$(json 'set precision float; print 3e38' | values value)"
     same 'quad holds it' 1e+4000 "$(json 'set precision quad; print 1e4000' | values value)"
-    null_of 'set r 1e6; effect row 60; row' '.domino == 60' height 'beyond what double precision can hold'
-    null_of 'effect row 60; sweep r 2, 1e6 : row' '.r > 2 and .domino == 60' height 'beyond what double precision can hold'
-    same csv $'value,unit,reason\n,,value is beyond what double precision can hold; \'set precision quad\' holds more' \
+    null_of 'set r 1e6; effect row 60; row' '.domino == 60' height 'too large for double precision'
+    null_of 'effect row 60; sweep r 2, 1e6 : row' '.r > 2 and .domino == 60' height 'too large for double precision'
+    same csv $'value,unit,reason\n,,value is too large for double precision; \'set precision quad\' has a wider range' \
         "$("$DOMINO" -e 'set output csv; print 1e400')"
     # A csv table has no column for a reason that comes with its last rows, so the reason is on
     # stderr.
     for style in csv table; do
         run -0 --separate-stderr "$DOMINO" -e "set output $style; set r 1e6; effect row 60; row"
-        [[ "$stderr$output" == *'is beyond what double precision can hold'* ]] || same "$style" reason "$stderr$output"
+        [[ "$stderr$output" == *'is too large for double precision'* ]] || same "$style" reason "$stderr$output"
     done
     run -0 --separate-stderr "$DOMINO" -e 'set output csv; set r 1e6; effect row 60; row'
     same 'cells' 1 "$(awk -F, '{ print NF }' <<<"$output" | sort -u | wc -l)"

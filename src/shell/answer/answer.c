@@ -94,7 +94,7 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    /* in a sweep, the sweep itself plans the layout for the rows of its points */
+    /* in a sweep, the sweep plans one layout for the rows of all points */
     if (a->layout.is_planned || !a->out || a->sink)
         return;
     a->layout.is_planned = true;
@@ -103,7 +103,7 @@ void answer_plan(struct answer *a, const struct cell *sample)
         bool is_real = sample && sample[i].kind == CELL_REAL;
         if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
             a->layout.bounded |= 1u << i;
-        /* A column whose numbers are unknown gets its largest unit. */
+        /* A column with unknown numbers gets its largest unit. */
         domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
                : most > 0 ? most
@@ -138,8 +138,8 @@ struct answer answer_part(const struct answer *a, FILE *out, bool first)
 
 /* ---- Rows ---- */
 
-/* Empties the cells whose numbers the precision cannot hold.  Returns `reason`, or an explanation of the
- * empty cells if `reason` is NULL or "".  People read this explanation only once, below the table. */
+/* Empties the cells whose numbers are too large for the precision. Returns `reason` or, if it is NULL or "",
+ * an explanation of the empty cells. People read this explanation only once, below the table. */
 static const char *cells_check(struct answer *a, struct cell *cells, const char *reason,
                                char too_large[ANSWER_REASON])
 {
@@ -154,13 +154,12 @@ static const char *cells_check(struct answer *a, struct cell *cells, const char 
         return reason;
     bool people = a->style.format->for_people;
     snprintf(people && !*a->late_reason ? a->late_reason : too_large, ANSWER_REASON,
-             "%s is beyond what %s precision can hold%s", key, domq_arithmetic(precision)->name,
-             precision == DOM_QUAD ? "" : "; 'set precision quad' holds more");
+             "%s is too large for %s precision%s", key, domq_arithmetic(precision)->name,
+             precision == DOM_QUAD ? "" : "; 'set precision quad' has a wider range");
     return people || (reason && *reason) ? reason : too_large;
 }
 
-/* Returns the text with its control characters escaped.  If *copy is not NULL afterwards, it holds the
- * escaped text, and the caller frees it. */
+/* Returns the text with escaped control characters. If the function sets *copy, the caller frees *copy. */
 static const char *escaped(const char *text, char **copy)
 {
     if (!text || !escape_needed(text))
@@ -173,7 +172,7 @@ static void row_write(struct answer *a, const struct cell *cells, const char *re
 {
     const struct format *format = a->style.format;
     struct cell shown[ANSWER_COLUMNS];
-    /* copies of the words, and after them of the reason */
+    /* escaped copies of the words, followed by a copy of the reason */
     char *copies[ANSWER_COLUMNS] = {NULL}, too_large[ANSWER_REASON];
     int count = 0;
     for (; a->columns[count].key; count++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers.  A command names the columns of its answer, and then passes rows of cells.  A format writes each
- * row at once, so that a long curve is streamed.  Sentences are written only for people. */
+/* Answers. A command names the columns of its answer, and then passes rows of cells. A format writes each row
+ * at once, so a long curve appears while it is computed. Sentences are written only for people. */
 #ifndef SHELL_ANSWER_H
 #define SHELL_ANSWER_H
 
@@ -15,66 +15,68 @@
 enum { ANSWER_COLUMNS = 24, ANSWER_REASON = 160, ANSWER_HEAD = OUTPUT_HEAD };
 
 struct column {
-    const char *key;  /* the name of the column */
-    const char *unit; /* "" for a pure number, "rad" or "rad/s" for angles, otherwise a unit of measure.h */
+    const char *key;     /* the name of the column */
+    const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* an explanation for people, one line long */
-    /* the width of a column in a table of rows, for words or for numbers with few digits; 0 for other
+    /* the width of the column in a table of rows, for words and for numbers with few digits; 0 for other
      * numbers */
     int width;
 };
 
-/* The appearance of the rows, which is fixed before the first one is written. */
+/* The appearance of the rows, which is fixed before the first row is written. */
 struct layout {
     bool is_planned;  /* the layout has been fixed */
     bool on_terminal; /* the answer goes to a terminal */
-    bool letters;     /* the terminal can show the Greek letters of the field */
+    bool letters;     /* the terminal can show Greek letters */
     bool bold;        /* the terminal has colours */
-    int width;        /* the columns of the terminal, or 0 without one */
-    unsigned bounded; /* bit i: column i has error bounds, which programs get in a separate column */
+    int width;        /* the width of the terminal in columns, or 0 without a terminal */
+    unsigned bounded; /* bit i: column i has error bounds, for which csv and json have a separate column */
     double largest[ANSWER_COLUMNS];         /* see answer_largest */
     struct measure measure[ANSWER_COLUMNS]; /* the units of a table of rows */
-    /* In a table for people: the digits of its numbers, the widths of its columns, and where a last column of
-     * words begins, or -1 if the words go below their row. If the terminal is too narrow even then, each row
-     * is stacked, with a line for each column. */
+    /* In a table for people: the number of digits, the widths of the columns, and the position where a last
+     * column of words begins, or -1 if the words are written below each row. */
     int digits, column[ANSWER_COLUMNS], words;
+    /* the terminal is too narrow for a table, so a row is written as one line for each column */
     bool is_stacked;
-    /* If not NULL, a row with the usual kinds of cells, because the first row may have other kinds. */
+    /* If not NULL, a typical row, in case the first row has other kinds of cells. */
     const struct cell *sample;
 };
 
 struct csv_layout {
-    bool units;       /* the column names include the units, because the file can be read back */
+    bool units;       /* column names include the units, so that the file can be read back */
     bool has_reasons; /* the rows have a column for reasons */
     char *last_head;  /* the last header line that was written to this file, or NULL */
-    /* Texts to append, first to the header line and then to each row; each ends with a NUL.  May be NULL. */
+    /* Texts to append, first to the header line and then to each row. Each text ends with a NUL byte. May be
+     * NULL. */
     const char *extra;
 };
 
 struct answer {
-    FILE *out;        /* NULL if the answer is only kept */
+    FILE *out;        /* NULL if nothing is written and the last row is only kept */
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
-    bool appended;    /* the file is appended to, because it comes after '>>' */
+    bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
     const char *command;                /* the name of the command, for programs */
-    const char *note;                   /* what programs should know about the answer, or NULL */
-    const struct column *columns;       /* the columns of each row; the last one has a NULL key */
-    struct column copy[ANSWER_COLUMNS]; /* memory for columns that differ from those of the command */
-    unsigned left_out;                  /* bit i: cell i of each row has no column (see answer_leave_out) */
+    const char *note;                   /* a remark for programs, or NULL */
+    const struct column *columns;       /* the columns of each row, followed by a NULL key */
+    struct column copy[ANSWER_COLUMNS]; /* memory for `columns` if they differ from those of the command */
+    unsigned left_out;                  /* bit i: cell i of each row is not shown (see answer_leave_out) */
     bool rows;                          /* the answer is a table of rows, rather than a single row */
     struct csv_layout csv;
-    bool blank_above; /* a blank line separates the answer from the previous one */
-    bool is_open;     /* the output has begun: the blank line, if any, is written */
-    bool has_rows;    /* the first row is written, with the lines that come before it */
+    bool blank_above; /* a blank line separates this answer from the previous one */
+    bool is_open;     /* output has begun: the blank line has been written, if there is one */
+    bool has_rows;    /* the first row has been written, with the lines before it */
     struct layout layout;
 
-    /* The results that the session keeps. */
-    bool is_value; /* the answer is this value of an expression */
+    /* Results that the session keeps: */
+    bool is_value; /* the answer is the value of an expression, stored in `value` */
     struct quantity value;
     struct cell *kept;                                 /* receives the cells of the last row; may be NULL */
     enum { ANSWER_OPEN, ANSWER_YES, ANSWER_NO } holds; /* see answer_holds */
-    bool wrote_text;                                   /* text for people was written without a row */
-    int error;                                         /* errno of the first write that failed, or 0 */
-    char late_reason[ANSWER_REASON]; /* the reason that could not be written with its row, or "" */
+    /* a sentence for people was written although there was no row */
+    bool wrote_text;
+    int error;                       /* errno of the first write that failed, or 0 */
+    char late_reason[ANSWER_REASON]; /* a reason that could not be written with its row, or "" */
 
     /* If not NULL, the answer belongs to one point of a sweep, and this function receives its rows. */
     void (*sink)(struct answer *answer, const struct cell *cells, const char *reason);
@@ -89,22 +91,22 @@ struct failure {
     int column; /* counted from 1, or 0 for an error in the line as a whole */
 };
 
-/* An output format.  A member function that has nothing to write is NULL. */
+/* An output format. A function that would write nothing is NULL. */
 struct format {
-    bool for_people; /* the format is for people, with sentences and units, rather than for programs */
-    bool escapes;    /* the format itself escapes control characters, in a way that programs can decode */
-    /* Writes the lines before the first row.  The arguments are those of the first row. */
+    bool for_people; /* the format is for people, with sentences and units; otherwise it is for programs */
+    bool escapes;    /* the format escapes control characters itself, in a way that programs can decode */
+    /* Writes the lines before the first row. `cells` and `reason` are those of the first row. */
     void (*begin)(struct answer *answer, const struct cell *cells, const char *reason);
     void (*row)(struct answer *answer, const struct cell *cells, const char *reason);
     void (*sentence)(struct answer *answer, const char *format, va_list arguments);
-    /* Reports that a command without an answer is done. */
+    /* Reports that a command without an answer has finished. */
     void (*done)(FILE *out, const char *command);
-    /* Writes an error to the output.  The error is also reported on standard error. */
+    /* Writes an error into the output, in addition to the message on standard error. */
     void (*failed)(FILE *out, const struct failure *failure);
     /* Returns true if the line consists of column names. */
     bool (*is_head)(const char *line);
-    /* Ends the answer.  Returns a reason that could not be written with its row, for the caller to report, or
-     * NULL. */
+    /* Ends the answer. Returns NULL, or a reason that could not be written with its row and that the caller
+     * must report. */
     const char *(*end)(struct answer *answer);
 };
 
@@ -122,7 +124,7 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes a column from the answer.  Rows still have a cell for it. */
+/* Removes a column from the answer. Rows are still passed with a cell for this column. */
 void answer_leave_out(struct answer *answer, const char *key);
 
 /* Changes the explanation of a column in this answer. */
@@ -132,34 +134,34 @@ void answer_means(struct answer *answer, const char *key, const char *meaning);
 void answer_unit(struct answer *answer, const char *key, const char *unit);
 
 /*
- * Announces a number that a column will contain, if the answer has this column.  In a table of rows the unit
- * of a column depends on the largest number that was announced or is in the first row.
+ * Announces a number that a column will contain, if the answer has this column. In a table of rows, the unit
+ * of a column depends on the largest number that was announced or that is in the first row.
  */
 void answer_largest(struct answer *answer, const char *key, domq_real number);
 
 /* ---- Rows ---- */
 
 /*
- * Writes a row.  If some cell of the row has no value, `reason` explains why.  People read the reason on a
- * line below the row, and programs in a column or key "reason", which csv has only if the first row has a
- * reason.  For a row without a reason, `reason` is NULL, or "" if other rows may have one.  Always returns
+ * Writes a row. If a cell of the row has no value, `reason` explains why. People read the reason on a line
+ * below the row. Programs read it in a column or key "reason"; csv has this column only if the first row has
+ * a reason. For a row without a reason, `reason` is NULL, or "" if other rows may have one. Always returns
  * true, so that a command can end with `return answer_row(...)`.
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
-/* Writes a row in which nothing is missing. */
+/* Writes a row in which no value is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
-/* Keeps the cells of a row for 'ans' without writing them, for answers that people read as sentences. */
+/* Keeps the cells of a row for 'ans' without writing them. For answers that consist of sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
-/* answer_plan fixes the layout before the first row, as if the first row were like `sample`.  If `sample` is
- * NULL, no column has error bounds.  After that, answer_part returns copies of the answer that write their
- * rows to other streams.  Only the first part writes the lines that come before the first row. */
+/* answer_plan fixes the layout before the first row, as if the first row were `sample`. If `sample` is NULL,
+ * no column has error bounds. After that, answer_part returns copies of the answer that write their rows to
+ * other streams. Only the copy with `first` writes the lines before the first row. */
 void answer_plan(struct answer *answer, const struct cell *sample);
 struct answer answer_part(const struct answer *answer, FILE *out, bool first);
 
-/* Returns true if rows cannot be written any more, because the disk is full or a pipe has no reader. */
+/* Returns true if no more rows can be written, because the disk is full or a pipe has no reader. */
 bool answer_lost(const struct answer *answer);
 
 /* Returns true if column i has error bounds. */
@@ -173,16 +175,16 @@ static inline bool answer_for_people(const struct answer *answer)
     return answer->out && answer->style.format->for_people && !answer->sink;
 }
 
-/* Writes a sentence, which only people see. */
+/* Writes a sentence, if the answer is for people. */
 void answer_say(struct answer *answer, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Sets the answer to a yes-or-no question, such as whether a row falls.  'assert' and 'solve' use it. */
+/* Stores the answer to a yes-or-no question, such as whether a row falls, for 'assert' and 'solve'. */
 void answer_holds(struct answer *answer, bool yes);
 
-/* Returns the number of digits that the tolerance guarantees, at least 1. */
+/* Returns the number of digits, at least 1, that the tolerance guarantees. */
 int style_tol_digits(const struct answer_style *style);
 
-/* Return an angle in the unit of the style, and the name of that unit. */
+/* The first function returns an angle in the unit of the style, and the second the name of this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
 

@@ -7,13 +7,13 @@
 
 /* ---- Text ---- */
 
-/* Writes an error bound in two digits, rounded up so that it is still a bound. */
+/* Writes an error bound with two digits, rounded up so that it remains a bound. */
 static const char *bound_text(domq_real error, char text[WIDE_TEXT])
 {
     return quad_text(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns the number of significant digits of an exact number, at most `all`: 1 for 0.4. */
+/* Returns the number of significant digits of an exact number, but at most `all`. For 0.4 this is 1. */
 static int exact_digits(domq_real number, int all)
 {
     char text[WIDE_TEXT];
@@ -23,7 +23,7 @@ static int exact_digits(domq_real number, int all)
     return digits;
 }
 
-/* Returns how many digits of a number to print, at most `all`.  With that many digits, rounding adds little
+/* Returns how many digits of a number to print, but at most `all`. Rounding to this many digits adds little
  * to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
@@ -32,7 +32,7 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* Returns the error bound of a number as printed, which includes rounding to the printed digits. */
+/* Returns the error bound of a number as it is printed, which includes the rounding to the printed digits. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);
@@ -80,7 +80,7 @@ static domq_real rounded(const struct answer_style *style, domq_real value)
                                             : value;
 }
 
-/* Parses a number as a program that computes with this precision would. */
+/* Parses a number as a program that uses this precision would. */
 static domq_real read_back(const struct answer_style *style, const char *text)
 {
     return style->precision == DOM_FLOAT    ? (domq_real)strtof(text, NULL)
@@ -88,9 +88,9 @@ static domq_real read_back(const struct answer_style *style, const char *text)
                                             : quad_read(text, NULL);
 }
 
-/* Returns the style in which a cell is written.  Brief numbers are written in double precision, because no
- * more of their digits are known.  Counts are also written in double precision if the precision is float,
- * which cannot hold large counts. */
+/* Returns the style in which a cell is written. Brief numbers are written in double precision, because only a
+ * few of their digits are known. Large counts do not fit into float, so counts are also written in double
+ * precision if the precision is float. */
 static const struct answer_style *cell_style(const struct answer_style *style, struct cell cell)
 {
     static const struct answer_style in_double = {.precision = DOM_DOUBLE, .all_digits = 17};
@@ -119,9 +119,8 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* Half of the computed numbers need all digits, and most of the others need one digit less.  If the text
-     * with one digit less is shorter than that, printf has removed trailing zeros, and every remaining digit
-     * is needed. */
+    /* Half of the computed numbers need all digits, and most of the others need one digit less. If printf has
+     * removed trailing zeros from the text with one digit less, every remaining digit is needed. */
     if (read_back(style, quad_text(cell.number, all - 1, text)) != cell.number)
         return quad_text(cell.number, all, text);
     char fewer[CELL_TEXT];
@@ -137,7 +136,7 @@ const char *cell_plain_bound(const struct answer_style *style, struct cell cell,
 {
     char number[CELL_TEXT];
     bool has_bound =
-        /* a factor of 2, because bound_text rounds the bound up */
+        /* the factor of 2 allows for bound_text, which rounds the bound up */
         cell.kind == CELL_REAL && isfinite(rounded(style, cell.error * 2));
     return has_bound ? bound_text(printed_error(cell, cell_plain(style, cell, number)), text) : none;
 }

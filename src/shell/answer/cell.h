@@ -17,10 +17,10 @@ struct answer_style {
     const struct format *format;
     enum angle angle;
     unsigned header;  /* a csv table begins with the column names */
-    domq_real digits; /* the largest number of digits in a table */
+    domq_real digits; /* the maximum number of digits in a table */
     enum dom_precision precision;
-    double tol;      /* the tolerance of computed numbers */
-    int all_digits;  /* enough digits for an exact round trip at this precision */
+    double tol;      /* the tolerance with which numbers are computed */
+    int all_digits;  /* the number of digits needed for an exact round trip at this precision */
     unsigned errors; /* show error bounds */
 };
 
@@ -29,13 +29,14 @@ struct cell {
     domq_real number;
     domq_real error; /* an upper bound of the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
-    int digits; /* the number of digits in a table, or 0 to use the style's number */
-    /* the number was computed with the tolerance, so a table shows only the digits that the tolerance
+    int digits; /* the number of digits in a table, or 0 for the number of digits of the style */
+    /* the number was computed to the tolerance, so a table shows only the digits that the tolerance
      * guarantees */
     bool computed;
 };
 
-/* The functions below return a cell.  NaN and infinity give an empty cell, which is null in json. */
+/* Each of the functions below returns a cell. NaN and infinity give an empty cell, which becomes null in
+ * json. */
 static inline struct cell cell_real(domq_real value)
 {
     return (struct cell){.kind = isfinite(value) ? CELL_REAL : CELL_NONE, .number = value};
@@ -57,7 +58,7 @@ static inline struct cell cell_unbounded(domq_real value)
     return cell;
 }
 
-/* A number with only three known digits. */
+/* A number of which only three digits are known. */
 static inline struct cell cell_brief(double value)
 {
     struct cell cell = cell_real((domq_real)value);
@@ -86,13 +87,14 @@ bool cell_finite(const struct answer_style *style, struct cell cell);
 /* Returns true if a number other than 0 becomes 0 at the precision at which csv and json write it. */
 bool cell_vanishes(const struct answer_style *style, struct cell cell);
 
-enum { CELL_TEXT = 128 }; /* size of a buffer for any cell except a word */
+enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
 
-/* Returns the text of a cell in a table.  A number has at most `digits` digits.  It is followed by its error
- * bound if `bounds` is set. */
+/* Returns the text of a cell in a table. A number has at most `digits` digits, followed by its error bound if
+ * `bounds` is set. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell for programs: the fewest digits for an exact round trip, without a bound. */
+/* Returns the text of a cell for programs. A number has no error bound, and the fewest digits that are enough
+ * for an exact round trip. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of an error bound for programs, or `none` if no bound is known. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format csv (RFC 4180): a line of column names, then a line for each row. */
+/* The format csv (RFC 4180): a line of column names, followed by a line for each row. */
 #include "language/csv.h"
 #include "answer/answer.h"
 #include <ctype.h>
@@ -14,7 +14,7 @@ static void cell_write(const struct answer *a, struct cell cell)
         fputs_unlocked(cell_plain(&a->style, cell, text), a->out);
 }
 
-/* Returns the text to append to the header line and, in later calls, to each row. */
+/* Returns the text to append to the next line: first to the header line, and in later calls to each row. */
 static const char *extra_next(struct answer *a)
 {
     const char *extra = a->csv.extra ? a->csv.extra : "";

@@ -8,7 +8,7 @@
 
 #include "answer/answer.h"
 
-/* The first one is the default. */
+/* The first format is the default. */
 #define FORMATS(EACH) EACH(table) EACH(csv) EACH(json)
 
 #define FORMAT_EXTERN(name) extern const struct format format_##name;

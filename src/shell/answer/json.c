@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The format json: each row is an object on a separate line. A command without rows, or an error, is also
- * written as an object. */
+/* The format json: each row is an object on a separate line. A command without rows, and an error, are also
+ * written as objects. */
 #include "answer/answer.h"
 #include "io/escape.h"
 

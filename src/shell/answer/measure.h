@@ -15,30 +15,30 @@
 
 #include "answer/cell.h"
 
-/* A unit for people.  A number in the base unit times 10^power is the number in this unit. */
+/* A unit for people, in which a number of base units is multiplied by 10^power. */
 struct measure {
     const char *unit;
     int power;
 };
 
-/* Returns the unit for a column in which the largest absolute value is `largest`. */
+/* Returns the unit for a column whose largest absolute value is `largest`. */
 struct measure measure_of(const char *unit, domq_real largest);
 
 /* Returns true if the unit that people see depends on the size of the numbers. */
 bool measure_varies(const char *unit);
 
-/* Returns value times 10^power, correctly rounded, so that 4.8 cm shows the same digits as 0.048 m. */
+/* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 
-/* Returns a text such as "4.8 cm" or "11 %".  The value has this many significant digits, or more if it has
- * more digits before the decimal point: 1234 %. */
+/* Returns a text such as "4.8 cm" or "11 %", with `digits` significant digits, or more if there are more
+ * digits before the decimal point, as in 1234 %. */
 struct measured {
     char text[CELL_TEXT];
 };
 struct measured measured(domq_real value, const char *unit, int digits);
 
-/* Returns a fraction in percent, with enough digits to distinguish it from 1: "99.97 %" rather than "100
- * %". */
+/* Returns a fraction in percent, with enough digits to distinguish the fraction from 1: "99.97 %" rather than
+ * "100 %". */
 struct measured measured_share(domq_real value, int digits);
 
 /* The unit of an axis or a ruler. */
@@ -47,7 +47,7 @@ struct axis_unit {
     double size; /* in m */
 };
 
-/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, otherwise m.  These limits
+/* Returns the unit for lengths up to `longest` m: mm below 0.2 m, cm below 2 m, and m otherwise. These limits
  * are larger than those for a column of numbers, because a ruler has room for three digits before the decimal
  * point. */
 struct axis_unit measure_axis(double longest);

@@ -13,17 +13,18 @@ enum {
     NUMBER_MARGIN = 6, /* the width of a number apart from its digits: "-0." and "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
-    WORDS_LEAST = 30,   /* a last column of words that has less room than this goes below its row */
-    WORDS_SHORT = 12,   /* a last column of words that is at most this wide needs only its own width */
-    WORDS_INDENT = 8,   /* the indentation of words that go below their row */
-    VALUE_INDENT = 4,   /* the indentation of a value or meaning that goes below its key */
-    MEANING_LEAST = 20, /* a meaning that has less room than this goes below its key */
+    WORDS_LEAST = 30,   /* if a last column of words has less room than this, the words go below their row */
+    WORDS_SHORT = 12,   /* a last column of words that is no wider than this needs only its own width */
+    WORDS_INDENT = 8,   /* the indentation of words below their row */
+    VALUE_INDENT = 4,   /* the indentation of a value or a meaning below its key */
+    MEANING_LEAST = 20, /* if a meaning has less room than this, it goes below its key */
     DIGITS_LEAST = 3
 };
 
 /* ---- Text ---- */
 
-/* Returns the unit that people see: the unit of the style for angles, otherwise the unit of the measure. */
+/* Returns the unit that people see: for angles the unit of the style, and otherwise the unit of the
+ * measure. */
 static const char *column_unit(const struct answer *a, const struct column *c, struct measure measure,
                                char text[CELL_TEXT])
 {
@@ -33,7 +34,7 @@ static const char *column_unit(const struct answer *a, const struct column *c, s
     return text;
 }
 
-/* Returns how many columns of the terminal a number occupies. */
+/* Returns how many columns of the terminal a number of `digits` digits occupies. */
 static int number_width(const struct answer *a, int digits)
 {
     return digits + NUMBER_MARGIN + (a->style.errors ? BOUND_MARGIN : 0);
@@ -62,10 +63,10 @@ static const char *table_text(const struct answer *a, struct measure measure, st
     return cell_text(cell, !has_bound && digits > most ? most : digits, a->style.errors, text);
 }
 
-/* Returns the text with Greek letters and mathematical signs, if the terminal can show them. */
+/* Returns the text with Greek letters and mathematical signs if the terminal can show them. */
 static const char *pretty(const struct answer *a, const char *text, char line[TEXT_LINE])
 {
-    enum { LETTERS = 7, LETTER = 4 /* bytes of a letter with its NUL */ };
+    enum { LETTERS = 7, LETTER = 4 /* the size of a Greek letter in UTF-8 with a NUL byte */ };
     static const char *const letters[LETTERS][2] = {
         {"theta", "θ"}, {"omega", "ω"}, {"tau", "τ"}, {"sqrt", "√"}, {">=", "≥"}, {"<=", "≤"}, {"+/-", "±"}};
     if (!a->layout.letters || strlen(text) >= TEXT_LINE)
@@ -106,8 +107,8 @@ static void key_field(const struct answer *a, const char *key, int width)
 
 /* ---- A table of rows ---- */
 
-/* Fixes the digits of the numbers and the widths of the columns, so that all columns fit into the terminal,
- * if possible. */
+/* Chooses the number of digits and the widths of the columns, so that all columns fit into the terminal if
+ * possible. */
 static void rows_measure(struct answer *a)
 {
     struct layout *l = &a->layout;
@@ -121,7 +122,7 @@ static void rows_measure(struct answer *a)
     if (l->width && room < l->digits)
         l->digits = room < DIGITS_LEAST ? DIGITS_LEAST : room;
     for (const struct column *c = a->columns; c->key; c++, i++) {
-        /* With few digits, the key may be wider than the numbers. */
+        /* The key may be wider than numbers with few digits. */
         int number = number_width(a, l->digits), key = terminal_columns(c->key);
         l->column[i] = c->width ? c->width : number > key ? number : key;
         at += c[1].key ? l->column[i] + 2 : 0;
@@ -132,7 +133,7 @@ static void rows_measure(struct answer *a)
     l->is_stacked = l->width && at + (last <= WORDS_SHORT ? l->column[i - 1] : -2) > l->width;
 }
 
-/* Writes a row as a line for each column, because the terminal is too narrow for the table. */
+/* Writes a row as one line for each column, because the terminal is too narrow for a table. */
 static void row_stacked(struct answer *a, const struct cell *cells)
 {
     char text[CELL_TEXT], letters[TEXT_LINE];
@@ -158,8 +159,8 @@ static void row_stacked(struct answer *a, const struct cell *cells)
 
 enum line { KEYS, UNITS, VALUES };
 
-/* Writes one line of the table: the keys, the units or the values.  `cells` gives the kinds of the columns,
- * and the values.  The line of units is left out if no column has a unit. */
+/* Writes one line of the table: the keys, the units or the values. `cells` determines the kinds of the
+ * columns, and holds the values. The line of units is left out if no column has a unit. */
 static void row_line(struct answer *a, const struct cell *cells, enum line line)
 {
     char text[ANSWER_COLUMNS][CELL_TEXT], letters[TEXT_LINE];
@@ -170,7 +171,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
         shown[i] = line == KEYS    ? c->key
                    : line == UNITS ? column_unit(a, c, a->layout.measure[i], text[i])
                                    : table_text(a, a->layout.measure[i], cells[i], a->layout.digits, text[i]);
-        end = *shown[i] ? i + 1 : end; /* the line of units ends with the last unit, without blanks */
+        end = *shown[i] ? i + 1 : end; /* no blanks follow the last unit in the line of units */
     }
     if (line == UNITS && end == 0)
         return;
@@ -187,7 +188,7 @@ static void row_line(struct answer *a, const struct cell *cells, enum line line)
             }
             continue;
         }
-        bool ends_line = is_left && !c[2].key && words < 0; /* no blanks after the last word */
+        bool ends_line = is_left && !c[2].key && words < 0; /* no blanks follow the last word */
         int wide = a->layout.column[i], width = ends_line ? 0 : is_left ? -wide : wide;
         fputs(i ? "  " : "", a->out);
         if (line == KEYS)
@@ -226,7 +227,7 @@ static void row_lines(struct answer *a, const struct cell *cells)
         fprintf(a->out, "%s  %s", value_below ? "\n  " : "", bold);
         field(a->out, pretty(a, value, line), number);
         const char *unit = cells[i].kind == CELL_NONE ? "" : column_unit(a, c, measure, text);
-        if (meaning_below || !*c->meaning) /* no blanks after the unit */
+        if (meaning_below || !*c->meaning) /* no blanks follow the unit */
             fprintf(a->out, "%s%s%s", end, *unit ? " " : "", unit);
         else {
             fprintf(a->out, "%s ", end);
@@ -254,7 +255,7 @@ static void table_begin(struct answer *a, const struct cell *cells, const char *
 static void table_row(struct answer *a, const struct cell *cells, const char *reason)
 {
     (void)reason;                     /* answer_row writes the reason below the table */
-    if (a->rows && !a->layout.digits) /* another part of the answer has the first row */
+    if (a->rows && !a->layout.digits) /* another part of the answer wrote the first row */
         rows_measure(a);
     if (!a->rows)
         row_lines(a, cells);
@@ -264,8 +265,8 @@ static void table_row(struct answer *a, const struct cell *cells, const char *re
         row_line(a, cells, VALUES);
 }
 
-/* Writes a sentence.  A '\n' at the beginning or the end of the format stands for a blank line.  A '\n' in
- * the arguments, perhaps in a file name, does not. */
+/* Writes a sentence. A '\n' at the beginning or at the end of the format adds a blank line. A '\n' in an
+ * argument, such as a file name, does not. */
 static void table_sentence(struct answer *a, const char *format, va_list arguments)
 {
     char text[TEXT_LINE], shown[TEXT_LINE], line[TEXT_LINE];

@@ -6,17 +6,17 @@
 
 enum { PLANE = 0x10000 };
 
-/* Decodes the first character of a text that is not empty (RFC 3629).  Returns its length in bytes, or 0 if
- * the bytes are not UTF-8. */
+/* Decodes the first character of a non-empty text (RFC 3629). Returns the length of the character in bytes,
+ * or 0 if the bytes are not UTF-8. */
 static size_t utf8_next(const char *text, uint32_t *code)
 {
     const unsigned char *c = (const unsigned char *)text;
-    /* the smallest code that needs so many bytes */
+    /* the smallest code for each length in bytes */
     static const uint32_t least[] = {0, 0, 0x80, 0x800, PLANE};
     size_t length = *c < 0x80 ? 1 : *c >> 5 == 6 ? 2 : *c >> 4 == 14 ? 3 : *c >> 3 == 30 ? 4 : 0;
     *code = length == 1 ? *c : length ? *c & (0x7fu >> length) : 0;
     for (size_t i = 1; i < length; i++) {
-        if (c[i] >> 6 != 2) /* not a continuation byte; may be the terminating NUL */
+        if (c[i] >> 6 != 2) /* not a continuation byte, but perhaps the terminating NUL byte */
             return 0;
         *code = *code << 6 | (c[i] & 0x3fu);
     }
@@ -24,7 +24,7 @@ static size_t utf8_next(const char *text, uint32_t *code)
     return length && *code >= least[length] && *code <= 0x10ffff && !is_surrogate ? length : 0;
 }
 
-/* Returns true for characters of the Unicode classes Cc, Zl and Zp, and of Cf and Cn except the joiners
+/* Returns true for characters of the Unicode classes Cc, Zl, Zp, Cf and Cn. The exceptions are the joiners
  * U+200C and U+200D, which some scripts need. */
 static bool is_hidden(uint32_t code)
 {
@@ -62,7 +62,7 @@ bool escape_needed(const char *text)
 {
     uint32_t code;
     for (size_t length;; text += length) {
-        while (*text >= ' ' && *text <= '~') /* nearly all text is ASCII */
+        while (*text >= ' ' && *text <= '~') /* a fast path, because nearly all text is ASCII */
             text++;
         if (*text == '\0')
             return false;
@@ -75,9 +75,9 @@ const char *escape_text(const char *text, char *shown, size_t size)
 {
     static const char more[] = "...";
     char piece[ESCAPE_PIECE];
-    size_t n = 0, last = 0; /* `last` is the length of the longest text that leaves room for "..." */
+    size_t n = 0, last = 0; /* `last` is the length of the longest text after which there is room for "..." */
     for (;;) {
-        /* the fast path, since nearly all text is ASCII */
+        /* a fast path, because nearly all text is ASCII */
         while (*text >= ' ' && *text <= '~' && n + sizeof more < size)
             shown[n++] = *text++;
         last = n + sizeof more <= size ? n : last;

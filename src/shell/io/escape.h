@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Text from outside, such as file names and the words of a script, is made safe to show: no control character
- * reaches a terminal, nothing changes the direction of writing, and the output is UTF-8. */
+/* Makes text from outside, such as file names and the words of a script, safe to show: no control character
+ * reaches a terminal, no character changes the direction of writing, and the output is UTF-8. */
 #ifndef SHELL_ESCAPE_H
 #define SHELL_ESCAPE_H
 
@@ -8,24 +8,25 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Size of a buffer for one character, escaped if necessary: "a", "\x1b", "\u202e" or "\u{e0001}". */
+/* The size of a buffer for one character, which may be escaped: "a", "\x1b", "\u202e" or "\u{e0001}". */
 enum { ESCAPE_PIECE = 12 };
 
 /*
- * Escapes the first character of a text that is not empty, and returns the number of bytes of this character
- * in the text.  Control characters, invisible characters, and characters that break lines or change the
- * direction of writing become \x.., \u.... or \u{.....}. A byte that is not UTF-8 becomes \x.. as well.
- * Escaping a text twice gives the same result as escaping it once.
+ * Escapes the first character of a non-empty text, and returns the length of this character in the text in
+ * bytes. Control characters, invisible characters, and characters that break lines or change the direction of
+ * writing become \x.., \u.... or \u{.....}. A byte that is not UTF-8 becomes \x.., too. Escaping a text twice
+ * gives the same result as escaping it once.
  */
 size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 
 /* Returns true if a character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* Escapes a text into `size` bytes, at least 16.  A text that is too long ends in "...".  Returns `shown`. */
+/* Escapes a text into the buffer `shown` of `size` bytes, at least 16. A text that is too long ends in "...".
+ * Returns `shown`. */
 const char *escape_text(const char *text, char *shown, size_t size);
 
-/* Escapes a text of any length.  The caller frees the result, which is NULL if memory runs out. */
+/* Escapes a text of any length. Returns an allocated copy, or NULL if there is no memory. */
 char *escape_copy(const char *text);
 
 /* Writes a JSON string with its quotes.  Every character that escape_next escapes becomes \u...., which

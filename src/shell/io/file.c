@@ -19,16 +19,16 @@
 #include <unistd.h>
 
 struct file {
-    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    /* must be the first member, so that a pointer to it is also a pointer to struct file */
     struct output output;
     struct target target;
-    /* the stream is the temporary file; otherwise it is a device or FIFO, whose text is written at once */
+    /* `out` is the temporary file; otherwise it is a device or FIFO, and text is written at once */
     bool is_held;
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Opens the temporary file in the folder of the target.  If no file can be created there but the target
- * exists, opens the temporary file in the usual folder for temporary files.  Returns NULL with errno on
+/* Opens the temporary file in the folder of the target. If the target exists, but no file can be created in
+ * its folder, opens the temporary file in the usual folder for such files. Returns NULL and sets errno on
  * failure. */
 static FILE *held_open(const struct target *t)
 {
@@ -38,7 +38,7 @@ static FILE *held_open(const struct target *t)
     return held || !t->exists ? held : io_temporary(NULL);
 }
 
-/* Opens the stream that takes the text of this output level.  Returns NULL with errno on failure. */
+/* Opens the stream to which the text is written first. Returns NULL and sets errno on failure. */
 static FILE *file_open(struct file *f, const char *path)
 {
     const struct target *t = &f->target;
@@ -57,8 +57,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the text begins with a line of column names that equals the last such line of the file, the line need
- * not be appended again: returns its length.  Otherwise returns 0. */
+/* If the text begins with the same line of column names as the last such line in the file, returns the length
+ * of this line, which need not be appended again. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";
@@ -75,7 +75,7 @@ static long repeated_head(const struct file *f)
     return strcmp(first, last) == 0 ? (long)strlen(first) : 0;
 }
 
-/* Copies the text, from the offset `from` on, into an open file.  Returns false with errno on failure. */
+/* Copies the text from the offset `from` on into an open file. Returns false and sets errno on failure. */
 static bool text_copy(FILE *text, long from, int to)
 {
     char block[4096];
@@ -87,9 +87,9 @@ static bool text_copy(FILE *text, long from, int to)
     return !ferror(text);
 }
 
-/* Writes the text into an open file, or appends it, and closes the file.  If the disk is full, the old
- * contents stay: space is reserved before the first byte is overwritten, and a partly appended text is cut
- * off again.  Returns false with errno on failure. */
+/* Writes or appends the text to an open file, and closes the file. If the disk is full, the old contents are
+ * not lost: space is reserved before the first byte is overwritten, and a partly appended text is cut off
+ * again. Returns false and sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {
     const struct output *o = &f->output;
@@ -145,8 +145,8 @@ static int file_lock(const struct file *f)
     return -1;
 }
 
-/* Writes the text into the target.  Signals are blocked until that is done, except while another program
- * holds the lock of the target.  Returns false with errno on failure. */
+/* Writes the text into the target. Signals are blocked meanwhile, except while another program holds the lock
+ * of the target. Returns false and sets errno on failure. */
 static bool file_commit(const struct file *f)
 {
     const struct target *t = &f->target;

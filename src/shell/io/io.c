@@ -10,8 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The pause between two attempts where no system call can wait.  It is short for a person and long for a
- * CPU. */
+/* The pause between two attempts if no system call can wait: short for a user, but long for a processor. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)
@@ -54,7 +53,7 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
     int file;
     do
         file = open(path, flags | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
-    while (file < 0 && /* EAGAIN: another program has a lease on the file */
+    while (file < 0 && /* EAGAIN means that another program holds a lease on the file */
            (errno == EAGAIN || errno == EINTR || (errno == ENXIO && is_fifo(path))) &&
            io_wait(-1, 0, &moment, interrupt));
     return file;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Files and streams whose waits can be interrupted: the other end of a FIFO may never be opened, and a
- * program at the other end of a pipe may never read.  When the flag `interrupt` is raised (see dom_raised), a
+ * Files and streams on which a wait can be interrupted: the other end of a FIFO may never be opened, and a
+ * program at the other end of a pipe may never read. When the flag `interrupt` is raised (see dom_raised), a
  * wait ends with ECANCELED, even if the signal handler was installed with SA_RESTART. If `interrupt` is NULL,
- * signals have their usual effect.  On failure, all functions set errno.
+ * signals have their usual effect. All functions set errno on failure.
  */
 #ifndef SHELL_IO_H
 #define SHELL_IO_H
@@ -15,30 +15,30 @@
 #include <time.h>
 
 /*
- * Opens a file as open(2) does, except that opening a FIFO for writing waits for its reader.  The descriptor
- * is non-blocking and close-on-exec.  Returns -1 on failure.
+ * Opens a file as open(2) does, but if the file is a FIFO that is opened for writing, waits until it has a
+ * reader. The descriptor is non-blocking and close-on-exec. Returns -1 on failure.
  */
 int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_t *interrupt);
 
-/* Locks an open file with flock(2) until it is closed.  Other programs are kept out only if they lock the
- * file as well.  Does nothing if the file system has no locks.  Returns false if another program keeps its
- * lock for this many seconds, or on an interrupt. */
+/* Locks an open file with flock(2) until the file is closed. This keeps out only programs that also lock the
+ * file. Does nothing if the file system has no locks. Returns false if another program holds the lock for
+ * `seconds` seconds, or on an interrupt. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits for events of poll(2) on a file, or just for the time to pass if `file` is -1.  If `longest` is NULL,
- * there is no timeout.  A signal that arrives between the check of the flag and the wait also ends the wait.
- * Returns false if the flag is raised. */
+/* Waits for events of poll(2) on a file, or, if `file` is -1, for the time to pass. If `longest` is NULL,
+ * there is no time limit. A signal that arrives between the check of the flag and the wait also ends the
+ * wait. Returns false if the flag is raised. */
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
-/* Writes all bytes.  May be called in a signal handler. */
+/* Writes all bytes. This function may be called in a signal handler. */
 bool io_write(int file, const char *bytes, size_t count, const volatile sig_atomic_t *interrupt);
 
-/* Blocks all signals.  Returns the previous signal mask, which io_unblock restores. */
+/* Blocks all signals. Returns the previous signal mask, for io_unblock. */
 sigset_t io_block(void);
 void io_unblock(const sigset_t *before);
 
-/* If descriptor 0, 1 or 2 is closed, opens a placeholder for it, which can be neither read nor written.
- * Otherwise the next file that is opened would become standard input or output. */
+/* If descriptor 0, 1 or 2 is closed, opens a placeholder that can be neither read nor written. Otherwise the
+ * next file that is opened would become standard input, output or error. */
 void io_begin(void);
 
 /* ---- Streams ---- */
@@ -50,15 +50,15 @@ FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interru
 /* Opens a file for reading.  A directory is an error.  Returns NULL on failure. */
 FILE *io_read(const char *path, const volatile sig_atomic_t *interrupt);
 
-/* Returns the only stream of standard input, which must not be closed.  The `interrupt` of the first call is
- * used; later ones are ignored. */
+/* Returns the stream for standard input, which is the same at each call and must not be closed. `interrupt`
+ * takes effect only in the first call. */
 FILE *io_stdin(const volatile sig_atomic_t *interrupt);
 
 /*
- * Returns the only stream of standard output.  On a terminal each line appears at once.  Elsewhere the text
- * is buffered, because a system call for each short answer would take longer than the answer itself.  A
- * program that reads the output still need not wait: a timer writes flushed text at most 10 ms later,
- * whatever the session is doing at that time.
+ * Returns the stream for standard output, which is the same at each call. On a terminal each line appears at
+ * once. Elsewhere the text is buffered, because a system call for each short answer would take longer than
+ * the answer itself. A program that reads the output still need not wait: a timer writes flushed text at most
+ * 10 ms later, whatever the session is doing at that time.
  */
 FILE *io_stdout(const volatile sig_atomic_t *interrupt);
 
@@ -68,13 +68,13 @@ void io_stdout_flush(void);
 /* Returns the folder for temporary files: $TMPDIR, or /tmp. */
 const char *io_temporary_folder(void);
 
-/* Opens a temporary file without a name, which vanishes when it is closed or the program ends.  If `folder`
- * is NULL, the file is in io_temporary_folder().  Returns NULL on failure. */
+/* Opens a temporary file without a name, which vanishes when it is closed or the program ends. If `folder` is
+ * NULL, the file is in io_temporary_folder(). Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
-/* Makes a stream that writes into memory.  After fclose, *text has *size bytes, without a terminating NUL,
- * and the caller frees it.  Unlike a stream of open_memstream, this one sets its error flag when memory runs
- * out.  Returns NULL on failure. */
+/* Makes a stream that writes into memory. After fclose, *text holds *size bytes without a terminating NUL
+ * byte, and the caller frees *text. Unlike a stream of open_memstream, this stream sets its error flag if
+ * there is no memory. Returns NULL on failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The destinations of output, as a stack of levels.  Standard output is at the bottom.  Above it, 'log' and
- * 'tee' copy the text that is written.  On top, while a command runs, is the file after '>' or the pager.
- * When a file is popped, its text is either written as a whole, or the old file is left unchanged. */
+/*
+ * The destinations of output, as a stack of levels. Standard output is at the bottom. The levels above it are
+ * those of 'log' and 'tee', which copy the text. While a command runs, the file after '>' or the pager is at
+ * the top. When a file is popped, either its text is written completely, or the old file is not changed.
+ */
 #ifndef SHELL_OUTPUT_H
 #define SHELL_OUTPUT_H
 
@@ -19,34 +21,35 @@ struct output {
     FILE *out;            /* receives the answers */
     FILE *messages;       /* receives errors and notes: stderr, or memory while a pager runs */
     const char *path;     /* the name of the file as it was typed, or NULL */
-    bool append;          /* the file is appended to, because it comes after '>>' */
+    bool append;          /* text is appended to the file, because the command has '>>' */
     /* the format that the file extension selects, or NULL for the format of 'set output' */
     const struct format *format;
     /* returns true for a line of column names; NULL if the format has no such lines */
     bool (*is_head)(const char *line);
-    /* Frees everything but the struct.  With `keep`, the text of a file is first written to its target.
+    /* Frees everything but the struct. If `keep` is true, first writes the text of a file to its target.
      * Returns NULL, or the reason why the text could not be written. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* State of the text itself, kept at the level where the text ends (see output_end). */
+    /* The members below describe the text. They are used at the level where the text ends up (see
+     * output_end). */
     char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
     bool answered;          /* an answer was written, so the next one needs a blank line above it */
     int error;              /* errno of the first answer that could not be written, or 0 */
 };
 
-/* Pushes a level.  The caller has set its members, except `below`. */
+/* Pushes a level. The caller sets the members of the level except `below`. */
 void output_push(struct output **top, struct output *output);
 
-/* Ends and frees a level, usually the top one.  Returns what its pop function returns. */
+/* Ends and frees a level, which is usually the highest one. Returns the result of its pop function. */
 const char *output_pop(struct output **top, bool keep);
 
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* Returns the pointer that links to the highest level of this kind, or NULL. */
+/* Returns the pointer that points to the highest level of this kind, or NULL. */
 struct output **output_find(struct output **top, enum output_kind kind);
 
-/* Returns the level where text that is written to this level ends up: a file, or standard output. */
+/* Returns the level at which text that is written to this level ends up: a file, or standard output. */
 struct output *output_end(struct output *output);
 
 /* Returns the highest level below all files and pagers: standard output, or the log or tee above it. */
@@ -59,30 +62,29 @@ const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 
 /*
- * Pushes a pager for a text that may be longer than the terminal.  Returns false, and does nothing, unless
- * both standard input and the level below are the terminal itself.  A text of at least `screens` screens is
- * piped through $PAGER or less while it is written, or is shown a page at a time if `may_run` does not allow
- * a program.  A shorter text, or one that arrives slowly, is shown without a pager.  Writing fails after the
- * reader has quit, and after an interrupt.  Popping the pager waits for the reader, and then shows the
- * messages.  The result of popping is not NULL if the reader quit early.
+ * Pushes a pager for a text that may be longer than the terminal. Returns false, and does nothing, unless
+ * both standard input and the level below are the terminal itself. A text of at least `screens` screens is
+ * piped through $PAGER or less while it is written. If `may_run` is false, no program is run, and the text is
+ * shown a page at a time. A shorter text, or one that arrives slowly, is shown without a pager. Writing fails
+ * after the user has quit the pager, and after an interrupt. Popping the pager waits until the user quits,
+ * and then shows the messages. The result of popping is not NULL if the user quit before the end.
  */
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt);
 
-/* Begins a log, which is appended to its file, or a tee, which replaces its file.  Ends an earlier log or
- * tee.  Returns NULL, or the reason why the file cannot be written. */
+/* Begins a log, which is appended to its file, or a tee, which replaces its file. Ends an earlier log or tee.
+ * Returns NULL, or the reason why the file cannot be written. */
 const char *record_push(struct output **top, enum output_kind kind, const char *path,
                         const volatile sig_atomic_t *interrupt);
 
-/* Writes all buffered text of the log and the tee.  Returns NULL, or the reason why one of them had to
- * end. */
+/* Writes all buffered text of the log and the tee. Returns NULL, or the reason why one of them was ended. */
 const char *records_flush(struct output **top);
 
-/* Passes commands to the log, if there is one.  Unless `at_once` is set, the log holds them until the next
- * answer or message, when it is known whether they have failed. */
+/* Passes commands to the log, if there is one. Unless `at_once` is true, the log holds the commands until the
+ * next answer or message shows whether they have failed. */
 void log_commands(struct output **top, const char *commands, size_t length, bool at_once);
 
-/* Writes an error or a note into the log, as a comment.  If `failed` is set, the commands that the log still
- * holds are written as a comment, too, so that the log can be run as a script. */
+/* Writes an error or a note into the log, as a comment. If `failed` is true, the commands that the log still
+ * holds become comments, too, so that the log can be run as a script. */
 void log_message(struct output **top, const char *text, bool failed);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows long texts on a terminal, with a pager program or a page at a time. */
+/* Shows long texts on a terminal, with a pager program or page by page. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
@@ -15,35 +15,35 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* A text that takes longer than this to fill the screen is shown as it arrives, without a pager. */
+/* A text that does not fill the screen within this time is shown as it arrives, without a pager. */
 #define HOLD_SECONDS 0.5
 
-/* The prompt of less.  In the prompt language of less, '?e' tests for the end of the text, and ':' separates
- * the texts for both cases. */
+/* The prompt of the program less. In its syntax, '?e' tests for the end of the text, and ':' separates the
+ * two cases. */
 #define LESS_PROMPT "s?e(end) q\\: back:space\\: more, q\\: back."
 
-/* Signals that are handled differently while a pager program runs.  As in system(3), SIGQUIT is ignored.
- * However, ^Z stops both programs, and ^C ends the running computation.  From the end of the computation
+/* Signals that are handled differently while a pager program runs. As in system(3), SIGQUIT is ignored.
+ * Unlike there, ^Z stops both programs, and ^C ends the running computation. From the end of the computation
  * until the pager program ends, ^C is ignored. */
 enum { QUIT, STOP, INTERRUPT, SIGNALS };
 static const int signals[SIGNALS] = {SIGQUIT, SIGTSTP, SIGINT};
 
 struct pager {
-    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    /* must be the first member, so that a pointer to it is also a pointer to struct pager */
     struct output output;
     enum { HELD, DIRECT, PROGRAM, PAGES, LEFT } state;
-    FILE *to; /* memory while the text is HELD; later the terminal, or the pipe to the PROGRAM */
+    FILE *to; /* memory while the state is HELD; later the terminal, or the pipe to the pager program */
     char *text, *messages;
     size_t text_size, messages_size;
-    double begun;      /* the time when the first text arrived, or 0 */
+    double begun;      /* the time at which the first text arrived, or 0 */
     int width, height; /* the size of the terminal */
-    int rows;          /* number of terminal rows of the current page so far */
+    int rows;          /* the number of terminal rows that the current page fills so far */
     double screens;    /* a text of at least this many screens is paged */
     bool may_run;
     const volatile sig_atomic_t *interrupt;
     pid_t child;
     struct sigaction before[SIGNALS];
-    struct termios modes; /* the modes of the terminal before the program */
+    struct termios modes; /* the terminal modes before the pager program was started */
 };
 
 /* Returns how many rows of the terminal a line occupies.  Escape sequences for colours take no columns. */
@@ -67,18 +67,18 @@ static const char *line_next(const char *line, const char *end)
 
 /* ---- A pager program ---- */
 
-/* Starts a program that reads the text from the descriptor `text`: $PAGER, or less if `command` is NULL.
- * Returns false on failure. */
+/* Starts a pager program that reads the text from the descriptor `text`. `command` is $PAGER; if it is NULL,
+ * starts less. Returns false on failure. */
 static bool program_start(const char *command, int text, pid_t *child)
 {
     extern char **environ;
-    /* If the program does not exist, less or cat shows the text. */
+    /* If the program in $PAGER does not exist, less or cat shows the text. */
     static char shell[] =
         "set -- $PAGER; command -v \"$1\" >/dev/null || PAGER='less || cat'; eval \"$PAGER\"";
     char *const users[] = {"sh", "-c", shell, NULL}, *const less[] = {"less", "-FRX", "-P" LESS_PROMPT, NULL};
     char *const *argv = command ? users : less;
     setenv("LESS", "FRXP" LESS_PROMPT "$", 0);
-    if (!command) { /* keys that are pressed by mistake must not write files or run programs */
+    if (!command) { /* a key pressed by mistake must not write a file or run a program */
         setenv("LESSSECURE", "1", 1);
         setenv("LESSHISTFILE", "-", 1);
     }
@@ -101,8 +101,8 @@ static bool program_start(const char *command, int text, pid_t *child)
     return error == 0;
 }
 
-/* Starts the program and a pipe to it, into which the text goes from now on.  Returns false on failure, and
- * if less would need a terminal with more capabilities. */
+/* Starts the pager program, and a pipe through which the program gets the text from now on. Returns false on
+ * failure, or if the terminal is not capable enough for the program less. */
 static bool program_open(struct pager *p)
 {
     const char *term = getenv("TERM"), *command = getenv("PAGER");
@@ -150,8 +150,8 @@ static void program_close(struct pager *p)
 
 /* ---- Pages without a program ---- */
 
-/* Asks whether to show another page.  The user has to press Enter after the answer, as the terminal keeps its
- * modes. */
+/* Asks whether to show another page. The user has to press Enter, because the terminal modes are not
+ * changed. */
 static bool page_wanted(const struct pager *p)
 {
     char answer[256] = "";
@@ -165,7 +165,7 @@ static bool page_wanted(const struct pager *p)
     return n > 0 && *answer != 'q' && *answer != 'Q';
 }
 
-/* Writes lines, page by page.  Returns false if the user does not want another page. */
+/* Writes lines page by page. Returns false if the user does not want another page. */
 static bool pages_write(struct pager *p, const char *text, size_t size)
 {
     const char *end = text + size;
@@ -185,8 +185,8 @@ static bool pages_write(struct pager *p, const char *text, size_t size)
 
 /* ---- The level ---- */
 
-/* Writes text to the destination of the current state.  Returns false if the text cannot be written, usually
- * because the reader has quit. */
+/* Writes text to its destination in the current state. Returns false if that fails, usually because the user
+ * has quit the pager. */
 static bool pass_on(struct pager *p, const char *text, size_t size)
 {
     bool is_written = p->state == PAGES ? pages_write(p, text, size) : fwrite(text, 1, size, p->to) == size;
@@ -194,12 +194,12 @@ static bool pass_on(struct pager *p, const char *text, size_t size)
         return true;
     if (p->state == PROGRAM)
         program_close(p);
-    /* while the text is held, a failure means that memory ran out */
+    /* in the state HELD, a failure means that there is no memory */
     p->state = p->state == HELD ? HELD : LEFT;
     return false;
 }
 
-/* Begins to show the held text, with a pager or without. */
+/* Begins to show the text that has been held so far. If `with_pages` is true, shows it with a pager. */
 static bool show(struct pager *p, bool with_pages)
 {
     if (p->to)
@@ -246,7 +246,7 @@ static const char *pager_pop(struct output *o, bool keep)
         fwrite(p->messages, 1, p->messages_size, o->below->messages);
     free(p->messages);
     free(p->text);
-    return p->state == LEFT ? "the reader has left" : NULL;
+    return p->state == LEFT ? "the pager was closed before the end" : NULL;
 }
 
 bool pager_push(struct output **top, double screens, bool may_run, const volatile sig_atomic_t *interrupt)

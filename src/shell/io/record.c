@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The output levels of 'log' and 'tee', which copy text into a file and pass it on to the level below. */
+/* The output levels of 'log' and 'tee', which write a copy of the text into a file and pass the text on to
+ * the level below. */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"
@@ -11,18 +12,18 @@
 #include <string.h>
 
 struct record {
-    /* must be the first member, so that a pointer to it is also a pointer to the struct */
+    /* must be the first member, so that a pointer to it is also a pointer to struct record */
     struct output output;
     struct target target;
     FILE *file;
-    bool in_line;        /* the last line of the file is still incomplete */
-    const char *waiting; /* commands that are not written yet, or NULL */
+    bool in_line;        /* the last line in the file is incomplete so far */
+    const char *waiting; /* commands that have not been written yet, or NULL */
     int waiting_length;
-    /* the kind of control sequence in which the text currently is */
+    /* the kind of control sequence that the last character belongs to */
     enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence;
 };
 
-/* Tracks the control sequences of a terminal.  Returns true for a character outside them. */
+/* Tracks the control sequences of a terminal. Returns true if the character is not part of one. */
 static bool is_text(enum sequence *sequence, char c)
 {
     const enum sequence before = *sequence;
@@ -42,8 +43,8 @@ static void commands_write(struct record *r, bool failed)
     r->waiting = NULL;
 }
 
-/* Passes text on to the level below, and writes it into the file without colours and cursor movements.  In a
- * log, answers are comments. */
+/* Passes text on to the level below, and writes it into the file without colours and cursor movements. In a
+ * log, answers become comments. */
 static ssize_t record_write(void *record, const char *bytes, size_t count)
 {
     struct record *r = record;

@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Opens a stream whose functions receive a copy of the cookie.  The close function must free that copy. */
+/* Opens a stream whose functions receive a copy of the cookie. The close function must free this copy. */
 static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, struct system_stream functions)
 {
     void *copy = malloc(size);
@@ -26,9 +26,9 @@ static FILE *cookie_stream(const void *cookie, size_t size, const char *mode, st
 
 enum { HELD_MOST = 1 << 16, MOMENT = 10000000 /* ns */ };
 
-/* Text that was flushed but is not written yet, and errno of the first write that failed.  Only the holder of
- * `held_lock` may access them: either a thread that writes, or the handler of the timer, which never waits
- * for the lock. */
+/* Text that was flushed but has not been written yet, and errno of the first write that failed. Both may be
+ * accessed only while holding `held_lock`, which is taken by threads that write and by the handler of the
+ * timer. The handler never waits for the lock. */
 static char held[HELD_MOST];
 static size_t held_size;
 static int held_error;
@@ -136,7 +136,7 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
     return n;
 }
 
-/* Writes all bytes, because a stream of functions treats a short count as an error. */
+/* Writes all bytes, because the stream would treat a short count as an error. */
 static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
     const struct channel *c = cookie;
@@ -157,8 +157,8 @@ static int channel_close(void *cookie)
     return closed;
 }
 
-/* Returns true if reading or writing may have to wait.  Regular files never wait.  Writing to a terminal does
- * not count, since ^C discards output that is stuck there. */
+/* Returns true if reading or writing may have to wait. Regular files never wait. Writing to a terminal does
+ * not count, because ^C discards output that is stuck in the terminal. */
 static bool may_wait(int file, const char *mode)
 {
     struct stat status;

@@ -34,7 +34,7 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
 
 #elif defined HAVE_FUNOPEN
 
-/* The functions of funopen count in int. */
+/* The functions of funopen use int for sizes. */
 struct bsd_stream {
     void *cookie;
     struct system_stream functions;

@@ -14,36 +14,36 @@
 #include <sys/types.h>
 #include <time.h>
 
-/* The functions of a stream; those that are NULL do nothing.  `write` writes all bytes.  If it returns less,
- * the stream has an error. */
+/* The functions of a stream. A function that is NULL does nothing. `write` must write all bytes; if it
+ * returns less, the stream has an error. */
 struct system_stream {
     ssize_t (*read)(void *cookie, char *bytes, size_t size);
     ssize_t (*write)(void *cookie, const char *bytes, size_t size);
     int (*close)(void *cookie);
 };
 
-/* Opens a stream that calls these functions.  Returns NULL with errno on failure. */
+/* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Waits as poll(2) does, with the signal mask `mask` while it waits.  The members `revents` are not set. */
+/* Waits as poll(2) does, with the signal mask `mask` during the wait. Does not set `revents`. */
 void system_poll(const struct pollfd *file, const struct timespec *longest, const sigset_t *mask);
 
-/* Makes a pipe whose ends are closed in programs that are started.  Returns false on failure. */
+/* Makes a pipe, both ends of which are closed in child programs. Returns false on failure. */
 bool system_pipe(int ends[2]);
 
-/* Reserves space on the disk for the bytes `from` to `to` of a file, which then is at least that long.
- * Returns 0, or an error number.  On failure the file may be longer than before. */
+/* Reserves disk space for the bytes `from` to `to` of a file, which is then at least `to` bytes long. Returns
+ * 0, or an error number. After a failure the file may be longer than before. */
 int system_reserve(int file, off_t from, off_t to);
 
-/* Opens a new file without a name in a folder.  Returns -1 if the system or the file system has no such
- * files. */
+/* Opens a new file without a name in a folder. Returns -1 if the system or the file system does not support
+ * such files. */
 int system_unnamed(const char *folder);
 
-/* Returns the value of an environment variable that names a folder, or NULL.  Where possible, a program with
- * more rights than its user has ignores it. */
+/* Returns the value of an environment variable that names a folder, or NULL. Where the system allows it,
+ * ignores the variable in a program that has more rights than its user. */
 const char *system_environment(const char *name);
 
-/* Where possible, makes this process end when its parent ends. */
+/* Makes this process end when its parent ends, if the system allows it. */
 void system_end_with_parent(void);
 
 /* Returns the number of processors that this process may use. */

@@ -10,8 +10,8 @@
 
 static struct target *targets;
 
-/* Returns an absolute path without symbolic links.  Unlike realpath, this also works for a file that does not
- * exist yet.  Returns NULL with errno on failure. */
+/* Returns the absolute path of a file, without symbolic links. Unlike realpath, works also for a file that
+ * does not exist yet. Returns NULL and sets errno on failure. */
 static char *real_path(const char *path)
 {
     char target[PATH_MAX], *next, *real = realpath(path, NULL);
@@ -51,9 +51,9 @@ bool target_is_standard(const struct target *t)
 const char *target_begin(struct target *t, const char *path, bool may_be_standard,
                          const struct target *except)
 {
-    /* a person who reads a script must be able to see which file the script writes */
+    /* the reader of a script must be able to see which file the script writes */
     if (escape_needed(path))
-        return "the name has control characters, or is not UTF-8; no such file is written";
+        return "the name contains control characters, or is not UTF-8; choose another name";
     *t = (struct target){.path = real_path(path), .next = targets};
     t->exists = t->path && stat(path, &t->status) == 0;
     if (!t->path || (!t->exists && errno != ENOENT)) {
@@ -69,7 +69,7 @@ const char *target_begin(struct target *t, const char *path, bool may_be_standar
     }
     if (is_written) {
         free(t->path);
-        return "this session is writing it already; choose another file";
+        return "this session is already writing to it; choose another file";
     }
     targets = t;
     return NULL;
@@ -88,5 +88,5 @@ const char *target_error(int reason)
 {
     return reason == EWOULDBLOCK ? "another program has locked it"
            : reason              ? strerror(reason)
-                                 : "the device is full, or not there any more";
+                                 : "the device is full, or no longer there";
 }

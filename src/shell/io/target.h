@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that the session is writing.  Two levels of output may not write the same file at once. */
+/* The files that the session is writing. Two output levels must not write the same file at the same time. */
 #ifndef SHELL_TARGET_H
 #define SHELL_TARGET_H
 
@@ -7,7 +7,8 @@
 #include <sys/stat.h>
 
 struct target {
-    /* absolute path in which a symbolic link is replaced by its target, even if that does not exist */
+    /* the absolute path, in which a symbolic link is replaced by its target, even if the target does not
+     * exist */
     char *path;
     bool exists;
     struct stat status; /* the result of stat(2), if the file exists */
@@ -15,21 +16,21 @@ struct target {
 };
 
 /*
- * Registers a file that is to be written.  Returns NULL on success.  Returns a message, and registers
+ * Registers a file that is going to be written. Returns NULL on success. Returns a message, and registers
  * nothing, if the name contains characters that must be escaped (see escape.h), or if the session is already
- * writing the file under any of its names.  The target `except`, which may be NULL, is left out of that
- * check.  Standard output counts as being written unless `may_be_standard` is set.
+ * writing the file under any of its names. The target `except`, which may be NULL, is not checked. Standard
+ * output is checked, too, unless `may_be_standard` is true.
  */
 const char *target_begin(struct target *target, const char *path, bool may_be_standard,
                          const struct target *except);
 
-/* Removes the target, so that its file may be written again. */
+/* Removes a target, so that its file may be written again. */
 void target_end(struct target *target);
 
 /* Returns true if standard output is redirected to the file. */
 bool target_is_standard(const struct target *target);
 
-/* Returns a message for the errno of a failed write, where 0 means that errno was not set. */
+/* Returns a message for the errno of a failed write. A reason of 0 means that errno was not set. */
 const char *target_error(int reason);
 
 #endif

@@ -11,7 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* The topmost stream that passes its text on to standard output.  NULL until there is such a stream. */
+/* The topmost stream that passes its text on to standard output, or NULL if there is none yet. */
 static const FILE *front;
 
 void terminal_pass(const FILE *from, const FILE *to)
@@ -64,9 +64,10 @@ int terminal_width(FILE *stream)
 
 bool terminal_utf8(void)
 {
-    static bool is_set; /* start-up is faster if the locale is loaded only when it is needed */
+    static bool is_set; /* the locale is loaded only when it is needed, so that the program starts faster */
     if (!is_set)
-        setlocale(LC_CTYPE, ""); /* never LC_NUMERIC, which changes the decimal point of printf */
+        /* LC_NUMERIC must not be set, because it would change the decimal point of printf */
+        setlocale(LC_CTYPE, "");
     is_set = true;
     return strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
@@ -98,13 +99,13 @@ double terminal_clock(void)
 /* ---- Progress ---- */
 
 static atomic_int seconds; /* how long the command has been running, in s */
-static atomic_int done;    /* how many millionths of the command's work are done, or 0 if that is unknown */
+static atomic_int done;    /* how many millionths of the command's work are done, or 0 if this is not known */
 static _Thread_local bool is_muted;
 
 static bool is_ticking;
 static struct sigaction alarm_before;
 
-/* Writes a number, and returns a pointer to the byte after it. */
+/* Writes a number, and returns a pointer to the byte after the number. */
 static char *number_write(char *to, long number)
 {
     if (number >= 10)
@@ -113,7 +114,8 @@ static char *number_write(char *to, long number)
     return to + 1;
 }
 
-/* Handles SIGALRM, once a second: writes the progress line.  A signal handler must not call printf. */
+/* The handler of SIGALRM, which arrives once a second. Writes the progress line without printf, which a
+ * signal handler must not call. */
 static void on_tick(int number)
 {
     const int all = 1000000;
@@ -138,7 +140,7 @@ void progress_begin(void)
 {
     if (!terminal_shows(stderr))
         return;
-    progress_end(); /* ends the progress line of the command that runs this one, such as source */
+    progress_end(); /* ends the progress line of a command, such as source, that runs this one */
     const struct sigaction action = {.sa_handler = on_tick, .sa_flags = SA_RESTART};
     seconds = done = 0;
     is_ticking = sigaction(SIGALRM, &action, &alarm_before) == 0;
@@ -152,7 +154,7 @@ void progress_end(void)
     timer_set(0);
     sigaction(SIGALRM, &alarm_before, NULL);
     is_ticking = false;
-    if (seconds > 0) /* overwrite the line with blanks, because a dumb terminal has no control sequences */
+    if (seconds > 0) /* overwrites the line with blanks, because a dumb terminal has no control sequences */
         fprintf(stderr, "\r%*s\r", 30, "");
 }
 

@@ -12,8 +12,8 @@ bool terminal_shows(FILE *stream);
 /* Returns true if text written to the stream appears on a terminal with colours, and NO_COLOR is not set. */
 bool terminal_colour(FILE *stream);
 
-/* Gets the number of columns and rows of the stream's terminal.  Without a terminal returns false, and both
- * are 0. */
+/* Stores the number of columns and rows of the stream's terminal. Without a terminal, stores 0 in both and
+ * returns false. */
 bool terminal_size(FILE *stream, int *width, int *height);
 
 /* Returns the number of columns of the stream's terminal, or 0 without a terminal. */
@@ -33,21 +33,21 @@ bool terminal_decimal_comma(void);
 /* Returns the number of terminal columns of a UTF-8 text.  Wide characters count as one column. */
 int terminal_columns(const char *text);
 
-/* Returns the time of the monotonic clock in seconds. */
+/* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, progress_begin makes it show a line such as "3 s; ^C stops it", which is
- * updated every second, and progress_end clears that line.  After progress_show with a fraction of the work,
- * the line shows "12 %, 3 s left" instead.  A fraction of 1 returns to the first form. */
+/* If standard error is a terminal, progress_begin shows a line such as "3 s; ^C stops it" on it, which is
+ * updated every second. progress_end clears the line. After progress_show with a fraction of the work, the
+ * line shows "12 %, 3 s left" instead. A fraction of 1 restores the first form. */
 void progress_begin(void);
 void progress_end(void);
 void progress_show(double fraction);
 
-/* A dom_progress that calls progress_show(done / of). */
+/* A dom_progress that calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, makes this thread ignore calls of progress_show, and otherwise obey them again.  A
- * thread is muted if its work is only a part of the work whose progress is shown.  Returns the previous
+/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise it obeys them again. A
+ * thread is muted while its work is only a part of the work whose progress is shown. Returns the previous
  * setting. */
 bool progress_mute(bool mute);
 

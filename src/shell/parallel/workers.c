@@ -8,19 +8,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The duration that a block should have: long compared with the time for taking the lock and writing, but too
- * short for a person to notice. */
+/* The intended duration of a block in seconds: long compared with taking the lock and writing, but too short
+ * for a user to notice. */
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* the largest ratio of a worker's block to its previous block, as later points may take longer */
+    /* a worker's block has at most this many times as many points as its previous block, because later points
+     * may take longer */
     GROWTH = 4,
     WINDOW = 16, /* how many blocks each worker may be ahead of the output */
     BLOCK_MOST = 4096,
     THREADS_MOST = 256
 };
 
-/* A block: the rows of some successive points. */
+/* A block: the rows of consecutive points. */
 struct block {
     char *text;
     size_t size;
@@ -33,7 +34,7 @@ struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
     pthread_cond_t room;           /* signalled when blocks were written, or the work has ended */
-    size_t next;                   /* the first point that no worker has taken yet */
+    size_t next;                   /* the first point that no worker has taken so far */
     size_t taken, written, window; /* numbers of blocks; block k is stored in waiting[k % window] */
     struct block *waiting;
     bool is_over;
@@ -44,7 +45,7 @@ struct worker {
     struct pool *pool;
     void *context;
     pthread_t thread;
-    size_t points; /* the number of points of the last block, and its duration */
+    size_t points; /* the number of points and the duration of the last block */
     double seconds;
 };
 
@@ -76,7 +77,7 @@ static bool block_compute(struct worker *me, size_t from, FILE *out)
 
 /* ---- The pool; the caller of these functions holds the lock ---- */
 
-/* Ends the work.  If the work has already ended, the first reason is kept. */
+/* Ends the work. If the work has already ended, keeps the earlier reason. */
 static void pool_end(struct pool *p, struct workers_end end)
 {
     p->end = p->is_over ? p->end : end;
@@ -84,7 +85,7 @@ static void pool_end(struct pool *p, struct workers_end end)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Writes the computed blocks that are next in order. */
+/* Writes the blocks that are computed and next in order. */
 static void pool_write(struct pool *p)
 {
     FILE *out = p->job->out;
@@ -109,7 +110,7 @@ static void pool_write(struct pool *p)
     pthread_cond_broadcast(&p->room);
 }
 
-/* Assigns points and a number to the next block of a worker.  Returns false if there are no more points. */
+/* Gives a worker its next block: points and a block number. Returns false if there are no more points. */
 static bool pool_take(struct pool *p, struct worker *me, size_t *from, size_t *block)
 {
     while (!p->is_over && p->taken - p->written >= p->window)
@@ -139,7 +140,8 @@ static void *worker_run(void *worker)
         is_last = b.is_last = !out || !block_compute(me, from, out);
         bool has_text = out && !ferror(out);
         has_text = out && fclose(out) == 0 && has_text;
-        if (p->job->progress) /* shown only by the caller's thread, since the other threads are muted */
+        /* only the caller's thread shows progress, because the other threads are muted */
+        if (p->job->progress)
             progress_show((double)from / (double)p->job->points);
         pthread_mutex_lock(&p->lock);
         if (has_text) {
@@ -160,7 +162,7 @@ static void *thread_run(void *worker)
     return worker_run(worker);
 }
 
-/* Runs all workers, the first one in the caller's thread.  The other threads block all signals, so that
+/* Runs all workers, the first one in the caller's thread. The other threads block all signals, so signal
  * handlers run in the caller's thread. */
 static void pool_run(struct pool *p, struct worker *worker)
 {

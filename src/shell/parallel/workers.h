@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The thread pool, which computes the points of a curve or a sweep, and tasks of the library, in parallel.
- * Each worker takes one block of points after another. The rows of the blocks are written in the order of the
- * points as soon as possible, so that the output has the same bytes for any number of workers. There is only
- * one lock. A worker takes it once for each block, which is about once in a millisecond.
+ * Each worker takes one block of consecutive points after another. The rows of the blocks are written as soon
+ * as possible, but in the order of the points, so that the output has the same bytes for any number of
+ * workers. There is only one lock, which a worker takes once for each block, about once in a millisecond.
  */
 #ifndef SHELL_WORKERS_H
 #define SHELL_WORKERS_H
@@ -13,14 +13,15 @@
 
 struct workers {
     size_t first, points; /* the points are first, first + 1, ... */
-    /* Computes a point, and writes its rows to `out`.  The function may change nothing but `context`, of
-     * which each worker has a separate copy.  If it returns false, the work ends after the rows of all
-     * earlier points have been written. */
+    /* Computes a point, and writes its rows to `out`. This function may change only `context`, of which each
+     * worker has a separate copy. If it returns false, the work ends after the rows of all earlier points
+     * have been written. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* copied for each worker; if a point ends the work, the copy of its worker is copied back */
+    /* Each worker gets a copy of this context. If a point ends the work, the copy of the worker that computed
+     * the point is copied back. */
     void *context;
     size_t size; /* the size of the context */
-    /* Merges the copy of a worker into `context` after the last point.  May be NULL. */
+    /* Merges a worker's copy into `context` after the last point. May be NULL. */
     void (*merge)(void *context, const void *copy);
     unsigned count; /* the number of workers, including the caller's thread */
     FILE *out;      /* the stream for the rows, or NULL if the points have no rows */
@@ -33,11 +34,11 @@ struct workers_end {
     int error; /* for WORKERS_LOST: errno of the write that failed */
 };
 
-/* Computes all points.  If some threads cannot be created, the other workers do their work. */
+/* Computes all points. If some threads cannot be created, the other workers do the work of all. */
 struct workers_end workers_run(const struct workers *workers);
 
-/* Returns how many workers to use for this many points.  `threads` is the setting of that name, where 0 means
- * one worker for each processor that this process may use. */
+/* Returns how many workers to use for this many points. `threads` is the parameter 'threads'; 0 means one
+ * worker for each processor that this process may use. */
 unsigned workers_count(domq_real threads, size_t points);
 
 /* Runs tasks of the library.  This is a dom_parallel whose pool is a struct task_pool. */
