@@ -95,7 +95,7 @@ record="effect row \"$root/examples/record.csv\""
     one_line 'it stops at 0.02802163121 rad, before the top of the barrier' 'set r 1.7; draw 0.3 > a.svg'
     one_line 'it stops at 1.605' 'set angle deg; set r 1.7; draw 3'
     one_line 'use .svg, .png, .pdf, .gp or .txt' 'draw 0.1 > a.jpg'
-    one_line 'use the ending .gif, .webm or .mp4' 'animate a.png'
+    one_line 'use the extension .gif, .webm or .mp4' 'animate a.png'
     one_line "cannot write 'none/a.svg'" 'draw 0.1 > none/a.svg'
     one_line "cannot write 'none/a.gif'" 'animate none/a.gif'
     one_line 'FILE is missing; usage: animate FILE [HOW]' animate
@@ -299,7 +299,7 @@ END
     one_line "'never' is neither a value nor one of the words; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
     one_line "the number of the domino is missing, as in 'draw at domino 8'" "$record; draw at domino"
-    one_line "'a.mov' is not the name of an animation: use the ending .gif, .webm or .mp4" "$record; animate a.mov"
+    one_line "'a.mov' is not the name of an animation: use the extension .gif, .webm or .mp4" "$record; animate a.mov"
     one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate is a number of frames in a second in 1 .. 50' "$record; animate a.gif rate 1000"
     one_line "at most 3000 are drawn; 'speed" "$record; animate a.gif speed 0.01"

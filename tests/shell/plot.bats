@@ -279,7 +279,7 @@ END
         "$(sed -n '/^\$curve0/,/^END/p' growth.gp | awk 'NR == 11 { print $2 }')" 1e-8
     grep -q "^set output 'it''s.pdf'" "it's.gp"
     run -1 "$DOMINO" -e 'plot growth >> growth.gp'
-    grep -q 'holds one picture' <<<"$output"
+    grep -q 'can hold only one picture' <<<"$output"
     # Other commands have no picture.
     run -1 "$DOMINO" -e 'rmax > a.gp'
     grep -q "names a picture, but 'rmax' does not draw" <<<"$output"
@@ -356,7 +356,7 @@ END
     all_fail <<END
 plot growth xrange 0.6 0.2|xrange is 0.6 .. 0.2; its second number must be larger
 plot growth xrange 0.6|the value of 'xrange' is missing
-plot growth xscale log xrange 0 1|xrange has to begin above 0
+plot growth xscale log xrange 0 1|xrange must begin above 0
 plot growth xrange 5 6|no point of the chart is within its axes
 plot growth yscale up|use one of: linear, log
 plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the cells of a map are spaced like its grid

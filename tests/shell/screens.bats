@@ -58,7 +58,7 @@ golden_screens() { # NAME
         read -r columns rows <<<"$size"
         for scene in draw 'plot growth' 'effect row 6; draw'; do
             NO_COLOR=1 on_terminal "$columns" "$rows" '' "$scene" >"$BATS_TEST_TMPDIR/screen" && false
-            grep -q "the terminal has $columns x $rows characters, and a picture needs 31 x 13;" "$BATS_TEST_TMPDIR/screen"
+            grep -q "the terminal has $columns x $rows characters, but a picture needs 31 x 13;" "$BATS_TEST_TMPDIR/screen"
             same "$scene" 1 "$(wc -l <"$BATS_TEST_TMPDIR/screen")"
         done
     done

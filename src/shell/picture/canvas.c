@@ -10,8 +10,9 @@
 
 static const struct {
     int rgb;
-    int of_8;    /* the nearest of the 8 basic colours, as in escape sequences; 0 for the colour of text */
-    char letter; /* the letter with which curves are drawn on a terminal without braille */
+    /* the nearest of the 8 basic colours, as in escape sequences; 0 for the default colour of text */
+    int of_8;
+    char letter; /* the character with which curves are drawn on a terminal without braille */
 } inks[INKS] = {
     [INK_TEXT] = {0, 0, '*'},          [INK_BLUE] = {0x0072b2, 34, 'o'},   [INK_RED] = {0xd55e00, 31, '#'},
     [INK_GREEN] = {0x009e73, 32, '+'}, [INK_PURPLE] = {0xcc79a7, 35, 'x'}, [INK_ORANGE] = {0xe69f00, 33, '%'},
@@ -103,8 +104,8 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
     cell->ink = (unsigned char)ink;
 }
 
-/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille all lines are unbroken,
- * because different letters tell curves apart. */
+/* Returns true if the dot at this phase of a dash pattern is drawn. Without braille no line is dashed,
+ * because each curve is drawn with its own character. */
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
@@ -130,8 +131,8 @@ void canvas_line(struct canvas *c, double x0, double y0, double x1, double y1, e
     }
 }
 
-/* Writes the braille character with these dots or, where there is no braille, the letter of their ink.
- * Returns its length in bytes. */
+/* Writes the braille character with these dots, or, without braille, the character of the ink. Returns the
+ * length of the character in bytes. */
 static int dots_text(const struct canvas *c, unsigned dots, int ink, char glyph[GLYPH])
 {
     if (!c->look.braille)
@@ -173,7 +174,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    if (!c->look.braille || c->look.colours < COLOURS_256) /* shades are shown by characters */
+    if (!c->look.braille || c->look.colours < COLOURS_256) /* show shades by characters instead of colours */
         canvas_text(c, column, row,
                     shade < 0         ? " "
                     : c->look.braille ? blocks[shade * 4 / 256]
@@ -188,7 +189,8 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
 
 enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
 
-/* Writes the escape sequence for a colour. The value -1 stands for the default colour of the terminal. */
+/* Writes the escape sequence for a colour. If `rgb` is negative, this is the default colour of the
+ * terminal. */
 static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
 {
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;
@@ -196,7 +198,7 @@ static void colour_write(const struct canvas *c, enum ground ground, int rgb, FI
         fprintf(out, "\033[%dm", ground + 1);
     else if (c->look.colours == COLOURS_ALL)
         fprintf(out, "\033[%d;2;%d;%d;%dm", ground, red, green, blue);
-    else /* a cube of 6 x 6 x 6 colours */
+    else /* the palette has a cube of 6 x 6 x 6 colours */
         fprintf(out, "\033[%d;5;%dm", ground,
                 16 + 36 * ((red + 25) / 51) + 6 * ((green + 25) / 51) + (blue + 25) / 51);
 }
@@ -228,7 +230,8 @@ bool canvas_blank(const struct canvas *c, int column, int row)
     return !cell || is_blank(cell);
 }
 
-/* Writes a cell. `now` is the terminal's current ink. Returns the terminal's ink after the cell. */
+/* Writes a cell. `now` is the ink that the terminal is using. Returns the ink that it is using after the
+ * cell. */
 static enum ink cell_write(const struct canvas *c, const struct canvas_cell *cell, enum ink now, FILE *out)
 {
     char glyph[GLYPH];

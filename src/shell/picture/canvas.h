@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Pictures made of characters: lines of braille dots or of letters, text, and shades, in colour if the
- * terminal has colours. A cell shows only what was drawn into it last, except that several dots in a cell add
- * up.
+ * Pictures made of characters: lines of braille dots or of other characters, text, and shades, in colour if
+ * the terminal has colours. A cell shows only what was drawn into it last, except that several dots in a cell
+ * add up.
  */
 #ifndef SHELL_CANVAS_H
 #define SHELL_CANVAS_H
@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Colours that colour-blind people can tell apart (Okabe and Ito). INK_TEXT is the colour of text. */
+/* Colours that colour-blind people can tell apart (Okabe and Ito). INK_TEXT is the default colour of text. */
 enum ink {
     INK_TEXT,
     INK_BLUE,
@@ -26,7 +26,7 @@ enum ink {
 /* Returns the colour of an ink as 0xrrggbb. */
 int ink_colour(enum ink ink);
 
-/* Returns the colour of a shade in 0 .. 1 of the palette viridis, whose brightness rises steadily. */
+/* Returns the colour of a shade in 0 .. 1 in the palette viridis, whose brightness increases steadily. */
 int shade_colour(double shade);
 
 /* Returns a round step for a ruler or an axis: the smallest number of the form 1, 2 or 5 times a power of ten
@@ -37,19 +37,19 @@ double ruler_step(double least);
  */
 bool term_begins(const char *const *names);
 
-/* What the terminal of a stream can show. Files and pipes get plain letters. */
+/* What the terminal of a stream can show. Files and pipes get plain characters. */
 struct look {
-    bool braille; /* shows braille, box-drawing characters and half blocks */
+    bool braille; /* the terminal shows braille, box-drawing characters and half blocks */
     enum { COLOURS_NONE, COLOURS_8, COLOURS_256, COLOURS_ALL } colours;
 };
 struct look look_of(FILE *stream);
 
-enum { GLYPH = 5 /* bytes of a character in UTF-8, with the terminating null */ };
+enum { GLYPH = 5 /* the size of a character in UTF-8 with the terminating NUL byte */ };
 
 struct canvas_cell {
     char glyph[GLYPH]; /* the character, or "" */
     unsigned char dots, ink;
-    int upper, lower; /* colours of the upper and lower half; -1 for none */
+    int upper, lower; /* colours of the upper and lower half of the cell, or -1 */
 };
 
 struct canvas {
@@ -66,28 +66,27 @@ void canvas_free(struct canvas *canvas);
 /* Draws the dot at (x, y), counted from the upper left corner. A dot outside the canvas is ignored. */
 void canvas_dot(struct canvas *canvas, int x, int y, enum ink ink);
 
-/* The number of dash patterns, by which curves of the same colour can be told apart. Pattern 0 is an unbroken
- * line. */
+/* The number of dash patterns, which distinguish curves of the same colour. Pattern 0 is an unbroken line. */
 enum { DASHES = 5 };
 
-/* Draws a straight line of dots. *phase is the position in the dash pattern. It is updated, so that the
- * pattern continues when the next piece of a curve is drawn. */
+/* Draws a straight line of dots. *phase is the position in the dash pattern, and is updated so that the
+ * pattern continues in the next piece of a curve. */
 void canvas_line(struct canvas *canvas, double x0, double y0, double x1, double y1, enum ink ink, int dash,
                  int *phase);
 
-/* Writes a short sample of a curve, with its ink and dash pattern, for a legend. */
+/* Writes a short sample of a curve with this ink and dash pattern, for a legend. */
 void canvas_sample(const struct canvas *canvas, enum ink ink, int dash, char sample[4 * GLYPH]);
 
-/* Writes text that starts in a cell. Characters outside the canvas are left out. */
+/* Writes text that starts in a cell. Characters outside the canvas are not drawn. */
 void canvas_text(struct canvas *canvas, int column, int row, const char *text, enum ink ink);
 
-/* Draws two shades in 0 .. 1 into the upper and lower half of a cell. A shade that is NaN is left out. */
+/* Draws two shades in 0 .. 1 into the upper and lower half of a cell. A shade that is NaN is not drawn. */
 void canvas_shade(struct canvas *canvas, int column, int row, double upper, double lower);
 
 /* Returns true if a cell is empty or outside the canvas. */
 bool canvas_blank(const struct canvas *canvas, int column, int row);
 
-/* Prints the canvas from the row `from` to its end, without trailing blanks. */
+/* Writes the rows of the canvas from the row `from` on, without trailing blanks. */
 void canvas_write(const struct canvas *canvas, int from, FILE *out);
 
 #endif

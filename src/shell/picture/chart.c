@@ -26,7 +26,7 @@ struct chart_curve *chart_curve(struct chart *c, enum chart_kind kind, enum ink 
                                 const char *format, ...)
 {
     va_list arguments;
-    /* If all curves are used, the last one is replaced; no caller needs more. */
+    /* If there is no room for another curve, the last curve is replaced. No caller needs more curves. */
     c->curves -= c->curves == CHART_CURVES;
     struct chart_curve *curve = &c->curve[c->curves++];
     *curve = (struct chart_curve){.kind = kind, .ink = ink, .dash = dash};
@@ -88,7 +88,7 @@ void chart_scale(struct chart *c, double x, double y)
 
 /* ---- What the user chooses ---- */
 
-/* Gives an axis the scale and the ends that the user has chosen. Returns NULL, or a message. */
+/* Applies the scale and the ends that the user has chosen for an axis. Returns NULL, or a message. */
 static const char *axis_dress(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
@@ -96,18 +96,16 @@ static const char *axis_dress(struct chart *c, int k)
     if (look->scale[k] != CHART_SCALE_USUAL && c->map.value &&
         axis->logarithmic != (look->scale[k] == CHART_LOG))
         return "the cells of a map are spaced like its grid: write 'log' after the points of the grid, as in "
-               "'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax', in the place of xscale or yscale";
+               "'plot sweep s 0.01 0.9 20 log d 0.01 0.3 20 log : rmax', instead of xscale or yscale";
     if (look->scale[k] != CHART_SCALE_USUAL)
         axis->logarithmic = look->scale[k] == CHART_LOG;
     if (axis->logarithmic && axis->low <= 0)
-        axis->low = (double)NAN; /* the data decide where the axis begins */
+        axis->low = (double)NAN; /* chart_fit chooses where the axis begins */
     if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
-        return k == 0 ? "xrange has to begin above 0, because the x axis is logarithmic; 'xscale linear' "
-                        "changes "
-                        "that"
-                      : "yrange has to begin above 0, because the y axis is logarithmic; 'yscale linear' "
-                        "changes "
-                        "that";
+        return k == 0 ? "xrange must begin above 0, because the x axis is logarithmic; 'xscale linear' "
+                        "changes that"
+                      : "yrange must begin above 0, because the y axis is logarithmic; 'yscale linear' "
+                        "changes that";
     return NULL;
 }
 
@@ -138,8 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets those ends of an axis that are NaN. Leaves room on both sides of the data, which extends from `low` to
- * `high`: the room is `pad` times the range of the data. */
+/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`. On both sides of the data
+ * there is room of `pad` times this range. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -151,7 +149,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         low /= more;
         high *= more;
     } else {
-        /* A smaller range is treated as a single value, because the labels of ticks could not show it. */
+        /* A smaller range is treated as a single value, because the labels of the ticks could not show the
+         * range. */
         bool wide = high - low > 1e-7 * fmax(fabs(low), fabs(high));
         double more = wide ? pad * (high - low) : fmax(0.1 * fabs(high), 1e-9);
         low = low >= 0 && low < 0.35 * high && pad > 0 ? 0 : low - more;
@@ -163,8 +162,8 @@ static void axis_fit(struct chart_axis *a, double low, double high, double pad)
         a->high = a->low + (a->logarithmic ? a->low : 1);
 }
 
-/* Replaces a coordinate that is infinite, or 0 on a logarithmic axis, by an end of the axis. Returns other
- * coordinates unchanged. */
+/* Returns the end of the axis in place of a coordinate that is infinite, or that is 0 on a logarithmic axis.
+ * Returns other coordinates unchanged. */
 static double axis_within(const struct chart_axis *a, double value)
 {
     return value == HUGE_VAL                                      ? a->high
@@ -192,8 +191,8 @@ static void curve_fit(const struct chart *c, struct chart_curve *curve)
     }
 }
 
-/* Moves the ends of an axis to those that the user has chosen. Returns false if the cells of a map, which
- * reach from one end of the axis to the other, are all beyond these. */
+/* Moves the ends of an axis to those that the user has chosen. Returns false if no cell of a map is between
+ * the new ends. */
 static bool range_choose(struct chart *c, int k)
 {
     const struct chart_look *look = &c->look;
@@ -206,7 +205,8 @@ static bool range_choose(struct chart *c, int k)
     return overlaps || !c->map.value;
 }
 
-/* Returns true if a value is between the ends of an axis that the user has chosen, or if there are none. */
+/* Returns true if a value is between the ends that the user has chosen for an axis, or if the user has chosen
+ * none. */
 static bool is_within(const struct chart *c, int k, double value)
 {
     const struct chart_look *look = &c->look;
@@ -281,19 +281,19 @@ static void tick_add(struct ticks *t, double tick)
     char *text = t->text[t->count];
     int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
     if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
-        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* a narrow range needs more digits */
+        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* ticks in a narrow range need more digits */
     t->widest = wide > t->widest ? wide : t->widest;
     t->at[t->count++] = tick;
 }
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
 {
-    /* The ticks of a decade if there is room for few, some or many. */
+    /* The ticks in a decade, if there is room for few, some or many of them. */
     static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;
     most = most < TICKS ? most : TICKS;
-    if (decades < 0.8) { /* a short piece of a logarithmic axis is nearly linear */
+    if (decades < 0.8) { /* a short section of a logarithmic axis is nearly linear */
         double step = ruler_step((a->high - a->low) / most * (1 - 1e-9));
         step = a->whole ? fmax(step, 1) : step;
         for (double k = ceil(a->low / step - 1e-9); k * step <= a->high + 1e-9 * step; k++)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data, and
- * chart_show (show.h) draws it where the answer goes: in characters, as a picture on a terminal, or by
- * gnuplot into a file.
+ * Charts with two axes, which show curves, points, ranges or a map. A command fills a chart with data.
+ * chart_show (show.h) draws the chart where the answer goes: in characters, as a picture on a terminal, or
+ * into a file with gnuplot.
  */
 #ifndef SHELL_CHART_H
 #define SHELL_CHART_H
@@ -14,17 +14,17 @@ enum chart_kind {
     CHART_LINE,
     CHART_POINTS,
     CHART_MARKED, /* a line through points */
-    CHART_STEPS,  /* y holds from x to the x of the next point */
+    CHART_STEPS,  /* y is constant from each x to the next */
     CHART_RANGES, /* a vertical line from low to high at each x */
-    CHART_BOTH    /* points with their ranges, and a line through them */
+    CHART_BOTH    /* points with their ranges, connected by a line */
 };
 
 struct chart_point {
-    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN if there is no range */
+    double x, y, low, high; /* y is NaN at a gap in a line; low and high are NaN if the point has no range */
 };
 
 struct chart_curve {
-    char title[96]; /* title in the legend; "" leaves the curve out of the legend */
+    char title[96]; /* the title in the legend, or "" for a curve that is not in the legend */
     enum chart_kind kind;
     enum ink ink;
     int dash; /* the dash pattern of canvas.h; 0 for an unbroken line */
@@ -35,14 +35,14 @@ struct chart_curve {
 struct chart_axis {
     char label[128]; /* label, including the unit */
     bool logarithmic;
-    bool whole;       /* only whole numbers have ticks */
-    double low, high; /* ends of the axis; NaN for an end that chart_fit chooses from the data */
+    bool whole;       /* only whole numbers get ticks */
+    double low, high; /* the ends of the axis; if an end is NaN, chart_fit chooses it from the data */
 };
 
-/* A value for each cell of a grid, row by row, from the lowest row to the highest. The ends of the axes are
- * first the centres of the outermost cells; chart_fit moves them to the edges. */
+/* The values of a map, one for each cell of a grid, row by row, from the lowest row to the highest. At first
+ * the axes end at the centres of the outermost cells; chart_fit moves the ends to the edges. */
 struct chart_map {
-    double *value; /* NaN for a cell without a value; the pointer is NULL in a chart without a map */
+    double *value; /* NaN for a cell without a value; the pointer is NULL if the chart has no map */
     int across, down;
     char label[96]; /* label of the values */
 };
@@ -62,7 +62,7 @@ struct chart_look {
     const char *title, *x, *y; /* texts that replace the title and the labels of the axes */
     enum chart_scale scale[2];
     bool has_range[2];
-    double low[2], high[2]; /* ends of the axes, in the units that their labels name */
+    double low[2], high[2]; /* the ends of the axes, in the units that the labels of the axes name */
     enum chart_legend legend;
     /* Only for files: */
     double width, height; /* in cm */
@@ -70,7 +70,7 @@ struct chart_look {
     const char *family;   /* the name of a font */
 };
 
-/* The size of a picture in a file, unless the user has chosen another size. */
+/* The usual size of a picture in a file, in cm. */
 #define CHART_WIDTH  16.0 /* cm */
 #define CHART_HEIGHT 12.0
 #define CHART_FONT   11.0 /* points */
@@ -79,7 +79,7 @@ enum { CHART_CURVES = 10, CHART_EVENTS = 8 };
 
 /* A chart has either curves or a map. */
 struct chart {
-    char title[192], note[256]; /* the note is a sentence, or "" */
+    char title[192], note[256]; /* the note is a sentence below the title, or "" */
     struct chart_axis x, y;
     struct chart_curve curve[CHART_CURVES];
     int curves;
@@ -87,69 +87,70 @@ struct chart {
     int events;
     struct chart_map map;
     struct chart_look look;
-    bool tex;    /* the texts are processed by TeX, so letters that are commands in TeX have to be escaped */
-    bool failed; /* memory for the data ran out */
+    bool tex; /* the texts are processed by TeX, so characters that are commands in TeX have to be escaped */
+    bool failed; /* there was no memory for the data */
 };
 
 /* Returns an empty chart. */
 struct chart chart_make(void);
 void chart_free(struct chart *chart);
 
-/* Adds a curve without points. Its title is formatted as by printf. */
+/* Adds a curve without points. The title is formatted as by printf. */
 struct chart_curve *chart_curve(struct chart *chart, enum chart_kind kind, enum ink ink, int dash,
                                 const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-/* Add a point, or a point with a range, to a curve. */
+/* Add a point to a curve, without and with a range. */
 void chart_point(struct chart *chart, struct chart_curve *curve, double x, double y);
 void chart_range(struct chart *chart, struct chart_curve *curve, double x, double y, double low, double high);
 
-/* Adds a grey horizontal line all across the chart. */
+/* Adds a grey horizontal line across the whole chart. */
 void chart_level(struct chart *chart, double y, const char *title);
 
 /* Adds a vertical line at x, with a name at its upper end. */
 void chart_event(struct chart *chart, double x, const char *name);
 
-/* Divides all numbers of the chart by the sizes of the units in which they will be shown. */
+/* Converts all numbers of the chart to the units in which they are shown. `x` and `y` are the sizes of these
+ * units. */
 void chart_scale(struct chart *chart, double x, double y);
 
 /*
  * Makes a chart ready to be drawn. Chooses the ends of axes that are NaN. Moves points at infinity, and
- * points at 0 on a logarithmic axis, to the end of the axis. Continues steps at the last y where y is NaN.
- * Removes curves without points, and events beyond the ends of the x axis. Returns false if nothing is left
- * to show within the axes.
+ * points at 0 on a logarithmic axis, to an end of the axis. Continues a curve of steps at its last y where y
+ * is NaN. Removes curves without points, and events outside the x axis. Returns false if nothing is left to
+ * show within the axes.
  */
 bool chart_fit(struct chart *chart);
 
 /* ---- For the painters ---- */
 
-/* Applies what the user has chosen: texts, and the scales and ends of the axes. Returns NULL, or a message if
- * the chart cannot be drawn in this way. */
+/* Applies what the user has chosen: texts, scales, and ends of the axes. Returns NULL, or a message if the
+ * chart cannot be drawn with these choices. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the size of the picture and of its letters: what the user has chosen, and defaults for everything
- * else. */
+/* Returns the sizes of the picture and of its font: those that the user has chosen, and usual values for the
+ * others. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.
- * axis_number returns the value at such a position. */
+ * axis_number returns the value at a position. */
 double axis_place(const struct chart_axis *axis, double value);
 double axis_number(const struct chart_axis *axis, double place);
 
 enum { TICKS = 24, TICK_TEXT = 24 };
 
 struct ticks {
-    int count, widest; /* number of ticks, and length of the longest text */
+    int count, widest; /* the number of ticks, and the length of the longest text */
     double at[TICKS];
     char text[TICKS][TICK_TEXT];
 };
 
-/* Returns the ticks of an axis. Their number is about `most` or less. */
+/* Returns the ticks of an axis, of which there are about `most` or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /*
- * The position of the name of an event: where its first letter stands, as a fraction of the x axis, and in
- * which row above the chart, from 0. Names that would overlap are in different rows. `letter` is the width of
- * a letter, as a fraction of the x axis.
+ * The position of the name of an event: the position at which the name begins, as a fraction of the x axis,
+ * and the row above the chart, counted from 0. Names that would overlap are in different rows. `letter` is
+ * the width of a character, as a fraction of the x axis.
  */
 struct event_spot {
     double from;
@@ -160,7 +161,7 @@ struct event_spot event_spot(const struct chart *chart, int event, double letter
 /* Returns how many rows the names of the events need. */
 int event_rows(const struct chart *chart, double letter);
 
-/* Draws a chart with `width` columns and `height` rows of characters. Returns false if memory runs out. */
+/* Draws a chart with `width` columns and `height` rows of characters. Returns false if there is no memory. */
 bool chart_text(const struct chart *chart, struct look look, int width, int height, FILE *out);
 
 /* Writes a gnuplot script that draws a chart. */

@@ -9,11 +9,11 @@
 
 enum { ROOM = 320 };
 
-/* The height of a line of text in cm, divided by the size of its letters in points. */
+/* The height of a line of text in cm, divided by the font size in points. */
 #define LINE_CM 0.048
 
-/* Returns how many letters fit side by side into a picture, given its width in cm and the size of the letters
- * in points. */
+/* Returns how many characters fit side by side into a picture. `width` is in cm, and the font size `font` in
+ * points. */
 static int columns_in(double width, double font)
 {
     const double usual = 64;
@@ -21,16 +21,16 @@ static int columns_in(double width, double font)
     return columns > 16 ? columns : 16;
 }
 
-/* The width of the line before a title in a legend, with the blanks around it, in letters. */
+/* The width in characters of the line before a title in a legend, including the blanks around this line. */
 #define SAMPLE 9
 
-/* Returns how many letters of a title in the legend fit side by side into a picture of `columns` letters. */
+/* Returns how many characters of a title fit on a line of the legend in a picture of `columns` characters. */
 static int legend_columns(const struct chart *c, int columns)
 {
     return c->look.legend == CHART_LEGEND_RIGHT ? columns / 3 : columns - SAMPLE;
 }
 
-/* Returns how many columns the legend has: as many as its longest title allows. */
+/* Returns the number of columns of the legend, which depends on the longest title. */
 static int legend_across(const struct chart *c, int columns, int *longest)
 {
     *longest = 0;
@@ -44,7 +44,7 @@ static int legend_across(const struct chart *c, int columns, int *longest)
     return across > 0 ? across : 1;
 }
 
-/* Returns how many lines the texts around the axes have, without the names of events. */
+/* Returns how many lines the text around the axes takes up, not counting the names of events. */
 static int lines_around(const struct chart *c, int columns)
 {
     const char *const texts[] = {c->title, c->note, c->x.label, c->y.label, c->map.value ? c->map.label : ""};
@@ -60,8 +60,8 @@ static int lines_around(const struct chart *c, int columns)
 
 struct chart_look chart_size(const struct chart *c)
 {
-    /* `least_high` is the least height of the axes, as a fraction of the width of the picture. In a picture
-     * that is less than `narrow` cm wide the letters are smaller, down to `least_font`. */
+    /* `least_high` is the minimum height of the axes, as a fraction of the width of the picture. A picture
+     * that is less than `narrow` cm wide has a smaller font, but at least `least_font`. */
     const double least_high = 0.45, least_font = 7, narrow = 10;
     struct chart_look look = c->look;
     look.width = look.width > 0 ? look.width : CHART_WIDTH;
@@ -74,14 +74,14 @@ struct chart_look chart_size(const struct chart *c)
     return look;
 }
 
-/* Returns how many letters fit side by side into the picture. */
+/* Returns how many characters fit side by side into the picture. */
 static int columns_of(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
     return columns_in(look.width, look.font);
 }
 
-/* Returns how many ticks the y axis has room for. */
+/* Returns for how many ticks the y axis has room. */
 static int ticks_up(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
@@ -90,19 +90,19 @@ static int ticks_up(const struct chart *c)
     return most < 2 ? 2 : most < 9 ? most : 9;
 }
 
-/* Returns the width of a letter, as a fraction of the x axis. */
+/* Returns the width of a character, as a fraction of the x axis. */
 static double letter_of(const struct chart *c)
 {
     return 1.024 / columns_of(c);
 }
 
 /*
- * Breaks a text into lines of about equal length of `most` letters or fewer, and writes them as the content
- * of a double-quoted gnuplot string. Returns the number of lines.
+ * Breaks a text into lines of roughly equal length, at most `most` characters each, and writes them as the
+ * content of a double-quoted gnuplot string. Returns the number of lines.
  */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
-    enum { LETTER = 20 /* the longest form of a letter */ };
+    enum { LETTER = 20 /* the longest form of a character */ };
     int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / most + 1) + 8;
     char piece[ESCAPE_PIECE];
     script[0] = '\0';
@@ -130,8 +130,8 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
     fprintf(out, ")\n");
 }
 
-/* Sets up the legend, with as many columns as its longest title allows. The negative width makes up for
- * gnuplot, which assumes that letters are wider than they are. */
+/* Sets up the legend, with as many columns as the longest title allows. The width is negative because gnuplot
+ * assumes that characters are wider than they are. */
 static void legend_script(const struct chart *c, FILE *out)
 {
     int longest, across = legend_across(c, columns_of(c), &longest), most = 1;
@@ -140,7 +140,7 @@ static void legend_script(const struct chart *c, FILE *out)
         const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
         most = lines > most ? lines : most;
     }
-    /* gnuplot leaves room for only one line of a title. */
+    /* By itself, gnuplot leaves room for only one line of each title. */
     if (c->look.legend == CHART_LEGEND_OFF)
         fprintf(out, "unset key\n");
     else if (c->look.legend == CHART_LEGEND_RIGHT)
@@ -153,7 +153,8 @@ static void legend_script(const struct chart *c, FILE *out)
 
 /*
  * Writes the texts around the axes. The labels of the y axis and of the colours of a map are written
- * horizontally above the axes, because beside an axis a label that is longer than the axis would be cut off.
+ * horizontally above the axes, because a label beside an axis would be cut off if it were longer than the
+ * axis.
  */
 static void texts_script(const struct chart *c, FILE *out)
 {
@@ -166,7 +167,7 @@ static void texts_script(const struct chart *c, FILE *out)
     fprintf(out, "set label \"%s\" noenhanced at screen 0.02, graph 1 left offset 0,%g\n", y,
             above + left + 0.1);
     if (right && terminal_columns(c->y.label) + terminal_columns(c->map.label) > columns_of(c) - 4)
-        above += left; /* there is no room for the two labels side by side */
+        above += left; /* the two labels do not fit side by side */
     above += left > right ? left : right;
     if (right)
         fprintf(out, "set label \"%s\" noenhanced at screen 0.98, graph 1 right offset 0,%g\n", shades,
@@ -177,7 +178,7 @@ static void texts_script(const struct chart *c, FILE *out)
             title, *note ? "\\n" : "", note, above + 0.2, above + lines + 1.6);
 }
 
-/* For each event, draws a vertical line with the name of the event. */
+/* Draws a vertical line with a name for each event. */
 static void events_script(const struct chart *c, FILE *out)
 {
     for (int k = 0; k < c->events; k++) {
@@ -192,7 +193,7 @@ static void events_script(const struct chart *c, FILE *out)
     }
 }
 
-/* Writes a number into a row of data. gnuplot reads NaN as a missing number. */
+/* Writes a number into the data. gnuplot treats NaN as a missing number. */
 static void number_script(double value, FILE *out)
 {
     if (isfinite(value))
@@ -215,9 +216,9 @@ static void points_script(const struct chart_curve *curve, int k, FILE *out)
 }
 
 /*
- * Writes the data of a map and the command that draws it. If both axes are linear, the map is an image, for
- * which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes. They overlap
- * a little, because the background would shine through between boxes that only touch.
+ * Writes the data of a map and the command that draws the map. If both axes are linear, the map is an image,
+ * for which gnuplot needs the centres of all cells. If an axis is logarithmic, the cells are boxes, which
+ * overlap a little, because the background would shine through between boxes that only touch.
  */
 static void map_script(const struct chart *c, FILE *out)
 {
@@ -253,7 +254,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     static const int points[INKS] = {7, 6, 7, 4, 8, 5, 9, 1};
     static const struct {
         const char *how;
-        double width, size; /* line width, or 0 for the usual one; point size, or 0 for no points */
+        double width, size; /* the line width, or 0 for the usual one; the point size, or 0 for no points */
         bool dashed;
     } styles[] = {
         [CHART_LINE] = {"1:2 with lines", .dashed = true},
@@ -265,7 +266,7 @@ static void curve_script(const struct chart *c, int k, FILE *out)
     };
     const struct chart_curve *curve = &c->curve[k];
     char title[ROOM];
-    /* Points and lines of a small picture are smaller, so that they do not cover each other. */
+    /* In a small picture, points are smaller and lines thinner, so that they do not cover each other. */
     const double point = c->tex ? 2 : 1, small = fmin(chart_size(c).width / (0.8 * CHART_WIDTH), 1),
                  thin = fmax(small, 0.6);
     double usual = curve->ink == INK_GREY ? 1.5 : 2.5, width = styles[curve->kind].width;
@@ -284,7 +285,7 @@ void chart_script(const struct chart *c, FILE *out)
     fprintf(out, "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
                  "set grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
     if (c->look.has_range[0] || c->look.has_range[1])
-        fprintf(out, "set clip two\n"); /* shows a line between two points that are both outside */
+        fprintf(out, "set clip two\n"); /* also draws a line whose ends are both outside the axes */
     legend_script(c, out);
     texts_script(c, out);
     const int across = 9 * columns_of(c) / 64;

@@ -6,14 +6,15 @@
 #include <math.h>
 #include <string.h>
 
-enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 /* columns of the y axis */ };
+/* AXIS_LEAST is the minimum width of the y axis with its labels, in columns. */
+enum { CHART_TEXT = 192, LEGEND_APART = 3, ROWS_LEAST = 4, AXIS_LEAST = 7 };
 
-/* The part of the canvas between the axes, in cells; bottom is the row of the x axis. */
+/* The part of the canvas between the axes, in cells. `bottom` is the row of the x axis. */
 struct frame {
     struct canvas *canvas;
     const struct chart *chart;
     int left, top, right, bottom;
-    int most; /* the largest number of rows for each text */
+    int most; /* the maximum number of rows for each text */
 };
 
 /* ---- From values to dots ---- */
@@ -35,8 +36,8 @@ static double clamp(double value, double low, double high)
     return fmin(fmax(value, low), high);
 }
 
-/* Clips a line in one dimension. *from and *to are the ends of the visible part, as fractions of the line;
- * they are moved so that start + fraction * change is within [low, high]. */
+/* Clips a line in one dimension. *from and *to are the ends of the visible part, as fractions of the line.
+ * They are moved so that start + fraction * change is in [low, high] between them. */
 static void clip(double start, double change, double low, double high, double *from, double *to)
 {
     double first = (low - start) / change, last = (high - start) / change;
@@ -204,7 +205,7 @@ static void axis_x_draw(const struct frame *f)
     text_put(c, f->left, f->right, f->bottom + 2, f->most, true, f->chart->x.label);
 }
 
-/* For each event, draws a vertical line with the name of the event. */
+/* Draws a vertical line with a name for each event. */
 static void events_draw(const struct frame *f)
 {
     const struct chart_curve line = {.ink = INK_GREY, .dash = 2};
@@ -226,8 +227,8 @@ static bool has_points(enum chart_kind kind)
     return kind == CHART_POINTS || kind == CHART_MARKED || kind == CHART_BOTH;
 }
 
-/* Writes the titles of the curves, starting in a row of the canvas. Returns how many rows the titles take. If
- * `row` is negative, only counts the rows. */
+/* Writes the titles of the curves, starting in the row `row` of the canvas. Returns the number of rows that
+ * the titles take up. If `row` is negative, only counts these rows. */
 static int legend(const struct frame *f, int row)
 {
     struct canvas *c = f->canvas;
@@ -258,8 +259,9 @@ static int legend(const struct frame *f, int row)
     return rows;
 }
 
-/* Writes the legend of a map: a bar of shades between the lowest and the highest value, beside its label or,
- * if there is no room, below it. Returns the number of rows, and only counts them if `row` is negative. */
+/* Writes the legend of a map: a bar of shades between the lowest and the highest value, with its label beside
+ * it or, if there is no room, above it. Returns the number of rows. If `row` is negative, only counts the
+ * rows. */
 static int map_legend(const struct frame *f, int row)
 {
     enum { SHADES = 24 };
@@ -317,7 +319,7 @@ bool chart_text(const struct chart *chart, struct look look, int width, int heig
     int label_rows = text_put(NULL, f.left, width, 0, f.most, true, chart->x.label);
     f.bottom = canvas.height - 2 - label_rows;
     int legend_rows = legend_put(&f, -1), room = f.bottom - f.top - ROWS_LEAST;
-    /* Rows of the legend that do not fit are left out. */
+    /* Rows of the legend that do not fit are not drawn. */
     f.bottom -= legend_rows < room ? legend_rows : room > 0 ? room : 0;
     const int rows = f.bottom - f.top;
     const struct ticks ticks = axis_ticks(&chart->y, rows < 6 ? 3 : rows / 3);

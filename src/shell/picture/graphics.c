@@ -14,11 +14,11 @@
 
 /* ---- Which terminal it is ---- */
 
-/* Reads the answer of the terminal up to its final letter, 'c', or until the terminal is silent for too long.
- */
+/* Reads the reply of the terminal up to its last character, 'c', or until the terminal has sent nothing for
+ * too long. */
 static void answer_read(int terminal, char *answer, size_t size)
 {
-    enum { WAIT = 1000 /* ms, which is enough even for a slow connection */ };
+    enum { WAIT = 1000 /* in ms; enough even for a slow connection */ };
     size_t n = 0;
     struct pollfd ready = {.fd = terminal, .events = POLLIN};
     while (n + 1 < size && poll(&ready, 1, WAIT) > 0 && read(terminal, answer + n, 1) == 1) {
@@ -28,7 +28,8 @@ static void answer_read(int terminal, char *answer, size_t size)
     }
 }
 
-/* Returns true if an answer such as "ESC [ ? 62 ; 4 ; 22 c" has the attribute 4, which is sixel. */
+/* Returns true if a reply such as "ESC [ ? 62 ; 4 ; 22 c" contains the attribute 4, which stands for
+ * sixel. */
 static bool has_sixel(const char *answer)
 {
     const char *at = strstr(answer, "[?");
@@ -41,7 +42,7 @@ static bool has_sixel(const char *answer)
 }
 
 /* Asks the terminal for its attributes (DA1), and returns true if it can show sixel. Does not ask if the user
- * has typed ahead, because the typed letters would be lost. */
+ * has already typed something, because those characters would be lost. */
 static bool ask_sixel(void)
 {
     char answer[64] = "";
@@ -102,14 +103,14 @@ void graphics_size(FILE *stream, int *width, int *height)
 
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size)
 {
-    /* The size of the font suits the sheet of a stage, or the lines of text around a chart. */
+    /* The font size depends on the size of the stage, or on the lines of text around a chart. */
     double scale = stage ? 0.72 * width / SHEET_WIDTH : fmin(fmin(width / 660.0, height / 440.0), 1);
     snprintf(terminal, size, "%s size %d,%d font 'sans,%d' fontscale %.3g",
              graphics_of(stream) == GRAPHICS_KITTY ? "pngcairo" : "sixelgd truecolor", width, height,
              stage ? 14 : 13, scale);
 }
 
-/* Writes a PNG file in the graphics protocol of kitty: in base64, in pieces of 4096 letters. */
+/* Writes a PNG file in the graphics protocol of kitty: in base64, in pieces of 4096 characters. */
 static bool kitty_write(FILE *png, FILE *out)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -10,17 +10,17 @@ enum graphics { GRAPHICS_NONE, GRAPHICS_SIXEL, GRAPHICS_KITTY };
 
 /*
  * Returns the protocol with which the terminal of a stream shows pictures. A terminal with the kitty protocol
- * is recognised by its name, and other terminals are asked whether they can show sixel. If the environment
- * variable DOMINO_GRAPHICS is set to none, sixel or kitty, it decides instead. A terminal without colour, or
- * with NO_COLOR set, shows no pictures.
+ * is recognised by its name. Other terminals are asked whether they can show sixel. If the environment
+ * variable DOMINO_GRAPHICS is none, sixel or kitty, its value is used instead. A terminal without colours
+ * shows no pictures, nor does any terminal if NO_COLOR is set.
  */
 enum graphics graphics_of(FILE *stream);
 
-/* Finds the size in pixels of a picture that leaves room for the prompt, and is at most two thirds as tall as
- * it is wide. */
+/* Computes the size in pixels of a picture that leaves room for the prompt and is at most two thirds as tall
+ * as it is wide. */
 void graphics_size(FILE *stream, int *width, int *height);
 
-/* Writes the gnuplot terminal, with its options, for a stage or a chart of this size in pixels. */
+/* Writes the gnuplot terminal setting for a stage or a chart of this size in pixels. */
 void graphics_terminal(FILE *stream, int width, int height, bool stage, char *terminal, size_t size);
 
 /* Shows a drawing on the terminal. Returns false if the drawing cannot be read. */

@@ -12,7 +12,7 @@ static int columns_of(const struct guide_table *table)
     return count;
 }
 
-/* Returns the number of letters that a column needs. */
+/* Returns the width of a column of the table in characters. */
 static size_t column_width(const struct guide_table *table, int column)
 {
     size_t width = strlen(table->head[column]);
@@ -40,26 +40,26 @@ void guide_text(const struct guide_table *table, FILE *out)
 
 /* ---- By gnuplot ---- */
 
-/* Lengths in dots, of which a page is SHEET_WIDTH wide. */
+/* Lengths in dots. A page is SHEET_WIDTH dots wide. */
 enum {
-    PAGE = 905, /* the height of a page of A4 */
-    SIDE = 30,  /* margin that a printer needs */
-    TITLE = 30, /* height of the title above the caption */
-    LINE = 15,  /* height of a line of a table */
+    PAGE = 905, /* the height of an A4 page */
+    SIDE = 30,  /* the margin that a printer needs */
+    TITLE = 30, /* the height of the title above the caption */
+    LINE = 15,  /* the height of a line of a table */
     SPACE = 12, /* above a table */
-    SIZE = 11,  /* font size of a table */
+    SIZE = 11,  /* the font size of a table */
     DRAWING_LEAST = 190,
     DRAWING_MOST = 400,
-    LEAST_LINES = 5 /* the fewest lines of a table at the end of a page */
+    LEAST_LINES = 5 /* the minimum number of lines of a table at the end of a page */
 };
 
 struct page {
     FILE *script;
     const struct guide *guide;
     struct sheet sheet;
-    double y;    /* the distance of the next line from the top */
+    double y;    /* the distance of the next line from the top of the page */
     int number;  /* from 1 */
-    bool is_cut; /* the guide continues on another page where this one ends */
+    bool is_cut; /* the guide continues on another page after this one */
 };
 
 static void text_put(const struct page *p, double x, const char *align, int size, bool bold, const char *text)
@@ -71,7 +71,7 @@ static void text_put(const struct page *p, double x, const char *align, int size
             1 - p->y / p->sheet.height, align, bold ? ":Bold" : "", size);
 }
 
-/* Draws the page, and begins a new one. On the first page there is a stage. */
+/* Draws the page, and begins the next one. The first page contains the stage. */
 static void page_end(struct page *p)
 {
     if (p->number == 1)
@@ -94,7 +94,7 @@ static void page_begin(struct page *p)
     p->y += LINE + SPACE;
 }
 
-/* Returns true if the page has no room for some more lines. */
+/* Returns true if the page has no room for `lines` more lines. */
 static bool page_is_full(const struct page *p, size_t lines)
 {
     return p->is_cut && p->y + LINE * (double)lines > PAGE - SIDE;
@@ -138,7 +138,7 @@ static void table_put(struct page *p, const struct guide_table *table)
     p->y += SPACE;
 }
 
-/* Makes the first page, with the drawing at its top and no other text than the title. */
+/* Makes the first page, with only the title and the drawing. */
 static struct page page_first(const struct guide *guide, bool is_cut)
 {
     struct page p = {.guide = guide, .number = 1, .is_cut = is_cut};
@@ -170,8 +170,8 @@ static void guide_script(const struct guide *guide, struct page *p, FILE *script
     page_end(p);
 }
 
-/* Writes the gnuplot terminal. The letters are smaller than the letters in a picture of 'draw', because a
- * guide has margins. */
+/* Writes the gnuplot terminal setting. The font is smaller than that of 'draw', because a guide has
+ * margins. */
 static void guide_terminal(const struct sheet *v, const char *ending, char *terminal, size_t size)
 {
     if (strcmp(ending, ".pdf") == 0)

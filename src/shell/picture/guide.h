@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A guide for building a row, as it is printed: a stage, to scale, and below it tables, on pages of A4. */
+/* A printed guide for building a row: a stage drawn to scale, and tables below the stage, on A4 pages. */
 #ifndef SHELL_GUIDE_H
 #define SHELL_GUIDE_H
 
@@ -16,23 +16,23 @@ struct guide_line {
 struct guide_table {
     const char *title;
     const char *note;                /* a sentence below the title */
-    const char *head[GUIDE_COLUMNS]; /* the first NULL ends the columns */
+    const char *head[GUIDE_COLUMNS]; /* the headings of the columns; the first NULL ends them */
     struct guide_line *line;
     size_t count;
 };
 
 struct guide {
-    const struct stage *stage; /* its caption says what a builder must know */
+    const struct stage *stage; /* the caption of the stage says what the builder must know */
     const char *title;         /* title of the guide, or NULL */
     struct guide_table table[GUIDE_TABLES];
     int tables;
 };
 
-/* Writes a table in characters, with a '!' after the cells that are bold on paper. */
+/* Writes a table in characters. Cells that are bold on paper are followed by a '!'. */
 void guide_text(const struct guide_table *table, FILE *out);
 
-/* Draws a guide into the picture in which the answer goes. A .pdf file gets as many pages of A4 as are
- * needed, and every other picture is one long page. Returns false with a problem. */
+/* Draws a guide as the picture to which the answer goes. A .pdf file gets as many A4 pages as are needed.
+ * Other pictures are one long page. Returns false with a problem. */
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

@@ -3,12 +3,12 @@
 #include <string.h>
 #include <strings.h>
 
-/* The formats of films, and the options with which ffmpeg writes them. */
+/* The formats of films, and the options of ffmpeg for each format. */
 enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
     const char *ending;
     bool ffmpeg;
-    const char *option[OPTIONS]; /* the list ends with NULL */
+    const char *option[OPTIONS]; /* a list that ends with NULL */
 };
 
 static const struct movie_kind kinds[] = {
@@ -32,7 +32,7 @@ bool movie_named(const char *path, struct problem *problem)
     const struct movie_kind *kind = kind_of(path);
     if (!kind)
         return problem_error(problem,
-                             "'%s' is not the name of an animation: use the ending .gif, .webm or .mp4",
+                             "'%s' is not the name of an animation: use the extension .gif, .webm or .mp4",
                              names_shown(path, shown));
     return !kind->ffmpeg || program_exists("ffmpeg") ||
            problem_error(
@@ -53,7 +53,7 @@ bool movie_begin(struct movie *m, const char *path, int width, int height, int d
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     bool ffmpeg = m->kind->ffmpeg;
-    height += ffmpeg ? height % 2 : 0; /* these formats store colours for blocks of 2 x 2 pixels */
+    height += ffmpeg ? height % 2 : 0; /* these formats store colours in blocks of 2 x 2 pixels */
     snprintf(terminal, sizeof terminal, "size %d,%d font 'sans,14' fontscale 0.72 noenhanced", width, height);
     if (ffmpeg)
         snprintf(options, sizeof options, "pngcairo %s", terminal);
@@ -82,7 +82,7 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     for (const char *const *option = m->kind->option; *option; option++)
         argv[n++] = *option;
     /* ffmpeg writes to a file, because in a pipe it could not go back to write the duration of the film. The
-     * remaining elements of argv are NULL. */
+     * other elements of argv are NULL. */
     argv[n] = "file:/dev/stdout";
     return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
 }

@@ -29,8 +29,8 @@ bool program_exists(const char *name)
     return false;
 }
 
-/* Waits for a program to end, and kills it after an interrupt, because a ^C does not reach the program
- * itself. Returns true if the program was successful. */
+/* Waits for a program to end, and kills it after an interrupt, because ^C does not reach the program itself.
+ * Returns true if the program was successful. */
 static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
 {
     const struct timespec moment = {.tv_nsec = 5000000};
@@ -44,15 +44,15 @@ static bool program_wait(pid_t child, const volatile sig_atomic_t *interrupt)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/* Replaces the child process by the program. */
+/* Makes the child process run the program. */
 static void program_become(char *const argv[], pid_t parent, const int file[3])
 {
     /*
-     * In a separate process group the program does not receive a ^Z. Otherwise the program would stop at
-     * once, while its parent, which stops only when the command is done, would wait for it for ever.
+     * A separate process group protects the program from ^Z. Otherwise the program would stop at once, and
+     * its parent, which stops only after the command, would wait for it forever.
      */
     setpgid(0, 0);
-    /* The program has to end when its parent ends, which may already have happened. */
+    /* The program must end when its parent ends, which may already have happened. */
     system_end_with_parent();
     if (getppid() != parent)
         _exit(127);
@@ -63,7 +63,8 @@ static void program_become(char *const argv[], pid_t parent, const int file[3])
     _exit(127);
 }
 
-/* Reports that a program failed, with the first line that it wrote to standard error. Returns false. */
+/* Reports that a program failed, with the first line that the program wrote to standard error. Returns
+ * false. */
 static bool program_failed(const char *name, const char *what, FILE *errors, struct problem *problem)
 {
     char line[256] = "";
@@ -132,8 +133,8 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 }
 
 /*
- * Checks that the end of the drawing was not lost because the disk is full, which gnuplot does not report. On
- * a full disk there is no room for another block either. Returns an error number, or 0 if there is room.
+ * Returns an error number if the end of the drawing was lost because the disk is full, and 0 otherwise.
+ * gnuplot does not report this error. The function tests whether the disk has room for another block.
  */
 static int drawing_error(FILE *drawing, long size)
 {
@@ -143,13 +144,13 @@ static int drawing_error(FILE *drawing, long size)
 
 static bool draw(const struct picture *p, FILE *drawing, struct problem *problem)
 {
-    /* gnuplot reads a script with a file name in blocks, but it reads from "-" byte by byte. */
+    /* gnuplot reads a script with a file name in blocks, but "-" byte by byte. */
     char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
     char block[4096];
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
-    /* Before gnuplot reads the script, it tries the terminal that the environment names, and exits if this
+    /* Before gnuplot reads the script, it tries the terminal type in the environment, and exits if this
      * fails. */
     setenv("GNUTERM", "unknown", 1);
     if (!program_run(argv, p->script, drawing, "draw it", p->interrupt, problem))

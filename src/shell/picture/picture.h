@@ -8,31 +8,31 @@
 #include <stdio.h>
 
 struct picture {
-    FILE *script; /* commands for gnuplot; picture_begin has already set the terminal */
+    FILE *script; /* commands for gnuplot; picture_begin has already written the terminal setting */
     FILE *out;    /* receives the picture */
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Returns true if gnuplot is installed. Otherwise sets *problem and returns false. */
+/* Returns true if gnuplot is installed. Otherwise reports a problem. */
 bool gnuplot_ready(struct problem *problem);
 
-/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal with its options. If this
- * fails, sets *problem and returns false. */
+/* Begins a picture that will be written to `out`. `terminal` is a gnuplot terminal setting. Returns false
+ * with a problem on failure. */
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Ends a picture. If `whole` is true, the script is complete, and the picture is drawn. Otherwise drops the
- * picture and returns false. */
+/* Ends a picture. If `whole` is true, the script is complete, and the picture is drawn. Otherwise discards
+ * the picture and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 
-/* Returns true if a program with this name is in one of the directories of PATH. */
+/* Returns true if a program with this name is in one of the directories in PATH. */
 bool program_exists(const char *name);
 
-/* Opens a temporary file, which vanishes when it is closed. If this fails, sets *problem and returns NULL. */
+/* Opens a temporary file, which vanishes when it is closed. Returns NULL with a problem on failure. */
 FILE *temporary_open(struct problem *problem);
 
-/* Runs a program with `in` as its standard input and `out` as its standard output. If the program fails, the
- * message says that it did not do `what`, for example "draw it". */
+/* Runs a program with `in` as standard input and `out` as standard output. If the program fails, the message
+ * says that it did not `what`, for example "draw it". */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

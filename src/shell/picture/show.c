@@ -9,17 +9,17 @@
 
 enum { TEXT_WIDTH = 79, TEXT_HEIGHT = 23, LEAST_WIDTH = 31, LEAST_HEIGHT = 13 };
 enum { TERMINAL_TEXT = 256 };
-enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* least and largest height of a sheet, in dots */
+enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height of a sheet, in dots */
 
 /* ---- File extensions ---- */
 
-/* Even a minimal Debian system has a font 'sans'. The letters are large enough to be read on a telephone,
- * which shrinks the picture. */
+/* The font 'sans' exists even on a minimal Debian system. It is large enough to be read on a telephone, which
+ * shrinks the picture. */
 #define SVG      "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
 #define PNG      "pngcairo size 960,720 font 'sans,17'"
 #define PDF      "pdfcairo size 16cm,12cm font 'sans,11'"
-#define TEX_FONT 10.0   /* points; the size of letters in a document, unless it chooses another */
-#define TEX      "tikz" /* chart_terminal adds the size, and the document has its own font */
+#define TEX_FONT 10.0   /* the font size of a document in points, unless the document chooses another */
+#define TEX      "tikz" /* chart_terminal adds the size of the picture; the font is that of the document */
 
 #define ENDING_OF_FORMAT(name) {.text = "." #name, .kind = ENDING_DATA, .format = &format_##name},
 static const struct ending endings[] = {
@@ -46,7 +46,7 @@ const struct ending *ending_of(const char *path)
 
 /* ---- Before a picture is drawn ---- */
 
-/* Returns true if the answer goes into a file with the extension of a picture. */
+/* Returns true if the answer goes to a file whose extension is that of a picture. */
 static bool is_filed(const struct answer *a)
 {
     return a->path && ending_of(a->path)->terminal;
@@ -64,8 +64,8 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
     terminal_size(a->out, &width, &height);
     return width == 0 || height == 0 || (width >= LEAST_WIDTH && height >= LEAST_HEIGHT) ||
            problem_error(problem,
-                         "the terminal has %d x %d characters, and a picture needs %d x %d; enlarge it, or "
-                         "enter '%s > %s.txt'",
+                         "the terminal has %d x %d characters, but a picture needs %d x %d; enlarge the "
+                         "terminal, or enter '%s > %s.txt'",
                          width, height, LEAST_WIDTH, LEAST_HEIGHT, command, command);
 }
 
@@ -73,7 +73,7 @@ bool picture_ready(const struct answer *a, struct problem *problem)
 {
     char shown[NAMES_SHOWN];
     if (is_filed(a) && a->appended)
-        return problem_error(problem, "'%s' holds one picture, and '>>' cannot add another; '>' replaces it",
+        return problem_error(problem, "'%s' can hold only one picture; '>' replaces it",
                              names_shown(a->path, shown));
     return !is_filed(a) || ending_of(a->path)->is_script || gnuplot_ready(problem);
 }
@@ -93,12 +93,13 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
     terminal_size(a->out, &width, &height);
     width = width >= LEAST_WIDTH ? width - 1 : TEXT_WIDTH;
     height = height >= LEAST_HEIGHT ? height - 1 : TEXT_HEIGHT; /* one line is left for the next prompt */
-    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height; /* no taller than the width of 79 columns */
+    /* the limit is half the usual number of columns, because characters are twice as tall as wide */
+    height = height > TEXT_WIDTH / 2 ? TEXT_WIDTH / 2 : height;
     return chart ? chart_text(chart, look, width, height, a->out)
                  : stage_text(stage, look, width, height, a->out);
 }
 
-/* Writes the gnuplot terminal for a chart in a file with the extension of `path`. */
+/* Writes the gnuplot terminal setting for a chart. The extension of `path` selects the terminal. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
     const struct chart_look look = chart_size(chart);
@@ -107,7 +108,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
     if (chart->tex)
         snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", usual, look.width, look.height,
                  look.font / TEX_FONT);
-    /* The numbers of dots per cm and per point below are those of pictures of the usual size. */
+    /* The numbers of dots per cm and per point below agree with those of pictures of the usual size. */
     else if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0 || chart->look.family))
         snprintf(terminal, size, "%s enhanced", usual);
     else if (strcmp(ending, ".svg") == 0)
@@ -130,12 +131,12 @@ void script_head(const struct answer *a, const char *terminal)
             "terminal %s\n"
             "set output '",
             name, length, name, terminal);
-    for (int i = 0; i < length; i++) /* a ' inside a text between ' is written twice */
+    for (int i = 0; i < length; i++) /* in a text between two ', another ' is doubled */
         fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
     fprintf(a->out, ".pdf'\n");
 }
 
-/* Writes the script of a picture, with its data, instead of the picture. */
+/* Writes the script of a picture, which contains the data, instead of the picture. */
 static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
 {
     char terminal[TERMINAL_TEXT] = "";
@@ -152,7 +153,7 @@ static bool show_script(const struct answer *a, const struct chart *chart, const
     return true;
 }
 
-/* Draws with gnuplot, into a file or on a terminal that shows pictures. */
+/* Draws with gnuplot, into a file or on a terminal that can show pictures. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Shows the picture of a command where its answer goes. On the terminal the picture is made of characters or,
- * if the terminal can display graphics, of pixels. In the file after '>' its format depends on the extension
- * of the file.
+ * if the terminal can display graphics, of pixels. In a file, the extension of the file name determines the
+ * format of the picture.
  */
 #ifndef SHELL_SHOW_H
 #define SHELL_SHOW_H
@@ -14,36 +14,36 @@
 #include <signal.h>
 
 enum ending_kind {
-    ENDING_NONE,  /* the name has no extension, so the session's settings decide */
-    ENDING_OTHER, /* no format has this extension, which is an error */
-    ENDING_TEXT,  /* .txt, which is the same as no extension */
-    ENDING_DATA,  /* .csv, .json and every other format of answers */
-    ENDING_SHEET, /* the ending of a picture, of a document, or of both, such as .pdf */
+    ENDING_NONE,  /* no extension: the session's settings decide */
+    ENDING_OTHER, /* an unknown extension, which is an error */
+    ENDING_TEXT,  /* .txt, which has the same effect as no extension */
+    ENDING_DATA,  /* .csv, .json, and those of any other format of answers */
+    ENDING_SHEET, /* the extension of a picture, of a document, or of both, such as .pdf */
 };
 
-/* A file extension and what it decides. */
+/* A file extension, and how files with this extension are written. */
 struct ending {
     const char *text; /* the extension, such as ".csv"; NULL for ENDING_NONE and ENDING_OTHER */
     enum ending_kind kind;
-    const struct format *format; /* for ENDING_DATA: the format of answers */
+    const struct format *format; /* for ENDING_DATA: the format of the answer */
     bool is_document;            /* for ENDING_SHEET: the file can be a text with formulas */
-    bool is_script;              /* the file gets the script of the picture, instead of the picture */
-    /* for the ending of a picture: the gnuplot terminal, with its options; otherwise NULL */
+    bool is_script;              /* the script of the picture is written instead of the picture */
+    /* for the extension of a picture: the gnuplot terminal setting; otherwise NULL */
     const char *terminal;
 };
 const struct ending *ending_of(const char *path);
 
-/* If the terminal is too small for the picture of a command, sets *problem and returns false. */
+/* Returns true if the terminal is large enough for the picture of a command. Otherwise reports a problem. */
 bool picture_fits(const struct answer *a, const char *command, struct problem *problem);
 
-/* Checks, before any work is done, that a picture can be drawn where the answer goes. If not, sets *problem
- * and returns false. */
+/* Checks, before any computation, that a picture can be drawn where the answer goes. Returns false with a
+ * problem if it cannot. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns how dominoes will be marked in a picture that goes where the answer goes. */
+/* Returns the words for captions of pictures that go where the answer goes. */
 struct marks picture_marks(const struct answer *a);
 
-/* Writes the first lines of the script of a picture. The script draws into a .pdf file that is named after
+/* Writes the first lines of the script of a picture. The script draws into a .pdf file with the same name as
  * the script. */
 void script_head(const struct answer *a, const char *terminal);
 

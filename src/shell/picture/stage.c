@@ -4,10 +4,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { DOMINOES = 200, MORE = 32 }; /* the most dominoes of a train, and extra room for the caller */
-#define SMALLEST 0.01               /* a domino smaller than this, relative to the head, would be a dot */
-#define WIDEST   2.4 /* width of a picture relative to its height; dominoes farther back are left out */
-#define TALLEST  2.5 /* height of a picture relative to the head; a taller next domino is cut off */
+/* the maximum number of dominoes of a train, and extra room for the caller */
+enum { DOMINOES = 200, MORE = 32 };
+/* a domino that is smaller than this, relative to the head, would be a dot */
+#define SMALLEST 0.01
+#define WIDEST   2.4 /* the width of a picture relative to its height; dominoes farther back are not drawn */
+#define TALLEST  2.5 /* the height of a picture relative to the head; a taller next domino is cut off */
 
 /* ---- One domino ---- */
 
@@ -19,7 +21,7 @@ static struct point direction(double theta)
 void drawn_stand(struct drawn *k)
 {
     struct point up = direction(k->theta);
-    /* The rounded foot rolls: its centre moves forwards by radius * theta. */
+    /* The rounded foot rolls, so its centre moves forwards by radius * theta. */
     k->corner[0] =
         (struct point){k->foot + k->radius * (k->theta + up.y - 1 - up.x), k->radius * (1 - up.y - up.x)};
     k->corner[1] = along(k->corner[0], k->height, up.x, up.y);
@@ -27,8 +29,8 @@ void drawn_stand(struct drawn *k)
     k->corner[3] = along(k->corner[0], k->thickness, -up.y, up.x);
 }
 
-/* The right half of a silhouette from the ground up. x is the distance from the axis, as a fraction of the
- * width, and y is the height, as a fraction of the height. */
+/* The right half of a silhouette, from the ground up. x is the distance from the axis, as a fraction of the
+ * width. y is the height above the ground, as a fraction of the height. */
 enum { SILHOUETTE = 8 };
 typedef struct point silhouette[SILHOUETTE];
 
@@ -73,7 +75,7 @@ int drawn_outline(const struct drawn *k, struct point outline[OUTLINE])
     if (half)
         return silhouette_outline(k, half, outline);
     struct point up = direction(k->theta);
-    /* At each corner the outline turns from one of these directions to the next. */
+    /* At each corner, the outline turns from one of these directions to the next. */
     const struct point side[] = {{-up.x, -up.y}, {up.y, -up.x}, {up.x, up.y}, {-up.y, up.x}};
     int n = 0;
     for (int i = 0; i < CORNERS; i++) {
@@ -142,7 +144,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across)
 
 /* ---- The train ---- */
 
-/* The state while the dominoes of a train are put on a stage, from the front to the back. */
+/* The state while the dominoes of a train are put on a stage, from front to back. */
 struct filling {
     struct stage *stage;
     double s, r, d, rho;
@@ -216,7 +218,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     stage->top = tall;
     stage->right = pitch + 0.12 * seen;
     stage->left = behind > 0 ? -behind : stage->right - WIDEST * seen;
-    /* The head must be seen, even if the next domino is far away. */
+    /* The head must be visible, even if the next domino is far away. */
     stage->left = stage->left > -1 ? -1 : stage->left;
     train_add(&f, f.r, pitch, 0);
     enum dom_status status = domq_angles_find(train, compute, &angles);
@@ -225,7 +227,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        train_follow(&f, (double)angles.theta_f); /* farther back, all seem to lie at theta_f */
+        train_follow(&f, (double)angles.theta_f); /* farther back, no difference from theta_f can be seen */
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {

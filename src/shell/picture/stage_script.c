@@ -10,18 +10,18 @@
 /* ---- The sheet, in dots ---- */
 
 enum {
-    FONT = 14,  /* font size of the caption */
+    FONT = 14,  /* the font size of the caption */
     SMALL = 11, /* font size of labels */
-    LINE = 19,  /* height of a line of the caption */
-    STRIP = 17, /* height of the strip below the ground, for numbers */
+    LINE = 19,  /* the height of a line of the caption */
+    STRIP = 17, /* the height of the area below the ground, for numbers */
     MARGIN_LEFT = 52,
     MARGIN_RIGHT = 12,
     MARGIN_BELOW = 50,
-    CLEAR = 6, /* empty space above the tallest domino */
+    CLEAR = 6, /* the empty space above the tallest domino */
     ACROSS = SHEET_WIDTH - MARGIN_LEFT - MARGIN_RIGHT
 };
-#define LETTER (0.62 * SMALL) /* the largest width of a letter */
-#define EDGE   0.02           /* margin on both sides, as a fraction of the visible width */
+#define LETTER (0.62 * SMALL) /* the maximum width of a character */
+#define EDGE   0.02           /* the margin on each side, as a fraction of the visible width */
 
 const struct marks script_marks = {
     .theta = "\u03b8",
@@ -42,7 +42,8 @@ static int caption_lines(const char *text)
 /* Returns the sheet for a stage, with `room` dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    int lines = caption_lines(stage->caption) + (stage->row != NULL); /* one more line for labels_missing */
+    /* one more line is for labels_missing */
+    int lines = caption_lines(stage->caption) + (stage->row != NULL);
     struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines, .indent = 10};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;
     double by_width = wide / ACROSS, by_height = stage->top / (most - v.above - v.below - STRIP - room);
@@ -84,8 +85,8 @@ void sheet_terminal(const struct sheet *v, const char *path, char *terminal, siz
 
 /* ---- The ruler and the caption ---- */
 
-/* Writes the tics of an axis, `step` units apart. Their labels are in this unit, and their positions are in
- * the unit of the stage. */
+/* Writes the tics of an axis, which are `step` units apart. The labels are in this unit, but the positions
+ * are in the unit of the stage. */
 static void tics_script(FILE *script, char axis, double from, double to, double step, double unit)
 {
     const char *comma = "";
@@ -106,12 +107,12 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             "unset grid\nunset key\nset border 1 lc rgb '#404040'\nset tics out nomirror\n",
             MARGIN_LEFT / v->width, 1 - MARGIN_RIGHT / v->width, v->below / v->height,
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
-    /* The tape measure of a row begins at domino 1. */
+    /* For a row, the ruler begins at domino 1. */
     double from = stage->left < 0 || v->left > 0 ? v->left : 0, up = ruler_step(34 * v->dot / unit.size);
-    while (up * unit.size > v->high - 10 * v->dot) /* even a low row needs a tic */
+    while (up * unit.size > v->high - 10 * v->dot) /* even a row that is not tall needs a tic */
         up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
-    /* The y axis has no tic at 0, where its unit is written. */
+    /* The y axis has no tic at 0, because its unit is written there. */
     tics_script(script, 'y', up * unit.size, v->high - 10 * v->dot, up, unit.size);
     fprintf(script, "set label '%s' at screen %.8g, first %.10g right font ',%d'\n", unit.name,
             (MARGIN_LEFT - 12) / v->width, 0.0, SMALL + 1);
@@ -121,7 +122,7 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             (MARGIN_LEFT + ACROSS / 2.0) / v->width, (v->below - MARGIN_BELOW + 9) / v->height, SMALL + 1);
 }
 
-/* Writes a text into the caption, starting at a line of the caption. */
+/* Writes a text into the caption, starting at line `line`. */
 static void caption_script(const char *text, const struct sheet *v, int line, FILE *script)
 {
     for (size_t n; *text; line++, text += n + (text[n] == ' ' || text[n] == '\n')) {
@@ -136,8 +137,8 @@ static void caption_script(const char *text, const struct sheet *v, int line, FI
 
 /* ---- Labels where there is room ---- */
 
-/* The rectangle that a text covers: its centre and its size, in dots. x is counted from 0 on the ruler, and y
- * from the ground. */
+/* The rectangle that a text covers: its centre and its size, in dots. x is the distance from 0 on the ruler,
+ * and y the height above the ground. */
 struct box {
     double x, y, wide, high;
 };
@@ -151,8 +152,9 @@ struct labels {
 };
 
 /*
- * Writes a text at x on the ruler: centred at `height` dots above the ground or, if `upright` is true,
- * rotated by 90 degrees and starting at this height. Returns false if the text would overlap another one.
+ * Writes a text at the position x on the ruler. If `upright` is true, the text is rotated by 90 degrees and
+ * starts `height` dots above the ground. Otherwise its centre is there. Returns false if the text would
+ * overlap another one.
  */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)
@@ -173,7 +175,7 @@ static bool label_put(struct labels *l, double x, double height, bool upright, c
     return true;
 }
 
-/* The colours of dominoes also differ in lightness, so that they can be told apart in grey print and by
+/* The colours of dominoes also differ in lightness, so they can be told apart in grey print and by
  * colour-blind people. */
 static const char *const fill[PARTS] = {"#f4efe2", "#e8b85a", "#4f95c4", "#c8400c", "#000000"};
 
@@ -182,7 +184,7 @@ static const char *colour_of(const struct drawn *d)
     return d->part == WEAKEST ? fill[WEAKEST] : "#000000";
 }
 
-/* Returns true if the sizes of a domino are known, and false for a silhouette. */
+/* Returns true if the dimensions of a domino are known, and false for a silhouette. */
 static bool is_sized(const struct stage *stage, size_t k)
 {
     return stage->row && stage->domino[k].number > 0;
@@ -193,8 +195,8 @@ static struct measured height_of(const struct stage *stage, size_t k)
     return measured(stage->row[k].height, "m", 3);
 }
 
-/* Writes the height of a domino as a label and, if the domino is marked, why it is marked. Returns false if
- * the neighbouring dominoes leave no room for the label. */
+/* Writes the text of the label with the height of a domino. For a marked domino, the label also says why the
+ * domino is marked. Returns false if the neighbouring dominoes leave no room for the label. */
 static bool height_text(const struct stage *stage, const struct sheet *v, size_t k, char text[64])
 {
     const struct drawn *d = &stage->domino[k];
@@ -210,8 +212,8 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     return drawn_marked(d) || (before > half && after > half);
 }
 
-/* Returns true if the height of a domino need not be written, because it is the same as that of the domino
- * before. */
+/* Returns true if the height of a domino need not be written, because the domino before has the same
+ * height. */
 static bool height_repeats(const struct stage *stage, size_t k)
 {
     return k > 0 && !drawn_marked(&stage->domino[k]) &&
@@ -219,7 +221,7 @@ static bool height_repeats(const struct stage *stage, size_t k)
 }
 
 /* Writes the number of a domino below the ground, and its height above the domino. Returns false if there is
- * no room for one of the two. */
+ * no room for one of these labels. */
 static bool names_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -237,8 +239,8 @@ static bool names_put(const struct stage *stage, size_t k, struct labels *l)
     return number && height;
 }
 
-/* Writes the size of the gap before a domino into the gap if it is wide enough, rotated by 90 degrees if need
- * be. */
+/* Writes the size of the gap before a domino into the gap if it is wide enough, rotated by 90 degrees if
+ * necessary. */
 static void gap_put(const struct stage *stage, size_t k, struct labels *l)
 {
     const struct drawn *d = &stage->domino[k];
@@ -249,8 +251,8 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
 }
 
-/* Writes a line below the caption that lists the dominoes without labels and their heights. Leaves the line
- * out if it would be too long, as may happen in a long row. */
+/* Writes a line below the caption that lists the dominoes without labels and their heights. Omits the line if
+ * it would be too long, as it may be for a long row. */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
 {
@@ -277,8 +279,8 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
 }
 
 /*
- * Writes numbers, heights and gaps where there is room. The marked dominoes come first, then the others from
- * the front, where a growing row has its largest dominoes, and then the gaps.
+ * Writes numbers, heights and gaps where there is room: first those of marked dominoes, then those of other
+ * dominoes from the front, where a growing row has its largest dominoes, and then the gaps.
  */
 static void labels_script(const struct stage *stage, const struct sheet *v, FILE *script)
 {

@@ -6,15 +6,15 @@
 #include <string.h>
 
 enum {
-    LEFT = 7,  /* columns for the scale of heights */
+    LEFT = 7,  /* columns for the vertical scale */
     BELOW = 3, /* rows for the ground, the numbers of the dominoes, and the ruler */
     WIDTH_MOST = 200
 };
 
 struct grid {
     struct canvas canvas;
-    double left, unit; /* position on the stage where the canvas begins, and width of a column */
-    int ground;        /* row of the canvas in which the ground is drawn */
+    double left, unit; /* the position on the stage at which the canvas begins, and the width of a column */
+    int ground;        /* the row of the canvas in which the ground is drawn */
 };
 
 struct marks text_marks(struct look look)
@@ -40,15 +40,15 @@ static enum ink ink_of(const struct drawn *k)
     return inks[k->part];
 }
 
-/* Fills a domino with a letter, by sampling points that are closer together than the characters. Points on
- * the edges are left out, because they would make the domino one character wider. */
+/* Fills a domino with a character, by sampling points that are closer together than the characters. Points on
+ * the edges are not sampled, because they would make the domino one character wider. */
 static void domino_fill(struct grid *g, const struct stage *stage, const struct drawn *k)
 {
     const char mark[2] = {(char)(k->part == ENDS      ? 'X'
                                  : k->part == WEAKEST ? '*'
                                  : k->number < 0      ? '#'
                                                       : '0' + k->number % 10)};
-    /* Only the next domino of a train may be taller than the picture, and this domino stands upright. */
+    /* Only the next domino of a train may be taller than the picture, and this domino is upright. */
     double seen = k->height > stage->top ? stage->top / k->height : 1;
     int rows = (int)(3 * seen * k->height / g->unit) + 2, columns = (int)(3 * k->thickness / g->unit) + 2;
     const struct point *p = k->corner;
@@ -71,7 +71,7 @@ static void domino_outline(struct grid *g, const struct drawn *k)
     double dot = g->unit / c->across, bottom = (double)(g->ground * c->down) - 1, x[OUTLINE] = {0},
            y[OUTLINE] = {0};
     struct point outline[OUTLINE];
-    /* The rounding of edges is too small to be seen. */
+    /* The rounding of edges is too small to be seen, so only silhouettes need the exact outline. */
     bool is_silhouette = k->number == NUMBER_TOWER || k->number == NUMBER_PERSON;
     int phase = 0, count = is_silhouette ? drawn_outline(k, outline) : CORNERS;
     for (int i = 0; i < count; i++) {
@@ -106,7 +106,7 @@ static void dominoes_draw(struct grid *g, const struct stage *stage)
 
 /* ---- The ruler and the numbers ---- */
 
-/* Writes a text that is centred on a column, unless it would overlap another text. */
+/* Writes a text centred on a column, unless it would overlap another text. */
 static void label_put(struct canvas *c, int column, int row, const char *text)
 {
     int n = (int)strlen(text), from = column - n / 2;
@@ -117,7 +117,7 @@ static void label_put(struct canvas *c, int column, int row, const char *text)
     canvas_text(c, from, row, text, INK_TEXT);
 }
 
-/* Draws the scale of heights from the row `top` down, and the ground with the ruler. */
+/* Draws the vertical scale from the row `top` down, and the ground with the ruler. */
 static void ruler_draw(struct grid *g, const struct stage *stage, int top)
 {
     struct canvas *c = &g->canvas;
@@ -142,7 +142,7 @@ static void ruler_draw(struct grid *g, const struct stage *stage, int top)
     }
 }
 
-/* Writes the numbers of the dominoes. The marked dominoes come first, so that their numbers find room. */
+/* Writes the numbers of the dominoes. Marked dominoes come first, so that there is room for their numbers. */
 static void numbers_draw(struct grid *g, const struct stage *stage)
 {
     struct canvas *c = &g->canvas;
@@ -180,7 +180,7 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
     g.unit = across > up ? across : up;
     g.left = stage->left - (LEFT + 1) * g.unit;
     dominoes_draw(&g, stage);
-    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows at the top are not printed */
+    for (bool blank = true; blank && top < g.ground; top += blank) /* empty rows at the top are skipped */
         for (int column = 0; column < width && blank; column++)
             blank = canvas_blank(&g.canvas, column, top);
     ruler_draw(&g, stage, top);

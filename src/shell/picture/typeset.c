@@ -13,9 +13,8 @@ enum { PATH_TEXT = 256 };
 bool typeset_ready(struct problem *problem)
 {
     return program_exists("pdflatex") ||
-           problem_error(problem,
-                         "a .pdf document needs pdflatex, which is not installed: 'apt install "
-                         "texlive-latex-base'; the same text goes into .txt, .md or .tex without it");
+           problem_error(problem, "a .pdf document needs pdflatex, which is not installed: 'apt install "
+                                  "texlive-latex-base'; a .txt, .md or .tex file can be written without it");
 }
 
 static void copy(FILE *from, FILE *to)
@@ -26,7 +25,7 @@ static void copy(FILE *from, FILE *to)
         fwrite(block, 1, n, to);
 }
 
-/* Returns the name of a file of the document, which is in `folder`. */
+/* Returns the path of one of the document's files, which are in `folder`. */
 static const char *file_of(const char *folder, const char *ending, char path[PATH_TEXT])
 {
     snprintf(path, PATH_TEXT, "%s/document%s", folder, ending);

@@ -7,11 +7,11 @@
 #include <signal.h>
 #include <stdio.h>
 
-/* Returns true if pdflatex is installed. Otherwise sets *problem and returns false. */
+/* Returns true if pdflatex is installed. Otherwise reports a problem. */
 bool typeset_ready(struct problem *problem);
 
-/* Typesets the TeX document in the stream `tex`, and writes it to `out` in the format PDF. If this fails,
- * sets *problem and returns false. */
+/* Typesets the TeX document in the stream `tex`, and writes it to `out` as a PDF. Returns false with a
+ * problem on failure. */
 bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem);
 
 #endif
