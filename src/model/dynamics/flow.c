@@ -166,32 +166,13 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
     return DOM_LOCKS;
 }
 
-/* Returns a locked tilt soon after `from`, where panels have become too short because a pole is near. Returns
- * NaN if no tilt before hi is locked. */
-static real flow_locked_near(const struct geometry *geometry, real from, real hi)
-{
-    for (real step = 4 * REAL_EPSILON * hi; from + step < hi; step *= 2) {
-        struct tilt head;
-        struct equation_of_motion equation;
-        if (geometry_tilt(geometry, from + step, &head) != DOM_OK ||
-            geometry->law->equation(geometry, head, &equation) != DOM_OK)
-            break;
-        if (equation.locks)
-            return from + step;
-    }
-    return REAL_NAN;
-}
-
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J0, real lo, real *hi)
 {
     struct geometry fine = flow_begin(geometry);
     struct flow_context c = {.geometry = &fine, .locked = REAL_NAN};
     geometry->flow->J0 = J0;
     enum dom_status status = flow_piece(&c, geometry->tol, lo, *hi);
-    if (status == DOM_NOT_CONVERGED)
-        c.locked = flow_locked_near(&fine, flow_end(geometry->flow, lo), *hi);
-    bool locks = status == DOM_LOCKS || (status == DOM_NOT_CONVERGED && !isnan(c.locked));
-    return locks ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
+    return status == DOM_LOCKS ? flow_to_lock(&fine, geometry->tol, lo, c.locked, hi) : status;
 }
 
 /* Finds ln G and u at a tilt of the head. */
