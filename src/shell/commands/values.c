@@ -97,7 +97,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
            problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
                          c->name,
                          quantity_bare(c->unit) ? "for a plain number"
-                         : of == wanted         ? "" /* `of` is a text such as "in m s^-1" */
+                         : of == wanted         ? "" /* such as "in m s^-1" */
                                                 : "a unit of ",
                          quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }

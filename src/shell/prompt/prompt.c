@@ -17,13 +17,14 @@
 
 /* ---- Signals ---- */
 
-/* The signal handler sets these; `interrupted` also ends a computation. */
+/* The signal handler sets these flags. `interrupted` also ends a computation, and other threads read this
+ * flag in dom_raised. */
 static volatile sig_atomic_t interrupted, resized, suspended, ended;
 
 static void on_signal(int number)
 {
     if (number != SIGWINCH && number != SIGTSTP)
-        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED); /* Other threads read this in dom_raised. */
+        __atomic_store_n(&interrupted, number, __ATOMIC_RELAXED);
     if (number == SIGWINCH)
         resized = 1;
     else if (number == SIGTSTP)

@@ -133,7 +133,7 @@ static bool animate_row(const struct film *film, double tower)
             (struct column){"domino", "", "the last domino that was hit", 0};
     falling_row_reach(&f.row, true);
     stage->row = NULL;                    /* frames have no labels with the sizes of the dominoes */
-    falling_row_verdict(&f.row, verdict); /* the longest second line of a caption */
+    falling_row_verdict(&f.row, verdict); /* no caption has a longer second line than the final one */
     snprintf(stage->caption, CAPTION, "1\n%s", verdict);
     bool done = !f.towers || tower_film(&f.row, tower) ||
                 problem_status(film->problem, film->query->scene, DOM_NO_MEMORY);

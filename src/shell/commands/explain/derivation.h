@@ -85,7 +85,7 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    domq_real computed; /* the value of the equation */
+    domq_real computed; /* the value that the equation gives */
     int depth;          /* 0 for an answer to the question */
 };
 

@@ -257,12 +257,12 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     }
     if (status == GSL_SUCCESS)
         status = gsl_multifit_nlinear_driver(STEPS_MOST, 1e-10, 1e-12, 0, NULL, NULL, &info, w);
-    if (info == GSL_ENOPROG) /* the start is the minimum already */
+    if (info == GSL_ENOPROG) /* the starting point is already the minimum */
         status = GSL_SUCCESS;
     if (w && !is_interrupted(f)) {
         double value[FIT_UNKNOWNS], squares;
         gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
-        residuals_at(f, x, residual); /* the computed measurements are those of the minimum again */
+        residuals_at(f, x, residual); /* computes the measurements at the minimum once more */
         gsl_blas_ddot(residual, residual, &squares);
         f->spread = squares / (double)f->freedom;
         memcpy(clock, values_of(f, x, value), (x->size - free_count(f)) * sizeof *clock);
