@@ -217,5 +217,5 @@ TEST(limits_take_few_passes)
     }
     print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",
                   work.passes / limits, most);
-    assert_true(work.passes <= 25 * limits && most <= 350);
+    assert_true(work.passes <= 15 * limits && most <= 60);
 }

@@ -222,16 +222,20 @@ static real root_slope(const struct margin_context *c)
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
- * *start receives the estimate, or the reach if the margin is not negative there.
+ * *start receives the estimate, or 0 if there is none. Returns true if K exceeds even the largest barrier at
+ * the reach.
  */
-static void root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
+static bool root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
 {
     const real d = c->geometry.d, most = barrier_most(&c->geometry);
     const struct margin at = margin_sign(c, reach);
     const real lacks = sqrt((real)2) * (1 - sqrt(d / (c->s + d))) / pow(reach, c->geometry.q);
     const real root = fmin(fmax(most - at.kinetic, 0) / lacks, (real)0.3);
-    *start = c->status == DOM_OK && margin_value(&at) < 0 ? reach * (1 - root * root) : reach;
+    *start = c->status == DOM_OK && margin_value(&at) < 0 ? reach * (1 - root * root) : 0;
     *slope = lacks / (2 * root);
+    c->nearest.height = at.barrier;
+    c->share = margin_share(&at);
+    return c->status == DOM_OK && at.most;
 }
 
 enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };
@@ -245,15 +249,18 @@ static real down_first(real whole)
 
 /*
  * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
- * root; *down is the root if no strip shows that the margin is positive. Proceeds downwards strip by strip
- * without computing any margin. Over the first strip the margin decreases. For each later strip, a lower
- * bound of the margin and an upper bound of the barrier at its upper end are known from the strips above.
+ * root, or up to the reach if the margin is positive there; *down is the root if no strip shows that the
+ * margin is positive. Proceeds downwards strip by strip without computing any margin. Over the first strip
+ * the margin decreases. For each later strip, a lower bound of the margin and an upper bound of the barrier
+ * at its upper end are known from the strips above.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
-    real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0,
-         width = fmin(down_first(log(root / from)), 2 * log(1 / (c->s * root)));
+    real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
+    /* K decreases towards the reach as a square root does. */
+    const bool reaches = root == 1 / c->s;
+    width = fmin(width, reaches ? 2 * c->share * c->share : 2 * log(1 / (c->s * root)));
     *down = root;
     for (int k = 0, fails = 0; k < DOWN_STRIPS && fails < DOWN_FAILS; k++) {
         if (*down <= from)
@@ -270,7 +277,7 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
         const real over = strip.kinetic_least - highest,
                    left = strip.clear ? 0 : margin - strip.margin_slope * width;
         const bool falls = !strip.clear && (strip.root_slope < 0 || (margin > 0 && left > 0));
-        if (!falls && (*down == root || !(over > 0))) {
+        if (!falls && ((*down == root && !reaches) || !(over > 0))) {
             width /= 2;
             fails++;
             continue;
@@ -323,24 +330,22 @@ KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from,
     const real reach = 1 / c->s;
     real start = root_guess(c);
     struct root_search s = {.lo = from->r, .hi = reach, .slope = root_slope(c)};
-    *found = false;
-    if (start > REACH_NEAR * reach)
-        root_near_reach(c, reach, &start, &s.slope);
+    const bool reaches = start > REACH_NEAR * reach && root_near_reach(c, reach, &start, &s.slope);
     enum dom_status status = c->status;
+    bool known = reaches && from->r < reach;
+    *found = false;
+    *root = reach;
+    if (status == DOM_OK && start > from->r && start < reach) {
+        margin_follow_begin(c);
+        status = root_search(c, &s, start, 0, root);
+        known = status == DOM_OK && *root < reach && margin_highest(c, *root);
+    }
     if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
         return status;
     c->status = DOM_OK;
-    if (!(start > from->r && start < reach))
+    if (!known)
         return DOM_OK;
-    margin_follow_begin(c);
-    status = root_search(c, &s, start, 0, root);
-    bool root_found = status == DOM_OK && *root < reach && margin_highest(c, *root);
     real falls = *root;
-    if (status == DOM_INTERRUPTED || status == DOM_TOO_LONG)
-        return status;
-    c->status = DOM_OK;
-    if (!root_found)
-        return DOM_OK;
     status = positive_below(c, *root, from->r, &falls);
     if (status == DOM_OK && falls < *root && falls > from->r)
         status = positive_to(c, from, falls);

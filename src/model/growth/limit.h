@@ -44,8 +44,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /*
  * Estimates a root for an endless train without friction, finds it, and proves that it is the first root
- * after *from. If *found is false, *from may have been moved up, and the margin is positive up to the new
- * *from.
+ * after *from; or proves that there is none up to the reach, which is then *root. If *found is false, *from
+ * may have been moved up, and the margin is positive up to the new *from.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 

@@ -233,6 +233,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
     *ends = DOM_END_BARRIER;
     if (c->dominoes == CHAIN_ENDLESS && from->r == 1) {
         enum dom_status status = foresee_root(c, &scan.lo, r, &found);
+        *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
         if (status != DOM_OK || found)
             return status;
     }
