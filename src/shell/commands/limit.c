@@ -298,8 +298,9 @@ const struct command limit_commands[] = {
          "next one, or until r reaches 1/s (less with rounded edges), where a domino falls past the next one "
          "without touching it. This is the limit for a train that is already moving. A row that starts from "
          "rest, with a first domino that just tips over or with the push of 'effect push', may need a "
-         "smaller growth. The answer then also gives this smaller limit, which csv and json call r_start. "
-         "Expressions and sweeps leave it out, because finding it takes long; use 'count.r_start' there.",
+         "smaller growth. The answer gives this smaller limit as r_start. "
+         "Expressions and sweeps leave it out, because finding it takes long; use 'count(112).r_start' "
+         "there.",
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",

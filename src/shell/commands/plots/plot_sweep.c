@@ -188,7 +188,9 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
              two ? " and " : "", two ? axis[1].parameter->name : "");
     if (p.none > 0)
         snprintf(chart->note, sizeof chart->note, "%zu of %zu points %s.", p.none, rows->count,
-                 several ? "lack an answer" : "have no answer");
+                 several       ? p.none == 1 ? "lacks an answer" : "lack an answer"
+                 : p.none == 1 ? "has no answer"
+                               : "have no answer");
     if (several) {
         answers_draw(chart, &p);
         return true;
