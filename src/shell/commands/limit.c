@@ -45,6 +45,7 @@ static const struct column rmax_columns[] = {
     {"ends_by", "", "its limit: barrier (energy), reach (misses the next) or none", 7},
     {"r_max_exact", "", "r_max when the fuel is computed from the balance of energy", 0},
     {"r_max_paper", "", "r_max when the fuel is computed by the paper's closed form", 0},
+    {"r_start", "", "the largest growth with which a row starts and keeps falling", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -123,17 +124,6 @@ static const char *start_missing(const struct query *query, const struct answer 
     return answer_for_people(a) ? NULL : reason;
 }
 
-/* Adds the column of the largest growth with which a row starts. This limit takes much longer to find than
- * the other numbers, so sweeps and expressions do not have it. */
-static void rmax_start_column(struct answer *a)
-{
-    struct column *c = answer_columns(a, a->columns);
-    while (c->key)
-        c++;
-    c[0] = (struct column){"r_start", "", "the largest growth with which a row starts and keeps falling", 0};
-    c[1] = (struct column){NULL, NULL, NULL, 0};
-}
-
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct domq_compute compute = query_compute(query);
@@ -150,7 +140,6 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     if (a->out && !a->sink) {
         if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
             return false;
-        rmax_start_column(a);
         if (!missing && isnan(growths.r_max))
             missing = start_missing(query, a, reason);
     }
@@ -304,6 +293,7 @@ const struct command limit_commands[] = {
      .example = "set q hollow; rmax 0.3",
      .see = "best curve pair count rowmax",
      .echo = "s",
+     .alone = "r_start",
      .principal = "r_max",
      ANSWER(rmax)},
     {.name = "pair",

@@ -101,10 +101,17 @@ const char *value_names(const void *context, int k)
                                  : topic_names(NULL, k - 1 - count);
 }
 
-const char *command_keys(const void *command, int k)
+const char *answer_keys(const void *command, int k)
 {
     const struct column *columns = ((const struct command *)command)->columns;
     return columns ? columns[k].key : NULL;
+}
+
+const char *command_keys(const void *command, int k)
+{
+    const struct command *c = command;
+    const char *key = answer_keys(c, k);
+    return key && c->alone && strcmp(key, c->alone) == 0 ? NULL : key;
 }
 
 const struct command *command_find(const char *name)

@@ -93,12 +93,15 @@ struct command {
     /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter omits
      * the column, unless an argument of the command replaces the parameter. */
     const char *echo;
+    /* The key of the last column if its number takes much longer to find than the others. Only an answer that
+     * the user asks for by itself has this column. Sweeps and expressions do not know it. */
+    const char *alone;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* the answer is about the endless train */
-    /* The kind of answer that the command writes: data; pictures, of which csv and json contain the data;
-     * charts, which are pictures that can also be written into a .tex file; or documents, which are texts
-     * that can also be written into a .md or .tex file. */
-    enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS } writes;
+    /* The kind of answer that the command writes: data, pictures, of which csv and json contain the data,
+     * charts, which are pictures that can also be written into a .tex file, documents, which are texts
+     * that can also be written into a .md or .tex file, or pages, which are long texts for the pager. */
+    enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
     /* For a command that decides a question: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;
@@ -106,7 +109,6 @@ struct command {
     bool files; /* the command reads or writes files, so a safe session refuses to run it */
     /* the command may change parameters, effects, the row or variables, and 'undo' can revert the change */
     bool changes;
-    bool pages; /* the answer is a long text, which is shown in the pager */
     /* the shortest abbreviation that is reserved for this command although other commands begin with it,
      * too */
     const char *shortest;
@@ -133,10 +135,11 @@ struct command_group {
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Three names_lists (see names.h): all commands; all commands and parameters; and the column keys of the
- * command `context`. */
+/* Four names_lists (see names.h): all commands; all commands and parameters; the column keys of the answer of
+ * a command; and those of these keys that a sweep or an expression can ask the command for. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
+const char *answer_keys(const void *command, int k);
 const char *command_keys(const void *command, int k);
 
 /* A names_list of all names that have a value in the state `context`. If `context` is NULL, the list has only

@@ -76,9 +76,9 @@ bool question_needs_number(const struct question *q, struct problem *problem)
     if (q->key >= 0 || question_is_expression(q))
         return true;
     char keys[256] = "";
-    for (int n = 0, k = 0; c->columns[k].key && n < (int)sizeof keys; k++)
-        n +=
-            snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, c->columns[k].key);
+    const char *key;
+    for (int n = 0, k = 0; (key = command_keys(c, k)) != NULL && n < (int)sizeof keys; k++)
+        n += snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, key);
     return problem_error(problem, "'%s' answers with several numbers; use one of %s", c->name, keys);
 }
 

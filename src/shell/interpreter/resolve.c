@@ -103,7 +103,13 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
 {
     char message[NAMES_MESSAGE], what[64];
     snprintf(what, sizeof what, "key of %s", c->name);
-    int index = t->key ? names_find(command_keys, c, what, t->key, message) : command_principal(c);
+    const bool is_ans = strcmp(t->name, "ans") == 0;
+    if (!is_ans && t->key && c->alone && strcmp(t->key, c->alone) == 0)
+        return fail(
+            r, t, "expressions leave %s.%s out, because it takes long to find; enter '%s', and then 'ans.%s'",
+            c->name, t->key, c->name, t->key);
+    int index = t->key ? names_find(is_ans ? answer_keys : command_keys, c, what, t->key, message)
+                       : command_principal(c);
     if (index < 0)
         return fail(r, t, "%s", message);
     t->value = expression_unit(c->columns[index].unit);

@@ -107,11 +107,12 @@ static bool run_command(struct session *session, const struct command *c, const 
 static bool run_paged(struct session *session, const struct command *c, const struct query *query,
                       struct problem *problem)
 {
-    if (!c->pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
+    const bool has_pages = c->writes == WRITES_PAGES;
+    if (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
     int error = output_end(session->output)->error;
-    bool is_paged = pager_push(&session->output, c->pages ? 1 : 1.5, !session->means.safe, interrupt);
+    bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
         /* If the user closed the pager before the end of the answer, this is not a write error. */
@@ -150,7 +151,7 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                    : problem_error(problem, "'%s' names a document, but '%s' cannot write one; 'explain' can",
                                    shown, c->name);
     case ENDING_DATA:
-        return c->columns || c->runs || c->pages ||
+        return c->columns || c->runs || c->writes == WRITES_PAGES ||
                problem_error(problem,
                              "'%s' names a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
                              shown, c->name, c->name);

@@ -71,7 +71,9 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem)
         bool is_parameter = false;
         for (int i = 0; i < w->grid->axes; i++)
             is_parameter = is_parameter || strcmp(from->key, w->grid->axis[i].parameter->name) == 0;
-        if (is_parameter && strcmp(repeated, from->key) == 0)
+        const bool is_alone =
+            !w->question->next && q->command->alone && strcmp(q->command->alone, from->key) == 0;
+        if (is_alone || (is_parameter && strcmp(repeated, from->key) == 0))
             continue;
         if (is_parameter) {
             snprintf(c->renamed[renamed], sizeof *c->renamed, "%s.%s", q->command->name, from->key);
