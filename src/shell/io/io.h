@@ -72,6 +72,10 @@ const char *io_temporary_folder(void);
  * NULL, the file is in io_temporary_folder(). Returns NULL on failure. */
 FILE *io_temporary(const char *folder);
 
+/* Copies a stream from its beginning to its end. Afterwards the error flags of the streams show whether that
+ * failed. */
+void io_copy(FILE *from, FILE *to);
+
 /* Makes a stream that writes into memory. After fclose, *text holds *size bytes without a terminating NUL
  * byte, and the caller frees *text. Unlike a stream of open_memstream, this stream sets its error flag if
  * there is no memory. Returns NULL on failure. */

@@ -230,6 +230,14 @@ FILE *io_temporary(const char *folder)
     return file >= 0 ? fdopen(file, "w+") : NULL;
 }
 
+void io_copy(FILE *from, FILE *to)
+{
+    char block[4096];
+    rewind(from);
+    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;)
+        fwrite(block, 1, n, to);
+}
+
 /* ---- Memory ---- */
 
 struct memory {

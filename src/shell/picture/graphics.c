@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/graphics.h"
+#include "io/io.h"
 #include "io/terminal.h"
 #include "picture/canvas.h"
 #include "picture/stage.h"
@@ -139,9 +140,7 @@ bool graphics_write(FILE *drawing, FILE *out)
 {
     if (graphics_of(out) == GRAPHICS_KITTY)
         return kitty_write(drawing, out);
-    rewind(drawing);
-    for (int c; (c = getc(drawing)) != EOF;)
-        putc(c, out);
+    io_copy(drawing, out);
     putc('\n', out);
     return !ferror(drawing);
 }

@@ -146,7 +146,6 @@ static bool draw(const struct picture *p, FILE *drawing, struct problem *problem
 {
     /* gnuplot reads a script with a file name in blocks, but "-" byte by byte. */
     char *const argv[] = {"gnuplot", "-d", "/dev/stdin", NULL};
-    char block[4096];
     errno = 0;
     if (fflush(p->script) != 0 || ferror(p->script))
         return problem_error(problem, "cannot draw: %s", strerror(errno ? errno : ENOSPC));
@@ -163,9 +162,7 @@ static bool draw(const struct picture *p, FILE *drawing, struct problem *problem
     if (error)
         return problem_error(problem, "cannot draw: %s", strerror(error));
     progress_end();
-    rewind(drawing);
-    for (size_t n; (n = fread(block, 1, sizeof block, drawing)) > 0;)
-        fwrite(block, 1, n, p->out);
+    io_copy(drawing, p->out);
     return true;
 }
 

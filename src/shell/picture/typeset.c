@@ -17,14 +17,6 @@ bool typeset_ready(struct problem *problem)
                                   "texlive-latex-base'; a .txt, .md or .tex file can be written without it");
 }
 
-static void copy(FILE *from, FILE *to)
-{
-    char block[4096];
-    rewind(from);
-    for (size_t n; (n = fread(block, 1, sizeof block, from)) > 0;)
-        fwrite(block, 1, n, to);
-}
-
 /* Returns the path of one of the document's files, which are in `folder`. */
 static const char *file_of(const char *folder, const char *ending, char path[PATH_TEXT])
 {
@@ -49,7 +41,7 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
          *document = NULL;
     bool done = written && messages && nothing;
     if (written) {
-        copy(tex, written);
+        io_copy(tex, written);
         done = !ferror(written) && done;
         done = fclose(written) == 0 && done;
     }
@@ -59,7 +51,7 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
     if (done && !(document = fopen(file_of(folder, ".pdf", made), "r")))
         done = problem_error(problem, "pdflatex made no document: %s", strerror(errno));
     if (document)
-        copy(document, out);
+        io_copy(document, out);
     FILE *const opened[] = {messages, nothing, document};
     for (int i = 0; i < 3; i++)
         if (opened[i])
