@@ -209,6 +209,14 @@ static struct curve_goals curve_print(const char *domino)
     return goals;
 }
 
+/* Returns the seconds that the program takes for 'best' in quad precision with friction. */
+static double best_in_quad(const char *domino)
+{
+    const char *const argv[] = {domino, "-n", "-e", "set precision quad; effect friction 0.2; best", NULL};
+    const struct process now = process_run(argv, "");
+    return now.done ? now.seconds : NONE;
+}
+
 /* Returns the time of a contender divided by ours. Returns NaN if one of the two times is missing, or if the
  * contender does not reach the error. */
 static double ratio(const struct result *result, enum contender contender)
@@ -284,6 +292,7 @@ int main(int argc, char **argv)
          of_rmax},
         {"r_max in quad, times as long as in double", "x", 60, in_quad / in_double, false,
          "quad has no instructions of its own: each operation is a function of the compiler"},
+        {"'best' in quad with friction", "s", 3, best_in_quad(domino), false, NULL},
         {"one cycle's duration to 1e-12, in bare links", "", 1900, cycle[OURS].seconds / link, false,
          "no floor forbids it: by its floor above, the operations of a domino take the time"},
         {"verdict of a random row of 20, r = 1.3, in bare links", "", 6000, row.plain / link, false, NULL},
