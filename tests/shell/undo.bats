@@ -53,6 +53,13 @@ END
     same 'the last 100' 50 "$("$DOMINO" -f many.dom -e 'seed*1')"
 }
 
+@test "undo: its steps share the texts of functions" {
+    awk 'BEGIN { for (k = 0; k < 150; k++) { printf "let g%d(x) = x", k; for (i = 0; i < 5000; i++) printf "+1.000001"; print "" } }' >many.dom
+    echo 'undo > /dev/null' >>many.dom
+    (ulimit -v 150000 && "$DOMINO" -f many.dom -e 'print g148(1)' >out)
+    same 'a function' 5001 "$(sed 's/\..*//' out)"
+}
+
 @test "diff: lists differences from the defaults" {
     same none 'All parameters have their defaults, and no effect is on.' "$("$DOMINO" -e diff)"
     same some 's r output friction' "$(json 's = 0.3; friction = 0.2; r = 2; diff' | values name | paste -sd ' ' -)"

@@ -1,9 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/variables.h"
 #include "language/quad.h"
+#include <stdatomic.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The text of a function. Copies of variables share it, since each step of undo holds all variables. */
+struct body {
+    atomic_size_t users;
+    char text[];
+};
+
+static struct body *body_of(char *text)
+{
+    return (struct body *)(void *)(text - offsetof(struct body, text));
+}
+
+/* Returns a copy of a text with one user, or NULL if there is no memory. */
+static char *body_make(const char *text)
+{
+    const size_t size = strlen(text) + 1;
+    struct body *body = malloc(sizeof *body + size);
+    if (!body)
+        return NULL;
+    atomic_init(&body->users, 1);
+    return memcpy(body->text, text, size);
+}
+
+static void body_drop(char *text)
+{
+    if (text && atomic_fetch_sub(&body_of(text)->users, 1) == 1)
+        free(body_of(text));
+}
 
 static struct variable *find(const struct variables *variables, const char *name)
 {
@@ -18,23 +48,28 @@ const struct variable *variable_find(const struct variables *variables, const ch
     return find(variables, name);
 }
 
-bool variable_put(struct variables *variables, const struct variable *variable)
+/* Adds a variable, or replaces the one with the same name. Takes over the body, and drops it on failure. */
+static bool put(struct variables *variables, struct variable variable)
 {
-    struct variable copy = *variable, *at = find(variables, variable->name);
-    if (variable->body && !(copy.body = strdup(variable->body)))
-        return false;
+    struct variable *at = find(variables, variable.name);
     if (!at) {
         struct variable *more = realloc(variables->list, (variables->count + 1) * sizeof *more);
         if (!more) {
-            free(copy.body);
+            body_drop(variable.body);
             return false;
         }
         variables->list = more;
         at = &more[variables->count++];
     } else
-        free(at->body);
-    *at = copy;
+        body_drop(at->body);
+    *at = variable;
     return true;
+}
+
+bool variable_put(struct variables *variables, const struct variable *variable)
+{
+    struct variable copy = *variable;
+    return (!copy.body || (copy.body = body_make(copy.body))) && put(variables, copy);
 }
 
 void variable_drop(struct variables *variables, const char *name)
@@ -42,18 +77,21 @@ void variable_drop(struct variables *variables, const char *name)
     struct variable *at = find(variables, name);
     if (!at)
         return;
-    free(at->body);
+    body_drop(at->body);
     memmove(at, at + 1, (size_t)(variables->list + --variables->count - at) * sizeof *at);
 }
 
 bool variables_copy(struct variables *to, const struct variables *from)
 {
     *to = (struct variables){.list = NULL};
-    for (size_t i = 0; i < from->count; i++)
-        if (!variable_put(to, &from->list[i])) {
+    for (size_t i = 0; i < from->count; i++) {
+        if (from->list[i].body)
+            atomic_fetch_add(&body_of(from->list[i].body)->users, 1);
+        if (!put(to, from->list[i])) {
             variables_free(to);
             return false;
         }
+    }
     return true;
 }
 
@@ -64,7 +102,7 @@ static bool variable_equal(const struct variable *a, const struct variable *b)
     for (int i = 0; i < a->count; i++)
         if (strcmp(a->argument[i], b->argument[i]) != 0)
             return false;
-    return a->body ? strcmp(a->body, b->body) == 0
+    return a->body ? a->body == b->body || strcmp(a->body, b->body) == 0
                    : a->value.value == b->value.value && quantity_alike(a->value, b->value);
 }
 
@@ -79,7 +117,7 @@ bool variables_equal(const struct variables *a, const struct variables *b)
 void variables_free(struct variables *variables)
 {
     for (size_t i = 0; i < variables->count; i++)
-        free(variables->list[i].body);
+        body_drop(variables->list[i].body);
     free(variables->list);
     *variables = (struct variables){.list = NULL};
 }

@@ -30,7 +30,7 @@ bool variable_put(struct variables *variables, const struct variable *variable);
 /* Removes the variable with this name, if there is one. */
 void variable_drop(struct variables *variables, const char *name);
 
-/* Copies all variables. Returns false if there is no memory. */
+/* Copies all variables; the copies share the texts of functions. Returns false if there is no memory. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
