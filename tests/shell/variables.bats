@@ -68,7 +68,7 @@ END
     wrong 'let rmax = 2' "'rmax' is a command"
     wrong 'let m = 2' "'m' is a unit"
     wrong 'let sin = 2' "'sin' is a built-in value"
-    wrong 'let ans = 2' "'ans' is a value"
+    wrong 'let ans = 2' "'ans' is a built-in value"
     wrong 'let x' "a definition is 'let x"
     wrong 'let x =' "the value of 'x' is missing"
     wrong 'let x 2' "a definition is 'let x"
