@@ -395,7 +395,7 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Measures ratios of times in one run. SciPy takes part if it is installed.
-BENCH := bench compare curve floor front growth lengths lines measure record rows start
+BENCH := bench compare curve floor front growth improve lengths lines measure record rows start
 bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)

@@ -263,6 +263,7 @@ int main(int argc, char **argv)
             WHO(OURS) | WHO(GSL) | WHO(SCIPY), POINTS, other);
     struct curve_goals curve = curve_print(domino);
     struct record_goals record = record_print(domino);
+    struct improve_goals improve = improve_print(domino);
     struct rows_goals row = rows_print();
     double start = start_print(domino);
     struct lines_goals lines = lines_print(build, domino);
@@ -302,6 +303,9 @@ int main(int argc, char **argv)
         {"'budget 0.95 300' of examples/record.dom, million bare links", "", BUDGET,
          1e-6 * record.budget / link, false, NULL},
         {"'placement 10000' of the same row", "", PLACEMENT, 1e-6 * record.placement / link, false, NULL},
+        {"'improve' of eleven dominoes for gaps off by 6.4 mm", "s", 60, improve.seconds, false, NULL},
+        {"  the rows that fail then", "%", 5, improve.gaps, false, NULL},
+        {"  the rows that fail with errors of four kinds", "%", 5.2, improve.all, false, NULL},
         {"100,000 lines 'print 2+2', times as long as '2+2' in bc", "x", 1, lines.print, false, NULL},
         {"lines 'rmax 0.4', times as long as the library for both fuels", "x", 1.5, lines.rmax, false, NULL},
         {"a curve of 10,000 points on one core, by the library", "ms", 60, 1e3 * curve.library, false,

@@ -327,6 +327,37 @@ TEST(dominoes_of_a_train)
     }
 }
 
+/* A row of a given number of dominoes is the one that the design has, and its dominoes are those of its
+ * train. */
+TEST(given_number_of_dominoes)
+{
+    struct dom_train train = dom_train_default();
+    const struct dom_wish wish = {
+        .first = 0.048, .height = 8, .safety = 2, .hall = INFINITY, .g = 9.81, .push = NAN};
+    const struct dom_limits limits = {.q = 3, .hall = INFINITY, .heaviest = INFINITY, .grid = 0.001};
+    struct dom_design design, same, whole;
+    train.q = 3;
+    train.mu = 0.3;
+    assert_status(dom_design_find(&train, &wish, NULL, &design), DOM_OK);
+    assert_status(dom_design_steps(&train, &wish, NULL, NULL, design.steps, &same), DOM_OK);
+    assert_true(same.limit == DOM_DESIGN_FITS && same.s == design.s && same.r == design.r);
+    assert_status(dom_design_steps(&train, &wish, NULL, NULL, 3, &same), DOM_OK);
+    assert_int_equal(same.limit, DOM_DESIGN_SAFETY);
+    assert_status(dom_design_steps(&train, &wish, NULL, NULL, 0, &same), DOM_BAD_COUNT);
+    assert_status(dom_design_fit(&train, &wish, &limits, NULL, &whole), DOM_OK);
+    struct dom_domino found[32];
+    assert_in_range(whole.steps, 1, 31);
+    assert_status(dom_design_dominoes(&train, &wish, &limits, &whole, found), DOM_OK);
+    double feet = 0;
+    for (size_t k = 0; k <= whole.steps; k++) {
+        const double mm[] = {1000 * found[k].height, 1000 * found[k].thickness, 1000 * found[k].gap};
+        for (int i = 0; i < 3; i++)
+            assert_true(fabs(mm[i] - round(mm[i])) < 1e-6);
+        feet += found[k].thickness + found[k].gap;
+    }
+    assert_true(found[whole.steps].height == 8 && fabs(feet - whole.feet) < 1e-9 && whole.row >= 2);
+}
+
 TEST(wrong_wishes)
 {
     static const double bad[] = {0, -1, NAN, INFINITY};

@@ -213,6 +213,26 @@ TEST(common_error_is_a_mixture)
     assert_true(fabs((double)count.fall - (double)mixed) < 0.07 * FIXED * EACH);
 }
 
+/* A row of which all fall is changed if it is outside the limits. */
+TEST(limits_of_a_row_that_falls)
+{
+    scene_begin();
+    given[2].gap = 0.45 * given[2].height;
+    placement.error[DOM_ERROR_gap].size = 1e-6;
+    limits.grid = 0.001;
+    assert_int_equal(improve(), DOM_OK);
+    check();
+    assert_int_equal(study[0].fall, ROWS);
+    for (size_t k = 1; k < COUNT; k++)
+        assert_true(is_multiple(found[k].gap, limits.grid));
+    for (size_t k = 1; k + 1 < COUNT; k++)
+        assert_true(is_multiple(found[k].height, limits.grid) &&
+                    is_multiple(found[k].thickness, limits.grid));
+    memcpy(given, found, sizeof found); /* it is within the limits now */
+    assert_int_equal(improve(), DOM_OK);
+    assert_memory_equal(found, given, sizeof found);
+}
+
 /* Checks the length that the limits count, and the mass of a domino whose walls keep their thickness. */
 TEST(lengths_and_masses)
 {
