@@ -58,7 +58,9 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     run -0 "$DOMINO" -n -e "$scene; set method engine; scene"
     [[ $output == *'method is engine'* ]]
     # Trains are still computed by the model.
-    same train "$(json 'rmax')" "$(json 'set method engine; rmax')"
+    same train "$(json 'rmax' | sed 's/"r_start.*//')" "$(json 'set method engine; rmax' | sed 's/"r_start.*//')"
+    # The engine takes too long to find the growth at which a row starts, and rmax says so.
+    [[ $(json 'set method engine; rmax' | values reason) == *'engine'*'rowmax'* ]]
 }
 
 @test "animate and draw show the poses of the engine" {

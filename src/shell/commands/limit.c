@@ -84,12 +84,13 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
 /* If a row that starts from rest needs a smaller growth than a moving train, prints the largest growth with
  * which it starts, and the push that it needs with the session's growth. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
-                           const struct domq_train *train, const struct domq_limit *used, domq_real r_start)
+                           const struct domq_train *train, const struct domq_limit *used,
+                           const struct start_growths *growths)
 {
     struct start start;
     char words[START_WORDS], push[96] = "";
-    bool starts = !isnan(r_start);
-    if (used->ends == DOM_END_NONE || scene_has_engine(query->scene) || r_start >= used->r_max)
+    const domq_real r_start = growths->r_max;
+    if (used->ends == DOM_END_NONE || growths->has_engine || r_start >= used->r_max)
         return true;
     if (train->r <= used->r_max && !(train->r <= r_start)) {
         if (!start_find(query, train, (domq_real)INFINITY, &start, problem))
@@ -99,7 +100,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
                      (double)train->r, (double)start.push);
     }
     start_words(query, words);
-    if (starts)
+    if (!isnan(r_start))
         answer_say(a,
                    "This is for a train that is already moving. A row that starts %s falls with growth up to "
                    "%.6g.%s",
@@ -114,11 +115,13 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
 
 /* Returns why r_start has no value although a moving train has a largest growth. Returns NULL if a sentence
  * of the answer already says why. */
-static const char *start_missing(const struct query *query, const struct answer *a, char reason[START_TEXT])
+static const char *start_missing(const struct query *query, const struct answer *a,
+                                 const struct start_growths *growths, char reason[START_TEXT])
 {
     char words[START_WORDS];
-    if (scene_has_engine(query->scene))
-        return "r_start has no value: the rigid-body engine would take too long to find it";
+    if (growths->has_engine)
+        return "r_start has no value: in the rigid-body engine the search takes too long; 'rowmax' finds it "
+               "for a row";
     snprintf(reason, START_TEXT, "r_start has no value: a row that starts %s does not fall with any growth",
              start_words(query, words));
     return answer_for_people(a) ? NULL : reason;
@@ -134,14 +137,14 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
-    struct start_growths growths = {DOMQ_NAN, DOMQ_NAN};
+    struct start_growths growths = {DOMQ_NAN, DOMQ_NAN, false};
     const char *missing = no_growth(used);
     char reason[START_TEXT];
     if (a->out && !a->sink) {
         if (!missing && !start_growths_find(query, &train, used.r_max, &growths, problem))
             return false;
         if (!missing && isnan(growths.r_max))
-            missing = start_missing(query, a, reason);
+            missing = start_missing(query, a, &growths, reason);
     }
     rmax_say(a, &train, &used);
     answer_row(a,
@@ -149,7 +152,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
                    CELL_OF(exact, r_max), CELL_OF(paper, r_max), cell_unbounded(growths.r_max)),
                missing);
     rmax_fuels_say(a, &train, &used, &exact, &paper);
-    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, growths.r_max);
+    return !answer_for_people(a) || rmax_start_say(query, a, problem, &train, &used, &growths);
 }
 
 static const struct column pair_columns[] = {

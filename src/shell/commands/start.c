@@ -87,9 +87,9 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     struct scene scene = start_scene(query, train, START_SEARCHED);
     struct scene_row made;
     struct domq_row_growth found;
-    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN};
+    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&scene)};
     scene.train.r = 1;
-    if (scene_has_engine(&scene))
+    if (growths->has_engine)
         return true;
     if (!scene_row_make(&scene, &made, problem))
         return false;
@@ -103,10 +103,10 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     free(made.domino);
     if (status != DOM_OK)
         return row_status(query, problem, status);
-    *growths = (struct start_growths){
-        found.r_min, found.r_max < highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
+    growths->r_min = found.r_min;
+    growths->r_max = found.r_max < highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
                          ? round_digits(found.r_max, START_DIGITS, false)
-                         : highest};
+                         : highest;
     if (isnan(found.r_max))
         growths->r_max = DOMQ_NAN;
     return true;

@@ -22,12 +22,15 @@ struct start {
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
-/* Finds the smallest and the largest growth, up to `highest`, at which a row of the train's dominoes starts.
- * Both are NaN if there is no such growth, or if the engine runs rows, which would take too long. Returns
- * false with a problem. */
+/* The smallest and the largest growth at which a row of a train's dominoes starts. Both are NaN if there is
+ * no such growth. */
 struct start_growths {
     domq_real r_min, r_max;
+    bool has_engine; /* true if both are NaN because the rigid-body engine would take too long to find them */
 };
+
+/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. Returns false with a
+ * problem. */
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 
