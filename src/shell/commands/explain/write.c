@@ -108,9 +108,9 @@ static void words_write(const struct writer *w, const struct step *s)
             putc(*c, w->formula.out);
 }
 
-/* A difference of two numbers is taken as their rounding error up to this many times the unit roundoff of the
- * larger number: each of them is the result of a few dozen operations. */
-#define ROUNDINGS 128
+/* A difference of two numbers counts as their rounding error up to this many times the machine epsilon of the
+ * larger number, because each of them is the result of a few dozen operations. */
+#define ROUNDINGS 64
 
 /* Returns true if a value is only the rounding error of the numbers that it comes from, as is the margin at
  * the largest growth. */
@@ -122,7 +122,7 @@ static bool is_rounding(const struct writer *w, const struct step *s)
             largest = quad_larger(largest, quad(fabs)(s->needs[k]->value));
     const enum dom_precision precision = w->derivation->query.scene->compute.precision;
     return s->value != 0 &&
-           quad(fabs)(s->value) <= ROUNDINGS / 2 * (domq_real)domq_arithmetic(precision)->epsilon * largest;
+           quad(fabs)(s->value) <= ROUNDINGS * (domq_real)domq_arithmetic(precision)->epsilon * largest;
 }
 
 /* Writes a value with its unit, which TeX sets in upright letters. */
@@ -130,7 +130,7 @@ static void value_write(const struct writer *w, const struct step *s)
 {
     const char *unit = s->unit;
     if (is_rounding(w, s))
-        fputs(w->tex ? "0" : "0", w->formula.out);
+        fputs("0", w->formula.out);
     else if (isfinite(s->value))
         formula_number(&w->formula, s->value, w->digits);
     else

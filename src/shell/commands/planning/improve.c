@@ -215,8 +215,9 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
 bool run_improve(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct wishes *w = query->given->bound ? query->given->bound : &usual_wishes;
-    struct improved i;
-    if (!improve_row(query, w, a, &i, problem))
+    struct improved i = {.interrupted = false};
+    bool good = improve_row(query, w, a, &i, problem);
+    if (!good && !i.interrupted)
         return false;
     const struct domq_study *s = i.study;
 #define SHARE(value) cell_bound((domq_real)(value), DOMQ_NAN)
@@ -227,5 +228,5 @@ bool run_improve(const struct query *query, struct answer *a, struct problem *pr
                    cell_narrow(i.length, 5)),
                i.interrupted ? "interrupted: the best row so far" : NULL);
 #undef SHARE
-    return true;
+    return good;
 }
