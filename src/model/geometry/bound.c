@@ -15,7 +15,7 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    /* As in geometry_contact, the slope is 1 - r L x / Y here, in which errors of Y matter little. */
+    /* Here geometry_contact computes the slope as 1 - r L x / Y. In this form, errors of Y matter little. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;
@@ -37,8 +37,8 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *b)
 {
-    /* The rounding errors of X and Y are each at most 4 rounding units times the sum of their positive
-     * terms. */
+    /* The rounding error of X is at most 4 rounding units times the sum of the positive terms of X. The same
+     * holds for Y. */
     real made_of = geometry->r * (geometry->s + geometry->L * leader->tilt.v);
     real contact = 4 * UNIT * leader->contact.Y * (made_of + fabs(leader->contact.X));
     b->angle = leader->step * b->angle + contact + 5 * UNIT * follower->tilt.x;

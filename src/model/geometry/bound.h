@@ -13,14 +13,14 @@ struct bound {
     real angle;        /* error bound of theta_i */
     real Y, arm, step; /* error bounds of struct contact, between domino i and its follower */
     real slope;        /* error bound of theta_i' */
-    real weight;       /* relative error bound of r^(-q i); that of r^(-(q+1) i) is `inertia` */
-    real inertia;
+    real weight;       /* relative error bound of r^(-q i) */
+    real inertia;      /* relative error bound of r^(-(q+1) i) */
 };
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
 /* Replaces the bounds of domino i by those of domino i + 1. `leader` is the link of domino i, and `follower`
- * that of domino i + 1, after link_next. */
+ * is the link of domino i + 1, which link_next has made. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
@@ -34,7 +34,7 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
                                 real angle_b, real t, real t_error);
 
 /* Returns an error bound of tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
- * the corresponding tangent of the leaders, and t_error its error bound (energy_change_between). */
+ * the tangent for the tilts of a and b themselves, with the error bound t_error (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 

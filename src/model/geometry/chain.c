@@ -37,8 +37,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* In an upright train domino b->i has no follower. It detaches when domino b->i - 1 reaches
-     * theta_leave. */
+    /* In an upright train, the follower of domino b->i has already detached. Domino b->i itself detaches when
+     * domino b->i - 1 reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);

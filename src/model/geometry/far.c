@@ -36,8 +36,8 @@ static void far_follower(const struct geometry *geometry, int order, real *f)
     }
 }
 
-/* Returns an upper bound of the omitted terms, divided by (z / radius)^order. It is estimated from the last
- * coefficients. */
+/* Returns a factor which, multiplied by (z / radius)^order, is an upper bound of the omitted terms. The
+ * factor is estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -66,8 +66,8 @@ static real far_radius(const struct geometry *geometry)
 #define FAR_COST 2
 #define FAR_CUBE 100
 
-/* Returns the order of the series for which `passes` passes down this train cost least, or 0 if no series
- * saves time. */
+/* Returns the order of the series with which the given number of passes down this train costs the least time,
+ * or 0 if no series saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
     real slope = 1 - geometry->rL * geometry->inf.x, fades = log(geometry->rq),
@@ -113,7 +113,7 @@ KERNEL void far_make(struct geometry *geometry, real passes)
     real *const H = far->H, *const J = far->J;
     far_follower(geometry, n + 1, f);
     far->radius = far_radius(geometry);
-    /* h is a cos u + b sin u with u = 2 atan z, whose first coefficients are 2 b and -2 a. */
+    /* h is a cos u + b sin u with u = 2 atan z. As a series in z, it begins with a + 2 b z - 2 a z^2. */
     H[0] = 0;
     for (int k = 1; k <= n; k++)
         H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
@@ -131,8 +131,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* At step j, `power` holds f^j and `squares` holds f'^2 f^(j-1). By then H[j] and J[j - 1] lack only the
-     * term that contains the coefficient itself, which the division accounts for. */
+    /* At step j, `power` holds f^j and `squares` holds f'^2 f^(j-1). At that point, H[j] and J[j - 1] lack
+     * only the term that contains the coefficient itself. The division accounts for this term. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

@@ -29,8 +29,8 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if the error `rest` is below the tolerance of the whole sum, that is of the terms added so far
- * plus `tail`, which may cancel. */
+/* Returns true if the error `rest` is below the tolerance of the whole sum. The whole sum consists of the
+ * terms added so far and of `tail`, and these two may cancel. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
@@ -62,7 +62,8 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    real one = 1 + z * z; /* the series is that of J / one^2, and d one / dtheta is -z one */
+    /* the series is that of J / one^2, and the derivative of `one` with respect to theta is -z one */
+    real one = 1 + z * z;
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};
 }

@@ -39,9 +39,10 @@ struct far {
 };
 
 /*
- * The sums A, B and C of struct equation_of_motion over the far tail of a train whose first domino leans at
- * theta_inf - e: each is A[0] - A[1] e + A[2] e^2 / 2. B holds only the part that has the factor theta_i'^2
- * of this first domino i. The other part is theta_i'' times A[], just as A is theta_i' times A[].
+ * The sums A, B and C of struct equation_of_motion over the far tail of a train, as functions of e, where the
+ * first domino i of the tail leans at theta_inf - e. The members stand for quadratic functions, such as A(e)
+ * = A[0] - A[1] e + A[2] e^2 / 2. The sum A is theta_i' A(e), and the sum B is theta_i'^2 B(e) + theta_i''
+ * A(e).
  */
 struct far_friction {
     real A[3], B[3], C[3];
@@ -81,7 +82,7 @@ struct geometry {
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
-    /* 1 - r^2 s^2; equal to leave_by times v of the leader's tilt at which its follower detaches. */
+    /* 1 - r^2 s^2. A follower detaches where leave_by times v of its leader equals this number. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
@@ -130,8 +131,8 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 
 /*
  * Returns the sum of the absolute values of the terms of dh/dtheta, each of which has a few rounding errors.
- * On a slope h.x and h.y are themselves sums. Their terms then count separately, and twice, since the sine
- * and cosine of the slope are rounded too.
+ * On a slope, h.x and h.y are themselves sums. Each term of these sums then counts twice, since the sine and
+ * cosine of the slope are rounded too.
  */
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
@@ -159,9 +160,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest scale of tilts at the beginning of a cycle. This is theta_u, or, if it is smaller, the
- * tilt of the head at which a follower that began near pi/2 has come down. With edges of radius d/2, theta_u
- * is 0 and does not count.
+ * Returns the smallest scale of tilts at the beginning of a cycle. This is theta_u or, if that is smaller,
+ * the tilt of the head at which a follower that began near pi/2 has come down. With edges of radius d/2,
+ * theta_u is 0 and does not count.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -171,7 +172,8 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
-/* Return theta_u, at which a single domino tips over; tan(theta_u / 2); and h(theta_u) - h(0). */
+/* These functions return theta_u, the tilt at which a single domino tips over, then tan(theta_u / 2), and
+ * h(theta_u) - h(0). */
 KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
@@ -202,7 +204,7 @@ KERNEL real tilt_angle(struct tilt t)
     return atan2(t.x, t.y);
 }
 
-/* Returns the tilt for p = tan(theta / 2). Searches use p as their variable, since it needs no trigonometry
+/* Returns the tilt for p = tan(theta / 2). Searches use p as their variable, since p needs no trigonometry
  * and keeps the digits of small tilts. */
 KERNEL struct tilt tilt_half(real p)
 {

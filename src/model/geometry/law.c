@@ -17,7 +17,8 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* expm1(log) would lose digits where r^q is large, and the difference where r^q is near 1. */
+    /* Where r^q is large, expm1 of the logarithm would lose digits; where r^q is near 1, the difference
+     * would. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
@@ -64,8 +65,8 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (24; c6) can be as small as r^-(2q+1). Beyond this limit it would lose its digits.
-     */
+    /* The kinetic energy (24; c6) can be as small as r^-(2q+1). It must not come so close to underflow that
+     * it loses digits. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;

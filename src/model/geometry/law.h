@@ -46,7 +46,8 @@ struct moving {
 enum pass {
     PASS_PLAIN = 0,
     PASS_ERROR = 1, /* bounds of the errors */
-    PASS_SHIFT = 2, /* the head is at theta_c, where each domino has the tilt that its follower had at 0 */
+    /* the head is at theta_c, and each domino has the tilt with which its follower began */
+    PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
     PASS_PUSHES = 8,            /* whether all contacts are proved to push */
 };
@@ -101,8 +102,8 @@ struct contact_law {
 
     /* ---- Passes down a chain ---- */
 
-    /* Finds a number with the sign of H1, correct to rounding, from only as many dominoes as the sign
-     * needs. */
+    /* Finds a number with the sign of H1, unless rounding errors hide the sign. Visits only as many dominoes
+     * as the sign needs. */
     enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
@@ -114,8 +115,8 @@ struct contact_law {
      * may detach between the two tilts. */
     enum dom_status (*change_from)(const struct geometry *geometry, struct tilt from, struct tilt head,
                                    enum pass pass, struct sums *sums);
-    /* Finds J, H1 and H(head) - H(from), where `head` is `from` turned by the angle `by`, which may be too
-     * small to change the tilt. */
+    /* Finds J, H1 and H(head) - H(from), where `head` is `from` turned by the angle `by`. The angle may be so
+     * small that `head` and `from` round to the same tilt. */
     enum dom_status (*change_by)(const struct geometry *geometry, struct tilt from, struct tilt head, real by,
                                  struct sums *sums);
     /* Finds the sums at `head`, including H2, and the sums at theta_c, for an endless train from which no

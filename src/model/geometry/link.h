@@ -66,9 +66,9 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
 }
 
 /*
- * Returns the ratio of t = tan((theta_a - theta_b) / 2) of a follower to t of its leader, for two tilts a and
- * b of the leader: (1 - G) / (1 + t^2 G) of energy_change_between. Computing 1 - G from the arms keeps its
- * digits.
+ * For a leader with the two tilts a and b, returns the ratio of t = tan((theta_a - theta_b) / 2) of its
+ * follower to t of the leader itself. This ratio is (1 - G) / (1 + t^2 G), as in energy_change_between. 1 - G
+ * is computed from the arms, so that it keeps its digits.
  */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {

@@ -6,8 +6,8 @@
 
 #include "numerics/real.h"
 
-/* Returns the largest gap that a head with edges of radius rho reaches. Both lengths are relative to its
- * height. */
+/* Returns the largest gap that a head with edges of radius rho reaches. Both lengths are relative to the
+ * height of the head. */
 KERNEL real reach_span(real rho)
 {
     return 1 - 2 * rho + rho * PI / 2;

@@ -32,7 +32,8 @@ struct row_request {
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];
     bool floor;
-    bool carries_on; /* a domino that stops is given the energy that it needs, so that the row runs on */
+    /* true if a domino that stops is given the energy that it needs, so that the row continues */
+    bool carries_on;
     DOM_COMPUTE_PARAMETERS(MEMBER)
     enum dom_precision precision;
     struct dom_work *work;

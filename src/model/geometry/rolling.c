@@ -136,13 +136,13 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 
 /*
  * Returns the difference between the tilts of the followers of a and b; `apart` is the difference between the
- * tilts of a and b themselves. Subtracting the contact equations of a and b gives an equation for the
- * difference D of their turns,
+ * tilts of a and b themselves. Subtracting the contact equations of a and b gives an equation for D, the
+ * difference between the turns of a and b,
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
- * where every term of R has the small factor `by`. The direct difference of the turns, which has lost digits,
- * is used only for tan(D/2) / D.
+ * where every term of R has the small factor `by`. Subtracting the two turns directly loses digits, so that
+ * difference is used only for tan(D/2) / D.
  */
 static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -175,11 +175,11 @@ static real least_product(real a, real lo, real hi)
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - more [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x],
  *
- * where the square bracket is between -2 and 1.16. The first two terms are a weighted mean of y Q and d.
- * Where y Q < d/2, x is large, and so is p >= x (M - rho_1 turn)/b. The decrease of the arm of the leader
- * contains the same terms with p instead of p^2. So slope and turn decrease, too, and all terms are bounded
- * by their values at a and b. The condition for a is that of sharp edges, with R i/i_1 instead of R, and with
- * a term for a foot that rolls down a slope.
+ * where the expression in square brackets is between -2 and 1.16. The first two terms are a weighted mean of
+ * y Q and d. Where y Q < d/2, x is large, and p is large too, because p >= x (M - rho_1 turn)/b. The decrease
+ * of the arm of the leader contains the same terms with p instead of p^2. So slope and turn decrease, too,
+ * and all terms are bounded by their values at a and b. The condition for a is that of sharp edges, with R
+ * i/i_1 instead of R, and with a term for a foot that rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
@@ -233,8 +233,8 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* Finds the sums of a chain and its difference of H to another chain, whose heads are `by` apart, as
- * energy_change_between does for sharp edges. */
+/* Finds the sums of one chain, and how much its H exceeds that of another chain. The heads of the two chains
+ * are the angle `by` apart. For sharp edges, energy_change_between does the same. */
 static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real by, enum pass pass, struct sums *sums)
 {

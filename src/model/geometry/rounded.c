@@ -127,7 +127,7 @@ static struct tilt tilt_of(real theta)
     return tilt_make(sin(theta), cos(theta));
 }
 
-/* The turn is near pi/2, and found by turn_near_reach, if G is at least this fraction of l + c. */
+/* If G is at least this fraction of l + c, the turn is so near to pi/2 that turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
 /* Returns E of turn_near_reach, which is 0 at the turn pi/2, where the follower is perpendicular to its
@@ -161,7 +161,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     };
 }
 
-/* Returns the result of rolling_here, but is not inlined. Code outside of the loops calls this function. */
+/* Does the same as rolling_here, but is not inlined. Code outside of the loops calls this function. */
 static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
 {
     return rolling_here(geometry, leader, theta);
@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* The number of dominoes that geometry->n counts before this one. In a row there is none, since n counts
-     * from this domino on. */
+    /* How many of the dominoes in geometry->n come before this one: 0 in a row, where n counts from this
+     * domino on. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);

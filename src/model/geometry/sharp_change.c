@@ -117,8 +117,8 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is the ratio of the next
- * t to t. */
+/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is the ratio of t of the
+ * next pair to t of this pair. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);

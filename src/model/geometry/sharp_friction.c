@@ -5,8 +5,9 @@
 #include "geometry/law.h"
 
 /*
- * The series follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the corresponding equations for
- * B and C. These equations are differentiated twice at theta_1 = theta = theta_inf, where X = 0 and Y = 1.
+ * The series of far_friction follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the
+ * corresponding equations for B and C. These equations are differentiated twice at theta_1 = theta =
+ * theta_inf, where X = 0 and Y = 1.
  */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
@@ -55,8 +56,8 @@ static void friction_count(const struct geometry *geometry, size_t n)
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    /* Rounding error of S in units of the unit roundoff. It exceeds 1 where b = Y + mu X cancels, since X <
-     * 0. */
+    /* Rounding error of S in units of the unit roundoff. It exceeds 1 where X < 0, because b = Y + mu X then
+     * cancels. */
     real noise;
     /* True if some follower lies so flat that the contact force passes on the wrong side of its hinge: b <=
      * 0. */
@@ -82,8 +83,8 @@ static void drive_add(const struct friction_link *k, struct series *C)
 
 /*
  * Returns true when the tail of C can be left out at the tolerance; friction_done does this for all three
- * sums. `decay` is a lower limit of the ratio of the terms, since dominoes far down the train pass on no more
- * than those near the end of an endless train.
+ * sums. The ratio of later terms is assumed to be at least `decay`, the ratio at the end of an endless train,
+ * since the ratio may still increase to that value.
  */
 static bool drive_done(const struct friction_link *k, struct series *C, real tol)
 {
@@ -117,8 +118,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* If this domino is so near to theta_inf that the last term of the series does not matter, adds it and all
- * dominoes behind it to C, and returns true. */
+/* If this domino is so near to theta_inf that the last term of the series does not matter, adds the
+ * contributions of this domino and of all dominoes behind it to C, and returns true. */
 static bool drive_closes(const struct friction_link *k, struct series *C, real tol)
 {
     const struct link *link = &k->link;

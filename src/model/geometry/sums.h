@@ -11,7 +11,8 @@ struct sums {
     /* d2H/dtheta2, only with PASS_SECOND_DERIVATIVE. It is less accurate than the other sums: its rounding
      * errors are not compensated, and its tail is bounded only through H1. */
     real H2;
-    /* H(theta) - H(0), or H(theta) - H at another tilt. Only from passes that compare two tilts. */
+    /* H(theta) - H(0), or the difference between H at theta and H at another tilt. Set only by passes that
+     * compare two tilts. */
     real dH;
     real left;   /* the part of dH due to a follower that has detached during the cycle */
     size_t n;    /* number of dominoes in the sums */
@@ -21,8 +22,8 @@ struct sums {
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms: the scale of the rounding errors. Larger where an arm b
-     * cancels. */
+    /* Sums of the absolute values of all terms, from which the rounding errors are estimated. They are
+     * increased where an arm b cancels. */
     real A_size, B_size, C_size;
     /* True if no acceleration is consistent with the forces (Painleve): A <= 0, or the arm b of a follower is
      * <= 0. */
