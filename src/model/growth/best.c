@@ -11,7 +11,7 @@
 #include "growth/limit.h"
 
 #define BEST_RATIO    ((real)0.9) /* ratio of one sample of s to the next larger one */
-#define BEST_PATIENCE 8           /* sampling ends after this many lower samples in succession */
+#define BEST_PATIENCE 8           /* sampling ends after so many successive samples with a lower r_max */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
 #define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* narrowest interval before a growth is found */
@@ -272,8 +272,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     const real span = c->geometry.span;
     real s = b->s, low = 0, high = 0, width;
     c->geometry.tol = (real)c->train->tol;
-    /* Widens the interval around s until r_max is lower at both ends, and first moves it to the end with the
-     * larger r_max. */
+    /* If r_max is larger at an end of the interval around s, moves s to that end. Otherwise widens the
+     * interval, until r_max is lower at both ends. */
     for (width = b->finest / 2; c->status == DOM_OK && width < (real)0.5; width *= 2) {
         low = rmax_at(s * (1 - width), c);
         high = s * (1 + width) <= span ? rmax_at(s * (1 + width), c) : 0;
@@ -356,9 +356,9 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 
 /*
  * Finds the error bounds of s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
- * At a smooth maximum the slope of the margin is 0: the error of the slope that rounding, tol and the rule
- * cause, divided by the derivative of the slope, bounds the error of s. At a kink or a jump, s is bracketed
- * to tol, or to 1e-8 if tol is less. The error of r_max includes its change over the error of s.
+ * At a smooth maximum the slope of the margin is 0. Rounding, tol and the rule each add to the error of this
+ * slope. That error, divided by the derivative of the slope, is the error bound of s. At a kink or a jump, s
+ * is bracketed to tol, or to 1e-8 if tol is less. The error of r_max includes its change over the error of s.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {
@@ -382,8 +382,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* The rule has 256 times the error if the step is doubled. The absolute weights of the rule add up to
-         * 1750 / (840 h). */
+        /* If the step is doubled, the error of the rule is 256 times as large. The absolute weights of the
+         * rule add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error of r changes the slope as well. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;

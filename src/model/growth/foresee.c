@@ -2,8 +2,8 @@
 /*
  * Finds a root of the margin first, and then proves that it is the first root. Starting from a guess,
  * Newton's method finds the root in a few passes. If the margin is known to decrease over a strip of growths
- * that ends at the root, and to be positive over one or two strips below, no other root comes before. These
- * few strips take the place of the many that a scan upwards from r = 1 needs.
+ * that ends at the root, and to be positive over the one or two strips before that strip, there is no smaller
+ * root. These few strips take the place of the many that a scan upwards from r = 1 needs.
  */
 #include "growth/limit.h"
 
@@ -24,7 +24,7 @@ struct root_point {
 };
 
 /* The state of a search for a root of the margin, which is positive at lo and negative at hi. at[2] is the
- * last point, and `known` is the number of valid points. */
+ * newest point, and `known` is the number of valid points. */
 struct root_search {
     real lo, hi;
     struct root_point at[3];
@@ -47,8 +47,8 @@ static void root_add(struct root_search *s, struct root_point point)
 
 /*
  * Returns the root of the straight line through two points. Close to the root of the margin, margin_share is
- * less curved than the margin itself; far from it margin_share is almost constant, near 1 or -1, so the
- * margin is used.
+ * less curved than the margin itself; far from the root, margin_share is almost constant, near 1 or -1, so
+ * the margin is used instead.
  */
 static real root_line(const struct root_point *a, const struct root_point *b)
 {
@@ -68,7 +68,7 @@ static real root_inside(const struct root_search *s, real r)
     return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
 }
 
-/* Returns the next growth to try: by inverse interpolation through the last points, or the middle of the
+/* Returns the next growth to try: by inverse interpolation through the newest points, or the middle of the
  * bracket. */
 static real root_next(const struct root_search *s, const struct margin_context *c)
 {
@@ -117,13 +117,13 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
-        /* The error after a step is roughly the product of the last two errors, divided by a length that the
-         * last steps show. */
+        /* The error after a step is roughly the product of the two errors before it, divided by a length that
+         * can be estimated from the previous steps. */
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        /* If the second point was given, its error is unrelated to the first step. The steps do not show the
-         * length then, and r / 16 is used instead. */
+        /* If the caller gave the second point, the error of that point is unrelated to the first step. The
+         * length cannot be estimated then, and r / 16 is used instead. */
         bool given = s->known == 2 && second > 0;
         bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;
@@ -151,7 +151,7 @@ KERNEL enum dom_status root_between(struct margin_context *c, const struct edge 
  * largest relative error that the approximate root may have. */
 #define ROOT_ASIDE ((real)1e-5)
 
-/* Follows the maximum of H near an approximate root to the root. */
+/* Finds the root near an approximate root, by following the maximum of H. */
 static enum dom_status root_followed(struct margin_context *c, real near, real *root)
 {
     struct root_search s = {.lo = near * (1 - 2 * ROOT_ASIDE),
@@ -184,16 +184,16 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
  * at the root. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns the separation divided by the thickness, minus 2 d^2 / (1 - d^2), the ratio at which a train of
- * equal dominoes has no fuel; 0 if that is negative. */
+/* Returns s / d - 2 d^2 / (1 - d^2), or 0 if this difference is negative. A train of equal dominoes has no
+ * fuel if the difference is 0. */
 static real root_room(const struct margin_context *c)
 {
     const real d = c->geometry.d;
     return fmax(c->s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Returns an estimate of the root, whose logarithm is correct to a few percent for the trains that people
- * build. The coefficients are fitted to computed roots. */
+/* Returns an estimate of the root. For the trains that people build, the logarithm of the estimate is correct
+ * to a few percent. The coefficients are fitted to computed roots. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(c->geometry.d, (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -217,8 +217,8 @@ static real root_slope(const struct margin_context *c)
 /*
  * Estimates a root close to the reach, from the kinetic energy at the reach. Where r s is nearly 1, all
  * followers have detached when the head is at theta_u, the tilt of the barrier. On the way only domino 1 has
- * moved, from theta_c to theta_f, and the energy it released reduces the barrier. To first order in sqrt(1 -
- * r s) the barrier is
+ * moved, from theta_c to theta_f, and the energy that it released reduces the barrier. To first order in
+ * sqrt(1 - r s) the barrier is
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
@@ -250,9 +250,9 @@ static real down_first(real whole)
 /*
  * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
  * root, or up to the reach if the margin is positive there; *down is the root if no strip shows that the
- * margin is positive. Proceeds downwards strip by strip without computing any margin. Over the first strip
- * the margin decreases. For each later strip, a lower bound of the margin and an upper bound of the barrier
- * at its upper end are known from the strips above.
+ * margin is positive. Proceeds downwards strip by strip without computing any margin. The margin is known to
+ * decrease over the first strip. At the upper end of each later strip, a lower bound of the margin and an
+ * upper bound of the barrier are known from the strips before it.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {

@@ -8,9 +8,10 @@
 #include "growth/limit.h"
 
 /*
- * Finds the error bound of a root of the margin: the margin that remains at the root, plus its error, divided
- * by the slope of the margin in r. The slope is a difference quotient over an interval that ends at or before
- * the reach and is wide enough for the difference to exceed the errors of both margins.
+ * Finds the error bound of a root of the margin. The bound is the sum of the margin that remains at the root
+ * and of the error of that margin, divided by the slope of the margin in r. The slope is a difference
+ * quotient over an interval that ends at or before the reach and is wide enough for the difference to exceed
+ * the errors of both margins.
  */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error)
 {
@@ -145,7 +146,8 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     struct edge edge;
     bool any;
     *found = no_limit;
-    /* (5; b0): below this growth domino 1 has not yet tipped over when it hits the next domino. */
+    /* If the growth is smaller than this, domino 1 has not yet tipped over when it hits the next domino (5;
+     * b0). */
     real tips = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1);
     if (tips > c->geometry.span / c->s)
         return DOM_OK;

@@ -44,8 +44,9 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /*
  * Estimates a root for an endless train without friction, finds it, and proves that it is the first root
- * after *from; or proves that there is none up to the reach, which is then *root. If *found is false, *from
- * may have been moved up, and the margin is positive up to the new *from.
+ * after *from. If there is no root up to the reach, proves that, and sets *root to the reach. If *found is
+ * false, nothing was proved about roots after *from; *from may have been moved up, and the margin is positive
+ * up to the new *from.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 
@@ -87,7 +88,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
 /* Finds the error bound of r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
-/* Starts to count the work of a search. The search ends with DOM_TOO_LONG if its work exceeds the limit. */
+/* Starts counting the work of a search. The search ends with DOM_TOO_LONG if its work exceeds the limit. */
 KERNEL void limit_begin(struct margin_context *c);
 
 #endif

@@ -2,7 +2,7 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* The approximate number of passes that use the far tail computed for one growth. */
+/* The approximate number of passes at one growth, all of which use the same series for the far tail. */
 #define FAR_PASSES 2
 
 /* Finds the barrier with which the kinetic energy is compared, by the method c->how. `near` holds the sums at
@@ -31,8 +31,8 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* Unless Newton's method finds the maximum, the error of its height is of the second order in the
-         * error of the tilt. */
+        /* With friction, Newton's method cannot find the maximum. The error of the height is then only of
+         * second order in the error of the tilt, so the tilt needs a finer tolerance. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -178,8 +178,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     c->how = MARGIN_SURE;
     /*
      * The tolerance is refined as in barrier_verdict: the difference of two nearly equal numbers must be
-     * known to the same relative tolerance as they are, so that the verdict does not depend on the tolerance.
-     * If the arithmetic does not allow a finer tolerance, the last result stands.
+     * known to the same relative tolerance as the numbers themselves, so that the verdict does not depend on
+     * the tolerance. If the arithmetic does not allow a finer tolerance, the last result stands.
      */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
@@ -232,7 +232,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even finer sums could not resolve the sign */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* not even finer sums could resolve the sign */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

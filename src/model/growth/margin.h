@@ -11,7 +11,7 @@
 /* The kinetic energy after a collision or a push, and the barrier. */
 struct margin {
     real kinetic, barrier;
-    bool most;   /* `barrier` is only an upper bound */
+    bool most;   /* true if `barrier` is only an upper bound */
     real unsure; /* error of the barrier if it exceeds the tolerance (`unsure` in struct dynamics) */
     real error;
 };
@@ -71,10 +71,8 @@ KERNEL real margin_at(real r, void *context);
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */
 KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 
-/*
- * Returns the margin, as precisely as its sign requires. The kinetic energy and the barrier each have a
- * tolerance; the tails of all sums together use up less than half of it.
- */
+/* Returns the margin, as precisely as its sign requires. The kinetic energy and the barrier are each computed
+ * to a tolerance, of which the tails of all sums together use up less than half. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
 /* Returns the margin as margin_sign does, but if the margin is positive, its barrier is correct to the
@@ -83,8 +81,8 @@ KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
  * margin_follow returns margin_share at r, which is less curved than the margin near a root. It begins its
- * search for the maximum of H at the maximum that it found last, and computes only as many digits as a root
- * search needs, whose next step nearly squares margin_share. Call margin_follow_begin first.
+ * search for the maximum of H at the maximum that the call before has found. It computes only as many digits
+ * as a root search needs, whose next step nearly squares margin_share. Call margin_follow_begin first.
  */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);

@@ -25,8 +25,8 @@ static real probe_place(real span, real s, int k)
 
 /*
  * The margin is taken to keep its sign between two samples if it exceeds this multiple of its deviation from
- * a straight line between them. For a parabola, the deviation over an interval is a quarter of that over an
- * interval of twice the length.
+ * a straight line between them. For a parabola, the deviation over an interval is a quarter of the deviation
+ * over an interval of twice the length.
  */
 #define PROBE_SAFETY 3
 

@@ -2,8 +2,11 @@
 #include "growth/limit.h"
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
-/* Relative errors of the barrier: the one that a scan accepts from margin_sign, and the finer one of
- * scan_sure. SCAN_CLOSE is the relative width at which scan_close hands over to a root search. */
+/*
+ * SCAN_ROUGH and SCAN_FINE are relative errors of the barrier: the error that a scan accepts from
+ * margin_sign, and the smaller error of scan_sure. SCAN_CLOSE is the relative width at which scan_close hands
+ * over to a root search.
+ */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
@@ -34,8 +37,8 @@ static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
     return c->status;
 }
 
-/* Returns (1 + k) r [k / (1 + k)]^2, the kinetic energy of the pair divided by that of the push (15; b11). It
- * decreases with r. */
+/* Returns (1 + k) r [k / (1 + k)]^2, the kinetic energy of the pair divided by that of the push (15; b11).
+ * This ratio decreases with r. */
 static real pair_velocity_ratio(const struct geometry *geometry)
 {
     real k = geometry->inertia;
@@ -127,8 +130,8 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Estimates where between lo and below the margin is 0, as a fraction of the distance. `pull` reduces the
- * weight of the margin at below. */
+/* Estimates where the margin is 0 between lo and `below`, as a fraction of the distance from lo to `below`.
+ * `pull` reduces the weight of the margin at `below`. */
 static real scan_share(const struct edge *lo, const struct edge *below, real pull)
 {
     real up = margin_value(&lo->margin), down = -margin_value(&below->margin) * pull,
@@ -139,7 +142,8 @@ static real scan_share(const struct edge *lo, const struct edge *below, real pul
     return fmin(fmax(K_below > 0 ? share : (real)0.5, (real)0.1), (real)0.9);
 }
 
-/* State of a search: the margin is positive up to lo, and negative at `below` once such a growth is known. */
+/* The state of a search. The margin is positive up to lo. `below` is a growth at which the margin is
+ * negative, once one has been found. */
 struct scan {
     struct edge lo, below;
     real step;  /* the next step to try, in ln r */
@@ -154,7 +158,7 @@ static real scan_finest(const struct margin_context *c, const struct scan *scan)
            exp((real)0.7 * (real)(scan->strips > 1500 ? (scan->strips - 1500) / 100 : 0));
 }
 
-/* Narrows the interval between lo and below until the root in it can only be the first root. */
+/* Narrows the interval from scan->lo to scan->below until the root in it can only be the first root. */
 static enum dom_status scan_close(struct margin_context *c, struct scan *scan, real *r)
 {
     struct edge *lo = &scan->lo, *below = &scan->below, next;
@@ -182,9 +186,10 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
 }
 
 /*
- * Sets *below to true if the margin is negative over a whole strip, at whose lower end it is known to be
- * negative. This is certain if domino 1 has not tipped over at hi. Otherwise the upper bound of K must be
- * below the lower bound of the barrier, or the margin must be unable to rise to 0 within the strip.
+ * Sets *below to true if the margin, which is known to be negative at the lower end of a strip, is certainly
+ * negative over the whole strip. The margin is negative if domino 1 has not tipped over at hi. Otherwise the
+ * upper bound of K must be below the lower bound of the barrier, or the margin must be unable to rise to 0
+ * within the strip.
  */
 static enum dom_status scan_below(struct margin_context *c, const struct edge *lo, real hi, bool *below)
 {

@@ -65,8 +65,8 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
     u->next = u->inertia * u->slope * u->slope * ratio / (1 - ratio);
 }
 
-/* Sums over the followers, as bounds for all trains of a strip. In a strip of separations, d / ds takes the
- * place of d / d ln r. */
+/* Sums over the followers. Each sum is a bound for all trains of a strip. In a strip of separations, d / ds
+ * takes the place of d / d ln r. */
 struct strip_sums {
     real least, most;              /* lower and upper bound of the fuel */
     real advance;                  /* upper bound of d theta_i(0) / d ln r */
@@ -78,8 +78,8 @@ struct strip_sums {
     real tilt;                     /* upper bound of the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound over the strip of d theta_1 / d ln r, or of d theta_1 / ds in a strip of
- * separations: its value at hi for the smallest tilt of the leader. */
+/* Returns an upper bound of d theta_1 / d ln r over the strip or, in a strip of separations, of d theta_1 /
+ * ds. The bound is the value at hi for the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);
@@ -87,8 +87,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound over the strip of the derivative that strip_advance bounds: its value at lo for the
- * largest tilt of the leader. */
+/* Returns a lower bound of the same derivative as strip_advance over the strip. The bound is the value at lo
+ * for the largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -131,8 +131,9 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 
 /*
  * Finds a lower bound of the head's tilt at the maximum of H, for those trains whose barrier is at least
- * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus what the first follower
- * has lost. This loss increases with the tilt of the head, and is at least 1 / grows of the loss at hi.
+ * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus the energy that the first
+ * follower has lost. This loss increases with the tilt of the head, and is at least 1 / grows of the loss at
+ * hi.
  */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
@@ -222,9 +223,9 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 
 /*
  * Returns an upper bound of the head's tilt at the maximum of H of every train in the strip: theta_u, or less
- * if the first follower pulls. At the maximum d cos - sin = sum r^-qi theta_i' g(theta_i). None of these
- * terms is negative. The first is at least the product of lower bounds of its factors, each of which comes
- * from one end of the strip, with theta_1' at the largest tilt.
+ * if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi theta_i' g(theta_i). None
+ * of these terms is negative. The first is at least the product of lower bounds of its factors, each of which
+ * comes from one end of the strip, with theta_1' at the largest tilt.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -308,7 +309,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Below the second number in this maximum, a rounded chain comes to rest before its end. */
+        /* Because of rounding errors, the computed chain stops moving before its end. The second number in
+         * this maximum allows for that. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
@@ -352,10 +354,11 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 
 /*
  * The drop of follower i beyond theta_u is the integral of w^i theta_i' g(theta_i) over theta. For every
- * train in the strip it is at least the drop at hi divided by `grows`, since theta_i' and w^i are at least as
- * large as at hi, and g(theta_i) is smaller by no larger factor than with an upright head, because h/g and d
- * theta_i / dr decrease with theta. The part of the head's rise that the drops do not compensate is at most
- * `most`. If a follower is before theta_u, the slope of the barrier gives the bound.
+ * train in the strip, this drop is at least the drop at hi divided by `grows`: theta_i' and w^i are at least
+ * as large as at hi, and the factor by which g(theta_i) is smaller is largest when the head is upright,
+ * because h/g and d theta_i / dr decrease with theta. The part of the head's rise that the drops do not
+ * compensate is at most `most`. If a follower has not yet reached theta_u, the slope of the barrier gives the
+ * bound.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {

@@ -21,10 +21,8 @@ struct strip {
     /* Bounds of K over the strip. kinetic_least is a bound only if it is positive, and kinetic_most is
      * infinite if it is unknown. */
     real kinetic_least, kinetic_most;
-    /*
-     * Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g = sin - d cos.
-     * Infinite if a follower is before theta_u.
-     */
+    /* Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g(theta) = sin
+     * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
     real grows;
     /* Upper bound of the energy that the followers after those included in `grows` can still lose. */
     real cut;
@@ -39,8 +37,8 @@ struct strip {
 
 /*
  * Computes the bounds for the trains between lo and hi, without friction; hi has the larger r, or the larger
- * s. The walk down the chains ends as soon as K > enough is known for all trains. tol is the relative error
- * of K that leaving out the tails of the chains may cause.
+ * s. The walk down the chains ends as soon as K > enough is known for all trains. tol is the largest relative
+ * error of K that may be caused by leaving out the tails of the chains.
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);
