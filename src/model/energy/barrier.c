@@ -8,9 +8,9 @@
 #include "energy/barrier.h"
 
 /*
- * The number of samples in each smooth piece, dense up to theta_u. For 1,000,000 random trains, 8 samples
- * found every maximum that 150 samples in each piece found. tests/unit/test_barrier.c repeats the comparison
- * with fewer trains.
+ * The number of samples in each smooth piece (see barrier_scan). For 1,000,000 random trains, 8 samples found
+ * every maximum that 150 samples in each piece found. tests/unit/test_barrier.c repeats the comparison with
+ * fewer trains.
  */
 #define BARRIER_SAMPLES 8
 
@@ -54,15 +54,16 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
     return status;
 }
 
-/* The state of the search for one top, that is a maximum of H, in the bracket [lo, hi] of p = tan(theta /
- * 2). */
+/* The state of the search for one top (a local maximum of H), where p = tan(theta / 2) is in the bracket [lo,
+ * hi]. */
 struct top {
     real lo, hi;
-    /* Whether H is known to increase at lo, and to decrease at hi. If not, the top may be at that end. */
+    /* True if H is known to increase at lo, and to decrease at hi. Where that is not known, the top may be at
+     * the end itself. */
     bool rises, falls;
     real p; /* the next p to try */
-    /* tan of half the angle by which the head leans backwards at the start, where p is negative. Added to |p|
-     * in relative changes of p, since p may be 0 inside the bracket. */
+    /* tan of half the angle by which the head leans backwards at the start, where p is negative. Changes of p
+     * are measured relative to |p| plus this value, since p may be 0 inside the bracket. */
     real backwards;
     real height; /* estimated height of the top; its error is of third order in the last step */
     real moved;  /* relative change of p in the last step */
@@ -70,8 +71,8 @@ struct top {
 
 /*
  * Makes one Newton step towards H1 = 0 from the sums at p. If the step would leave the bracket, or if H is
- * not concave at p, goes instead to an end where the sign of the slope is not yet known, or else bisects the
- * bracket.
+ * not concave at p, moves p to an end of the bracket where the sign of the slope is not yet known. If there
+ * is no such end, bisects the bracket.
  */
 static void top_step(struct top *top, struct sums at)
 {
@@ -80,7 +81,7 @@ static void top_step(struct top *top, struct sums at)
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
     real contact = -at.H1 / at.H2, next = p + contact * (1 + p * p) / 2;
-    if (p == (up ? top->hi : top->lo)) { /* the top is at the end */
+    if (p == (up ? top->hi : top->lo)) { /* the top is at the end of the bracket */
         next = p;
         contact = 0;
     }
@@ -178,8 +179,8 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 
 /*
  * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, which is dense near the
- * ends, where dominoes detach. In the piece in which the head begins to move there are further samples down
- * to a small part of the tilts d and sqrt(1 - r s), however small these are.
+ * ends, where dominoes detach. The piece in which the head begins to move has further samples, down to a
+ * small fraction of the tilts d and sqrt(1 - r s), however small these tilts are.
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -201,7 +202,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the only top of H. hi is tan(theta / 2) of an upper bound of the tilt of this top. */
+/* Finds the top of H if H has only one. hi is tan(theta / 2) of an upper bound of the tilt of this top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};

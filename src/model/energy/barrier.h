@@ -27,8 +27,8 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
                                       struct barrier *barrier);
 
 /*
- * Find a single top by Newton's method. barrier_near returns the tilt at which barrier_follow starts; it is a
- * good estimate if b holds the top of a similar train. `at` holds the sums at that tilt
+ * Find a single top by Newton's method. barrier_near returns the tilt at which barrier_follow starts. This
+ * tilt is a good estimate of the top if b holds the top of a similar train. `at` holds the sums at that tilt
  * (chain_second_derivative), or is NULL. barrier_follow returns false if it finds no top. It does not check
  * whether the top is the highest one; barrier_tops does.
  */
@@ -57,8 +57,8 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
 /*
  * Finds the launch of an endless train and its barrier over [0, end], and error bounds of the launch unless
  * `error` is NULL. If the kinetic energy and the barrier are nearly equal, digits cancel in their difference.
- * Both are then computed again with a finer tolerance, if the arithmetic allows it, and geometry->tol is set
- * to that tolerance.
+ * Both energies are then computed again with a finer tolerance, if the arithmetic allows one, and
+ * geometry->tol is set to that tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
