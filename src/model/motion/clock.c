@@ -4,24 +4,27 @@
 
 /*
  * The time as a function of the tilt: one Chebyshev series for each smooth piece. Since a series gives the
- * time at every tilt of its piece, the whole clock costs no more than a few times computed by separate
- * integrals.
+ * time at every tilt of its piece, the whole clock costs no more than a few separate integrals, each of which
+ * gives the time at one tilt only.
  */
 struct clock {
     int pieces;
     struct tick {
         struct num_series series;
         real begins; /* the time at which the head reaches lo */
-        /* The train stops at the end of this piece. The variable of the series is then x of slowness_before,
-         * which runs backwards from the stop. */
+        /* True if the train stops at the end of this piece. The variable of the series is then x of
+         * slowness_before, which runs from the stop backwards. */
         bool before;
         real lo, hi; /* tilts of the head */
     } tick[CHAIN_EDGES];
     real whole;
 };
 
-/* Returns the width, in the variable u of slowness_before, of the peak of the slowness before a stop, where w
- * is H' delta - H'' delta^2 / 2 at the distance delta from the stop. Returns NaN if there is no such peak. */
+/*
+ * Returns the width of the peak of the slowness before a stop, in the variable u of slowness_before. At the
+ * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. Returns NaN if there is
+ * no such peak.
+ */
 static real stop_width(const struct motion *m)
 {
     struct tilt rest;
@@ -131,8 +134,8 @@ static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, 
 {
     if (clock->pieces > 0)
         return clock_tilt(m, clock, time, at);
-    /* A search with few digits comes close to the tilt cheaply; from there each step of Newton's method
-     * doubles the number of correct digits. */
+    /* A search for only a few digits comes close to the tilt cheaply. From there, each step of Newton's
+     * method doubles the number of correct digits. */
     const real tol = m->tol;
     *at = 0;
     enum dom_status status = tilt_search(m, time, fmax(tol, (real)1e-8), at);

@@ -33,7 +33,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
              omegasq = self->slope * self->slope * kinematics->omegasq;
         rest = gravity - inertia * theta_2 - grows * omegasq / 2 + torque_share * rest;
         push = inertia * self->slope * kinematics->omega_lost + torque_share * push;
-        /* the dominoes after the last one all move alike, so their torques form a geometric series */
+        /* the dominoes behind the end of the list all move alike, so their torques form a geometric series */
         if (j + 1 == n && endless) {
             rest = geometric(rest, geometry->weight * torque_share);
             push = geometric(push, geometry->inertia * self->step * torque_share);
@@ -211,9 +211,9 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /*
  * The state of a search for the smallest contact force, relative to the weight of the domino that the force
- * pushes. `theta` is the present tilt and `force` the smallest force at that tilt; `least` is the smallest so
- * far, on domino `domino` at the tilt `least_theta`; `impulse` is the smallest impulse so far, and `dominoes`
- * the number of moving dominoes.
+ * pushes. `theta` is the present tilt, and `force` is the smallest force at that tilt. `least` is the
+ * smallest force found so far; it acts on domino `domino` at the tilt `least_theta`. `impulse` is the
+ * smallest impulse found so far, and `dominoes` is the number of moving dominoes.
  */
 struct least_context {
     const struct segment *segment;

@@ -14,9 +14,9 @@ struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute */
     /*
-     * If `hit` is true, this is also the moment of the collision that begins the motion. `omega` is tau times
-     * the angular velocity of the head just after the collision. In the collision, tau times the angular
-     * velocity of follower i decreases by theta_i' omega_lost.
+     * If `hit` is true, the motion begins at this moment with a collision. `omega` is tau times the angular
+     * velocity of the head just after the collision. In the collision, tau times the angular velocity of
+     * follower i decreases by theta_i' omega_lost.
      */
     bool hit;
     real omega, omega_lost;
@@ -24,8 +24,8 @@ struct kinematics {
     struct room *room; /* memory for the list of dominoes, reused by later calls; may be NULL */
 };
 
-/* A tolerance that is fine enough for a few digits of a force. In a long train it halves the number of
- * dominoes. */
+/* A tolerance that is fine enough for a few digits of a force. In a long train, this tolerance halves the
+ * number of dominoes that are visited. */
 #define FORCES_TOL ((real)1e-6)
 
 /* The forces on one domino, in units of m g of the head, and the impulses on it, in units of m g tau of the
@@ -33,8 +33,8 @@ struct kinematics {
 struct hinge_load {
     const struct link *link;
     real size;                 /* height relative to that of the head */
-    bool leaned;               /* a follower leans on this domino */
-    real force, impulse;       /* exerted by the follower, normal to the back face of this domino */
+    bool leaned;               /* true if a follower leans on this domino */
+    real force, impulse;       /* exerted by the follower, normal to the back face */
     real x, z;                 /* force of the floor at the hinge */
     real impulse_x, impulse_z; /* impulse of the floor at the hinge in the collision */
 };
@@ -57,12 +57,15 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
  */
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
-/* Lowers *least to the smallest contact force, relative to the weight of the domino that the force pushes, at
- * a few tilts up to `to`. Does nothing if segment->end.pushes already shows that every contact pushes. */
+/*
+ * Finds the smallest contact force at a few tilts up to `to`, relative to the weight of the domino that the
+ * force pushes, and lowers *least to this value if *least is larger. Does nothing if segment->end.pushes
+ * already shows that every contact pushes.
+ */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
-/* Returns |x| / z for the force (x, z) of the floor, which is the friction coefficient that a hinge needs. It
- * is infinite if the force would have to pull the domino down. */
+/* Returns |x| / z for the force (x, z) of the floor, which is the friction coefficient that a hinge needs.
+ * The coefficient is infinite if the force would have to pull the domino down. */
 KERNEL real forces_needed(real x, real z);
 
 /*

@@ -124,8 +124,8 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
  * Finds the error bound of the time at which the head reaches theta: the integral of the error bound of the
  * slowness, plus the error that the tolerance of the integral allows. The slowness has no error bound near a
  * stop; there, rounding errors of the energy enter through m->tol and through the tilt of the stop. If that
- * tilt has the error of_end, times shift by at most of_end / omega. Early in the cycle a better bound is half
- * of the time so far, multiplied by the relative error of the kinetic energy.
+ * tilt has the error of_end, the times shift by at most of_end / omega. Early in the cycle a better bound is
+ * half of the time so far, multiplied by the relative error of the kinetic energy.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {
@@ -188,8 +188,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits is this same train at theta_c, made smaller by one domino: its energy has the
-     * additional factor r^-q. */
+    /* The train that hits is this same train at theta_c, but every size is smaller by the factor r, so its
+     * energy has the additional factor r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

@@ -2,9 +2,9 @@
 #include "motion/segment.h"
 
 /*
- * Ends the segment where the first domino detaches. The search starts with a domino that has detached by the
- * end of the segment, moves the end to the tilt where it detaches, and repeats this, since another domino may
- * have detached even earlier.
+ * Ends the segment where the first domino detaches. The search takes a domino that has detached by the end of
+ * the segment, and moves the end of the segment to the tilt where that domino detaches. It repeats this step,
+ * since another domino may have detached even earlier.
  */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
@@ -17,8 +17,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* A domino whose motion is below the rounding errors does not count as detaching. No domino after one
-         * that detaches moves at that moment. */
+        /* A domino whose motion is below the rounding errors does not count as detaching. At the moment when
+         * a domino detaches, no domino after it moves. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -99,8 +99,8 @@ KERNEL enum dom_status segment_braked(const struct segment *st, bool *braked)
     return status == DOM_OK ? st->geometry.dynamics->braked(&st->geometry, head, braked) : status;
 }
 
-/* Returns the largest energy required on the way to theta, minus the kinetic energy at the start; it never
- * decreases with theta. */
+/* Returns the largest energy required on the way to theta, minus the kinetic energy at the start. This
+ * difference never decreases with theta. */
 static real segment_short(real theta, void *context)
 {
     struct segment *st = context;

@@ -23,7 +23,8 @@ struct segment {
     struct start start;       /* the state at lo */
     size_t summed;            /* number of dominoes that start.J includes; 0 if J is not known yet */
     real gain;                /* derivative of omegasq with respect to omegasq at the launch */
-    /* Inertia ratio of the collision that begins the segment; 0 if it does not begin with one. */
+    /* Inertia ratio of the collision that begins the segment; 0 if the segment does not begin with a
+     * collision. */
     real inertia_ratio;
     bool locks;             /* true if friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
@@ -44,8 +45,8 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
  * Finds segment->end, and sets *next to a segment that begins at that tilt with the dominoes that continue to
- * move. Its start.omegasq is linear in omegasq of the launch; if the energy has been used up on the way,
- * start.omegasq is negative and shows how much is missing.
+ * move. next->start.omegasq is linear in omegasq of the launch. If the energy has been used up on the way,
+ * next->start.omegasq is negative and shows how much is missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
