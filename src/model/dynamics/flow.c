@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* Upper bound of the number of dominoes visited in all passes of one solution, of which there are about a
- * hundred. In double precision, visiting that many dominoes takes half a second. */
+/* The largest number of dominoes that all passes of one solution may visit. A solution takes about a hundred
+ * passes. In double precision, visiting that many dominoes takes half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -83,8 +83,8 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 
 /*
  * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain jumps
- * where it ends one domino earlier than at the neighbouring tilt, and a Chebyshev series must not resolve
- * this jump.
+ * between two tilts if it ends one domino earlier at one of them. With the finer tolerance, the jump is too
+ * small for a Chebyshev series to resolve.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -95,8 +95,8 @@ static struct geometry flow_begin(const struct geometry *geometry)
     return fine;
 }
 
-/* Finds the inertia ratio of the collision, J(0) and J(theta_c). The hitting chain consists of all dominoes
- * except the new head, which is upright. */
+/* Finds three numbers: the inertia ratio of the collision, J(0), and J(theta_c). The hitting chain consists
+ * of all dominoes except the new head, which is upright. */
 static enum dom_status flow_collision(const struct geometry *geometry, struct flow *flow)
 {
     struct sums sums;

@@ -19,7 +19,7 @@ KERNEL enum dom_status slope_apply(struct geometry *geometry, real value)
     if (geometry->work)
         geometry->work->entered[DOM_EFFECT_slope]++;
     /* The domino must be able to stand on this slope and on the opposite slope, and must tip over before it
-     * lies. */
+     * lies flat. */
     bool stands = tan(fabs(value)) < geometry->d && geometry->h.y > 0;
     return stands ? DOM_OK : DOM_NO_STAND;
 }
