@@ -9,7 +9,7 @@
 
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
-#else /* a source file that is checked by itself, before the build has generated domq_names.h */
+#else /* when a tool checks a single source file before the build has generated domq_names.h */
 #include "domino.h"
 typedef long double domq_real;
 #endif

@@ -29,9 +29,9 @@ static void series_of(const real *node, const real *value, int n, real *series)
 }
 
 /*
- * Returns true if the series has died out, that is, if its last terms, whose largest absolute value is stored
- * in *left, are below the tolerance. Terms never fall below the noise of the function values, or below a few
- * units of rounding.
+ * Returns true if the series has died out, that is, if its last terms are below the tolerance. Stores the
+ * largest absolute value of these terms in *left. Terms never fall below the noise of the function values, or
+ * below a few units of rounding.
  */
 static bool series_died(const real *series, real tol, real noise, real *left)
 {
@@ -65,7 +65,7 @@ static bool values_find(num_linear_function *f, void *context, const real *node,
 }
 
 /* Computes one panel, at whose left end the solution is ln_G and v. Returns false if the panel is too wide
- * for its series to die out, or, with *status = NUM_NOT_FINITE, if f fails. */
+ * for its series to die out. If f fails, sets *status to NUM_NOT_FINITE and returns false as well. */
 static bool panel_make(num_linear_function *f, void *context, const real *node, real ln_G, real v, real tol,
                        struct num_panel *panel, struct num_linear *s, enum num_status *status)
 {

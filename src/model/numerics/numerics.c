@@ -98,8 +98,8 @@ struct span {
     real tail;
     real step, sum; /* used by the double exponential rule */
     real peak, width, from, to,
-        /* Used by the rule of Clenshaw and Curtis. If width is not NaN, its variable is u in x = peak + width
-         * sinh u. */
+        /* Used by the rule of Clenshaw and Curtis. If width is not NaN, the variable of the rule is u in x =
+         * peak + width sinh u. */
         *value;
 };
 
@@ -154,7 +154,7 @@ static real node_pair(struct span *s, real t, real *weight)
     return *weight * sum;
 }
 
-/* Returns the sum over all nodes first, first + step, ..., up to the node from which on the terms are too
+/* Returns the sum over the nodes at `first`, first + step, first + 2 step and so on, until the terms are too
  * small to matter. */
 static real node_sum(struct span *s, real first, real step)
 {
@@ -215,8 +215,11 @@ static real chebyshev_value(struct span *s, real node)
     return value;
 }
 
-/* Returns n times the weight of node j of n: 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1) over k = 1,
- * ..., n / 2, of which the last term is halved. The weight of node 0 is half as large. */
+/*
+ * Returns n times the weight of node j of n. This is 2 minus the sum of 4 cos(2 pi j k / n) / (4 k^2 - 1)
+ * over k = 1, ..., n / 2, where the last term of the sum is halved. The weight of node 0 is half of this
+ * number.
+ */
 static real chebyshev_weight(const real *cosine, int j, int n)
 {
     real sum = 1;
@@ -366,7 +369,7 @@ struct series_target {
 };
 
 /* Returns the series minus the target, at the distance `right` from the left end of [-1, 1]. Roots close to
- * that end keep their digits, because the search varies the distance. */
+ * that end keep their digits, because the variable of the search is the distance. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

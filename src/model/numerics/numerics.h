@@ -5,7 +5,7 @@
  * place of those of GSL, which exist only in double precision, because the same source must serve all
  * precisions. tests/unit/test_numerics.c compares the two: for a list of roots, the functions here need 65
  * evaluations and Brent's method 73; for integrals of trains that nearly stop, the functions here need 4883
- * and qag 7497.
+ * evaluations and qag 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
