@@ -110,7 +110,7 @@ static struct corner corner_make(const struct shape *shape, double r)
     struct corner c = {.r = r};
     struct span s = shape->s, of_r = span_of(r);
     c.rs = span_times(of_r, s);
-    c.rs.hi = most_1(c.rs.hi); /* every statement assumes r s <= 1 */
+    c.rs.hi = most_1(c.rs.hi); /* all bounds in this file assume r s <= 1 */
     c.rL = span_times(of_r, shape->L);
     /* An fma rounds only once. */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};

@@ -10,9 +10,9 @@ static struct span everything(void)
 
 /*
  * Adds the contribution of domino n and all later ones. These dominoes are beyond theta_u, where h decreases,
- * and lean at least as far as in the upright train, so their contribution is at most 0. For theta <= theta_c
- * it is not below -r^(-q n) (h(theta_n0) - h(theta_last)), since theta_i <= theta_i+1 0 and the sum of the
- * differences telescopes (as in rest_of_fuel).
+ * and lean at least as far as in the upright train, so their contribution is at most 0. For theta <= theta_c,
+ * their contribution is at least -r^(-q n) (h(theta_n0) - h(theta_last)), since theta_i <= theta_i+1 0 and
+ * the sum of the differences telescopes (as in rest_of_fuel).
  */
 static void climb_rest(const struct upright *u, const struct domino *domino, struct contact contact,
                        struct climb *climb)

@@ -35,9 +35,11 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
     return climb_find(upright, low, high, derivatives);
 }
 
-/* The level below which D has to stay, K or a constant: its bounds on the whole strip and at the upper end of
- * the strip, and its derivative with respect to r. If `refute` is set, D above the level at the upper end is
- * a refutation. */
+/*
+ * The level that D must stay below, which is K or a constant. `box` bounds the level on the whole strip,
+ * `point` bounds it at the upper end of the strip, and `by_r` is its derivative with respect to r. If
+ * `refute` is set, the train is refuted where D exceeds the level at the upper end of the strip.
+ */
 struct level {
     struct span box, point, by_r;
     bool refute;
@@ -52,13 +54,13 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Shows K - D > 0 for tilts from low to high and all growths of the strip. Any of three lower bounds of K - D
- * will do: 1. Monotony: the bounds of K and D from the corners of the box of tilts and growths. 2. The mean
- * value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is monotonic in the box,
- * mid is the end of the box where D is largest. At every growth of the strip at which a larger tilt of the
- * box belongs to the cycle, mid belongs to the cycle, too. 3. The mean value theorem in r: where d(K - D)/dr
- * <= M, K - D is at least its value at the upper end of the strip, minus max(M, 0) times the width of the
- * strip. If M <= 0, the upper end decides for all growths of the strip.
+ * Shows K - D > 0 for tilts from low to high and all growths of the strip. It is enough if one of three lower
+ * bounds of K - D is positive: 1. Monotony: the bounds of K and D from the corners of the box of tilts and
+ * growths. 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is
+ * monotonic in the box, mid is the end of the box where D is largest. At every growth of the strip at which a
+ * larger tilt of the box belongs to the cycle, mid belongs to the cycle, too. 3. The mean value theorem in r:
+ * where d(K - D)/dr <= M, K - D is at least its value at the upper end of the strip, minus max(M, 0) times
+ * the width of the strip. If M <= 0, the upper end decides for all growths of the strip.
  *
  * If these bounds fail, the interval of tilts is halved. If even the bounds for the single tilt in the middle
  * fail, halving cannot help, and the strip is too wide.

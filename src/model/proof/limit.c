@@ -2,8 +2,9 @@
 /*
  * The first growth at which a train stops. Strips of growths are proved upwards from r = 1. After a strip has
  * been proved, the next one is twice as wide; otherwise it is half as wide. Where the train seems to stop at
- * the upper end of a strip, the estimated root of the margin gives two decimals around the root, for which a
- * proof is tried. A wrong estimate makes that proof fail, and does no other harm.
+ * the upper end of a strip, the root of the margin is estimated, and a proof is tried for two decimal
+ * numbers, one just below and one just above that root. A wrong estimate makes that proof fail, and does no
+ * other harm.
  */
 #include "proof/limit.h"
 
@@ -81,8 +82,11 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
     return limit->outcome == OUTCOME_PROVED;
 }
 
-/* Proves both sides of the estimated root between *done and `high`. If it returns false, the train stops
- * earlier, at *stop (limit->outcome is OUTCOME_REFUTED), or limit->outcome tells what failed. */
+/*
+ * Proves both sides of the estimated root between *done and `high`. If this function returns false, either
+ * the train stops earlier, at *stop (limit->outcome is then OUTCOME_REFUTED), or limit->outcome tells what
+ * failed.
+ */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
 {
@@ -94,7 +98,7 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
         limit->outcome = OUTCOME_INTERRUPTED;
         return false;
     }
-    /* If the decimal is too coarse, it may be beyond the next root, or beyond the reach. */
+    /* A decimal number with too few places may lie beyond the next root, or beyond the reach. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);

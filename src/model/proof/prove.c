@@ -253,8 +253,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Bounds the number of dominoes by ln(height/first)/ln r, where there are too many to multiply powers.
- * `height` must be larger than `first`. */
+/* Finds bounds of the number of dominoes from ln(height/first)/ln r, for numbers that are too large to be
+ * found by repeated multiplication. `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},

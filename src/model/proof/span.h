@@ -44,8 +44,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* Clip a lower bound of a number that is known to be >= 0, or an upper bound of a number that is known to be
- * <= 1. NaN becomes the bound that is always true. */
+/* These functions clip a lower bound of a number that is known to be >= 0, and an upper bound of a number
+ * that is known to be <= 1. NaN becomes the bound that is always true. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
