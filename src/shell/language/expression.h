@@ -110,10 +110,10 @@ void evaluation_message(struct evaluation *evaluation, bool of_value, const char
  * *arguments. */
 const struct function *function_find(const char *name, int *arguments);
 
-/* A names_list (see names.h) of the built-in names. */
 /* Returns the name of a built-in function. */
 const char *function_name(const struct function *function);
 
+/* A names_list (see names.h) of the built-in names. */
 const char *expression_names(const void *context, int k);
 
 #endif

@@ -18,8 +18,8 @@ enum {
     HAS_WALLS = 8,
     HAS_PAPER = 16,    /* the fuel is computed by the paper's closed form */
     HAS_DETACHED = 32, /* followers detach */
-    HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
     HAS_REACH = 64,    /* the reach limits the largest growth */
+    HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
 };
 
 /* The sum over all dominoes i whose terms an equation gives. */

@@ -179,7 +179,7 @@ static bool design_find(const struct query *query, struct domq_wish *wish, const
 
 /* Prints how safe the design is, and a list of its dominoes. */
 static void design_say(const struct query *query, struct answer *a, const struct domq_wish *wish,
-                       const struct domq_design *d, const struct plan *plan)
+                       const struct domq_design *d, const struct designed_row *plan)
 {
     char growth[80] = "", least[160] = "", engine[120] = "";
     if (isfinite(d->row))
@@ -201,7 +201,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
 /* Makes the design the row of the session. Does nothing if the command only gives the value of an expression:
  * then query->next is NULL. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
-                        const struct plan *plan)
+                        const struct designed_row *plan)
 {
     const domq_real count = (domq_real)d->steps + 1;
     struct state *next = query->next;
@@ -214,7 +214,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
 
 /* Improves the row of the session, which is the design, and makes it the row of the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
-                           struct plan *plan, struct domq_design *d, struct domq_study *study,
+                           struct designed_row *plan, struct domq_design *d, struct domq_study *study,
                            struct problem *problem)
 {
     struct query of_row = *query;
@@ -266,7 +266,7 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
 
 /* Answers with a design that was found. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
-                          const struct domq_wish *wish, struct plan *plan, struct domq_design *d,
+                          const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)
 {
     const bool file = a->path && !a->style.format->for_people, keeps = a->out && !a->sink && query->next;
@@ -301,7 +301,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                              *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
     struct domq_design d;
     struct domq_study study = {.rows = 0};
-    struct plan plan;
+    struct designed_row plan;
     char reason[REASON];
     struct scene_engine engine;
     design_columns_choose(a, falls);

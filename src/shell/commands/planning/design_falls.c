@@ -62,7 +62,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
                          const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
                          struct tried *t, struct problem *problem)
 {
-    struct plan plan;
+    struct designed_row plan;
     struct scene scene;
     struct domq_error error[DOM_ERROR_COUNT];
     if (!plan_make(query, problem, wish, limits, d, &plan))

@@ -34,13 +34,13 @@ void design_columns_choose(struct answer *a, bool falls)
 /* ---- The dominoes of a design ---- */
 
 bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-               const struct domq_limits *limits, const struct domq_design *d, struct plan *p)
+               const struct domq_limits *limits, const struct domq_design *d, struct designed_row *p)
 {
     const domq_real mass = scene_mass(query->scene);
-    *p = (struct plan){.count = d->steps + 1,
-                       .has_masses = mass > 0,
-                       .hollow = query->scene->train.q == 3,
-                       .limits = limits};
+    *p = (struct designed_row){.count = d->steps + 1,
+                               .has_masses = mass > 0,
+                               .hollow = query->scene->train.q == 3,
+                               .limits = limits};
     p->domino = malloc(p->count * sizeof *p->domino);
     if (!p->domino)
         return problem_status(problem, query->scene, DOM_NO_MEMORY);
@@ -55,14 +55,14 @@ bool plan_make(const struct query *query, struct problem *problem, const struct 
 
 /* Returns the surface of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half as
  * wide as they are tall. */
-static domq_real plan_material(const struct plan *p, const struct domq_domino *d)
+static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
     domq_real width = d->height / 2;
     return p->hollow ? 2 * (d->height * width + d->height * d->thickness + width * d->thickness)
                      : d->height * width * d->thickness;
 }
 
-void plan_write(struct answer *a, const struct plan *p, bool file)
+void plan_write(struct answer *a, const struct designed_row *p, bool file)
 {
     static const struct column columns[] = {
         {"domino", "", "", 6},   {"height", "m", "", 9},    {"thickness", "m", "", 9},
@@ -105,7 +105,7 @@ void plan_write(struct answer *a, const struct plan *p, bool file)
     }
 }
 
-domq_real plan_mass(const struct plan *p)
+domq_real plan_mass(const struct designed_row *p)
 {
     domq_real mass = 0;
     for (size_t k = 0; k < p->count; k++)
@@ -113,7 +113,7 @@ domq_real plan_mass(const struct plan *p)
     return p->has_masses ? mass : mass / p->domino[0].mass;
 }
 
-void design_row(struct answer *a, const struct plan *p, const struct domq_design *d,
+void design_row(struct answer *a, const struct designed_row *p, const struct domq_design *d,
                 const struct domq_study *study, const char *reason)
 {
     const struct cell none = cell_real(DOMQ_NAN);
@@ -135,7 +135,7 @@ void design_row(struct answer *a, const struct plan *p, const struct domq_design
                reason);
 }
 
-bool design_scene(const struct scene *from, const struct domq_design *d, const struct plan *plan,
+bool design_scene(const struct scene *from, const struct domq_design *d, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem)
 {
     *scene = *from;

@@ -6,7 +6,7 @@
 #include "interpreter/command.h"
 
 /* The dominoes of a design. */
-struct plan {
+struct designed_row {
     struct domq_domino *domino;
     size_t count;
     bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
@@ -18,26 +18,26 @@ struct plan {
 /* Makes the dominoes of a design. Returns false with a problem if memory runs out; otherwise the caller frees
  * plan->domino. */
 bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-               const struct domq_limits *limits, const struct domq_design *design, struct plan *plan);
+               const struct domq_limits *limits, const struct domq_design *design, struct designed_row *plan);
 
 /* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
-domq_real plan_mass(const struct plan *plan);
+domq_real plan_mass(const struct designed_row *plan);
 
 /* Lists the dominoes: for people with the sizes to saw and the places to stand them, and for a file with the
  * columns that 'effect row FILE' reads. */
-void plan_write(struct answer *a, const struct plan *plan, bool file);
+void plan_write(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves the columns about random rows out unless `falls` is true. */
 void design_columns_choose(struct answer *a, bool falls);
 
 /* Writes the row with the numbers of a design. If no design fits the wishes, `plan` is NULL and `reason` says
  * why. `study` counts the random rows that fall, or is NULL. */
-void design_row(struct answer *a, const struct plan *plan, const struct domq_design *design,
+void design_row(struct answer *a, const struct designed_row *plan, const struct domq_design *design,
                 const struct domq_study *study, const char *reason);
 
 /* Makes a scene whose row is the design. Call listed_free(&scene->listed) afterwards, also after a failure.
  */
-bool design_scene(const struct scene *from, const struct domq_design *design, const struct plan *plan,
+bool design_scene(const struct scene *from, const struct domq_design *design, const struct designed_row *plan,
                   struct scene *scene, struct problem *problem);
 
 enum { REASON = 640 };

@@ -63,9 +63,9 @@ static domq_real scan_at(struct scan *s, domq_real x)
         return f;
     }
     if (s->answers == 0 || f > s->most.f)
-        s->most = (struct point){x, f};
+        s->most = (struct scan_point){x, f};
     if (s->answers == 0 || f < s->least.f)
-        s->least = (struct point){x, f};
+        s->least = (struct scan_point){x, f};
     s->answers++;
     return f;
 }
@@ -87,7 +87,7 @@ static void root_add(struct scan *s, domq_real x, const char *branch)
 
 /* Finds the root between two points at which f has opposite signs, with Brent's method. If f jumps over 0
  * there, stores the jump instead. */
-static void root_between(struct scan *s, struct point a, struct point b)
+static void root_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     gsl_function f = {.function = scan_gsl, .params = s};
@@ -142,7 +142,7 @@ static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, boo
 }
 
 /* Looks for a root between two neighbouring points of the grid. */
-static void look_between(struct scan *s, struct point a, struct point b)
+static void look_between(struct scan *s, struct scan_point a, struct scan_point b)
 {
     if (isnan(a.f) && isnan(b.f))
         return;
@@ -153,7 +153,8 @@ static void look_between(struct scan *s, struct point a, struct point b)
         return;
     }
     if (isnan(a.f) || isnan(b.f)) {
-        struct point end = {.x = edge_between(s, isnan(a.f) ? b.x : a.x, isnan(a.f) ? a.x : b.x, exists)};
+        struct scan_point end = {.x =
+                                     edge_between(s, isnan(a.f) ? b.x : a.x, isnan(a.f) ? a.x : b.x, exists)};
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
@@ -171,7 +172,7 @@ static void look_between(struct scan *s, struct point a, struct point b)
 /* If the middle one of three neighbouring points is an extremum, refines it with a golden-section search,
  * because the answer may cross the value between the points of the grid. If the answer does so, finds the
  * roots on both sides of the extremum. */
-static void look_around(struct scan *s, struct point a, struct point m, struct point b)
+static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;
     bool flat = m.f == a.f && m.f == b.f;
@@ -179,7 +180,7 @@ static void look_around(struct scan *s, struct point a, struct point m, struct p
          minimum = !flat && m.f > 0 && m.f <= a.f && m.f <= b.f;
     for (int i = 0; (maximum || minimum) && i < 40; i++) {
         bool left = m.x - a.x > b.x - m.x;
-        struct point n = {.x = left ? m.x - golden * (m.x - a.x) : m.x + golden * (b.x - m.x)};
+        struct scan_point n = {.x = left ? m.x - golden * (m.x - a.x) : m.x + golden * (b.x - m.x)};
         n.f = scan_at(s, n.x);
         if (isnan(n.f))
             return;
@@ -204,7 +205,7 @@ static int compare_roots(const void *one, const void *other)
 
 bool scan_run(struct scan *s)
 {
-    struct point *p = s->point;
+    struct scan_point *p = s->point;
     const volatile sig_atomic_t *interrupt = s->probe.query->scene->compute.interrupt;
     for (int k = 0; k < SCAN_POINTS; k++) {
         domq_real share = (domq_real)k / (SCAN_POINTS - 1);

@@ -197,7 +197,7 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
     const char *name = v->parameter->name, *unit = v->parameter->value->unit, *question = v->question->name;
     const struct quad_shown value = quad_shown(v->value.value);
     const bool below = s->most.f < 0; /* the answer is always below the value */
-    const struct point *nearest = below ? &s->most : &s->least;
+    const struct scan_point *nearest = below ? &s->most : &s->least;
     char range[192];
     unit = strcmp(unit, "h") == 0 ? "" : unit;
     snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
