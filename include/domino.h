@@ -72,7 +72,8 @@ typedef double dom_real;
  * exponent q is 3 for hollow and 4 for solid dominoes. */
 dom_real dom_rmax(dom_real s, dom_real d, dom_real q);
 
-/* Returns how many dominoes topple one of the given height: the smallest n with first r^n >= height. */
+/* Returns how many dominoes it takes to topple one of the given height: the smallest n for which
+ * first * r^n >= height. */
 dom_real dom_dominoes(dom_real first, dom_real height, dom_real r);
 
 /* Returns the front speed in m/s of equal solid dominoes at g = 9.81 m/s^2. h is their height in m; the
@@ -168,8 +169,8 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision);
 /*
  * Checks a train. Returns DOM_OK if every parameter is in its range, tol is not below the tol_floor of the
  * precision, and the head reaches the next domino (r <= dom_train_reach). Otherwise returns DOM_BAD_...,
- * DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. r = 1/s rounded to the precision counts
- * as r s = 1. Every function below that takes a train makes this check and may return these statuses.
+ * DOM_OUT_OF_REACH, DOM_UNDERFLOW, DOM_NO_METHOD or DOM_NO_PRECISION. If r is 1/s rounded to the precision,
+ * r s counts as 1. Every function below that takes a train makes this check and may return these statuses.
  */
 enum dom_status dom_train_check(const struct dom_train *train, const struct dom_compute *compute);
 
@@ -256,7 +257,7 @@ struct dom_energy_error {
 
 struct dom_energy {
     dom_real dH; /* H(theta) - H(0); H is the potential energy of the train (19; c1), in m g h / 2 */
-    dom_real J;  /* inertia of the train: its kinetic energy is J tau^2 omega^2 (20; c2) */
+    dom_real J;  /* inertia of the train, whose kinetic energy is J tau^2 omega^2 (20; c2) */
     dom_real J0; /* J(0) = 1 + r^-(q+1) J(theta_c) (50; d8, corrected) */
     struct dom_energy_error error;
 };
@@ -323,8 +324,8 @@ struct dom_barrier {
 /*
  * Finds whether the train keeps falling. The status is DOM_OK if it does (margin >= 0), and DOM_STOPS if it
  * stops; all members are written in both cases. With DOM_NO_FUEL theta_m and barrier are written, and the
- * other members are NaN. All functions about a cycle give the same verdict: if a coarse tolerance does not
- * decide it, the tolerance is refined.
+ * other members are NaN. All functions about a cycle give the same verdict: if the tolerance is too coarse
+ * for a verdict, they compute with a finer tolerance.
  */
 enum dom_status dom_barrier_find(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_barrier *barrier);
@@ -349,8 +350,8 @@ enum dom_status dom_cycle_stop(const struct dom_train *train, const struct dom_c
 /*
  * Finds the duration of a cycle in tau: t_f / tau is the integral of 1/(tau omega) over [0, theta_c]. The
  * duration grows like ln(1 / margin), and its relative error like kinetic / margin times the unit roundoff.
- * The status is DOM_NO_MARGIN if the margin is 0 to rounding, and DOM_NO_FUEL or DOM_STOPS if there is no
- * complete cycle.
+ * The status is DOM_NO_MARGIN if the margin is 0 within rounding errors, and DOM_NO_FUEL or DOM_STOPS if
+ * there is no complete cycle.
  */
 enum dom_status dom_cycle_duration(const struct dom_train *train, const struct dom_compute *compute,
                                    struct dom_value *duration);
@@ -367,7 +368,7 @@ struct dom_event {
 /*
  * Finds the events of the cycle in order. `events` must have room for DOM_EVENTS_MAX of them. With DOM_STOPS
  * all events are written, and the last one is DOM_EVENT_STOP. With DOM_NO_FUEL *count is 0. Like every
- * function that finds a time, may return DOM_NO_MARGIN: see dom_cycle_duration.
+ * function that finds a time, this function may return DOM_NO_MARGIN: see dom_cycle_duration.
  */
 enum dom_status dom_cycle_events(const struct dom_train *train, const struct dom_compute *compute,
                                  struct dom_event *events, int *count);
@@ -441,8 +442,9 @@ struct dom_least_force {
     dom_real impulse; /* the smallest impulse of the collision, in m g tau of the head */
 };
 
-/* Finds the smallest contact force over the cycle, or over its part before the train stops. The error is at
- * most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if there is no cycle. */
+/* Finds the smallest contact force during the cycle or, if the train stops, during the part of the cycle
+ * before the stop. The error is at most 1e-5 of the weight of the pushed domino. The status is DOM_NO_FUEL if
+ * there is no cycle. */
 enum dom_status dom_cycle_least_force(const struct dom_train *train, const struct dom_compute *compute,
                                       struct dom_least_force *least);
 
@@ -460,9 +462,10 @@ struct dom_floor {
 };
 
 /*
- * Finds the friction that the floor needs over the cycle, or over its part before the train stops. Dominoes
- * slower than a thousandth of the speed of the head are left out. The relative error of a maximum is at most
- * a millionth if the ratio is smooth there. The status is DOM_NO_FUEL if there is no cycle.
+ * Finds the friction that the floor needs during the cycle or, if the train stops, during the part of the
+ * cycle before the stop. Dominoes slower than a thousandth of the speed of the head are left out. The
+ * relative error of the coefficient is at most a millionth if |R_x| / R_z is smooth around its maximum. The
+ * status is DOM_NO_FUEL if there is no cycle.
  */
 enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_floor *floor);
@@ -482,13 +485,13 @@ struct dom_limit {
 };
 
 /*
- * Finds the largest growth: the first r, raised from 1, at which the margin reaches 0, or dom_train_reach if
- * the margin never reaches 0. train->r is not used. If even equal dominoes do not keep falling, the status is
- * DOM_OK and `ends` is DOM_END_NONE. This function and the next two return DOM_TOO_LONG if the computation
- * would take more than a second or two in double precision. Without friction the search uses bounds of the
- * margin that cover every growth up to r_max; it can miss a dip of the margin narrower than 1e-6 in ln r
- * (1e-4 just before r_max, and wider dips if 1,500 intervals are not enough). With friction, growths are only
- * sampled.
+ * Finds the largest growth. As r increases from 1, this is the first r at which the margin reaches 0, or
+ * dom_train_reach if the margin never reaches 0. train->r is not used. If even equal dominoes do not keep
+ * falling, the status is DOM_OK and `ends` is DOM_END_NONE. This function and the next two return
+ * DOM_TOO_LONG if the computation would take more than a second or two in double precision. Without friction
+ * the search uses bounds of the margin that cover every growth up to r_max; it can miss a dip of the margin
+ * narrower than 1e-6 in ln r (1e-4 just before r_max, and wider dips if 1,500 intervals are not enough). With
+ * friction, growths are only sampled.
  */
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -571,8 +574,8 @@ extern const struct dom_effect dom_effects[DOM_EFFECT_COUNT];
 /* Returns the description of an effect, or NULL if there is no such effect. */
 const struct dom_effect *dom_effect(enum dom_effect_name name);
 
-/* Returns the first effect of DOM_DYNAMICS that is on in a train and does not cancel, or NULL if there is
- * none. */
+/* Returns the first effect of DOM_DYNAMICS that is on in a train and changes more than tau (see `cancels` in
+ * struct dom_effect), or NULL if there is none. */
 const struct dom_effect *dom_dynamics(const struct dom_train *train);
 
 /* The law of motion of a train without effects: energy is conserved between collisions. */
@@ -609,19 +612,19 @@ struct dom_count_error {
 };
 
 struct dom_count {
-    /* n, the smallest integer with first r^n >= height. Infinite if r = 1 and height > first. */
+    /* n, the smallest integer for which first * r^n >= height. Infinite if r = 1 and height > first. */
     dom_real dominoes;
     dom_real exact; /* ln(height / first) / ln r */
-    dom_real last;  /* first r^n, in the unit of first; NaN if n is infinite */
+    dom_real last;  /* first * r^n, in the unit of `first`; NaN if n is infinite */
     struct dom_count_error error;
 };
 
 /*
- * Finds how many dominoes topple one at least `height` tall, if the first is `first` tall and each is r times
- * as tall as the one before. Both heights are in the same unit. A power counts as exact if it differs from
- * the height only by rounding, that is, by at most half a unit of the precision for each of 4 + n numbers.
- * The status is DOM_BAD_HEIGHT unless both heights are > 0, and DOM_BAD_R unless r >= 1. Only
- * compute->precision and compute->errors are used.
+ * Finds how many dominoes it takes to topple one that is at least `height` tall, if the first domino is
+ * `first` tall and each domino is r times as tall as the one before. Both heights are in the same unit. The
+ * height first * r^n counts as equal to the height if the two differ only by rounding, that is, by at most
+ * half a unit of the precision for each of 4 + n numbers. The status is DOM_BAD_HEIGHT unless both heights
+ * are > 0, and DOM_BAD_R unless r >= 1. Only compute->precision and compute->errors are used.
  */
 enum dom_status dom_count_find(dom_real first, dom_real height, dom_real r, const struct dom_compute *compute,
                                struct dom_count *count);

@@ -50,8 +50,8 @@ enum dom_proof_end {
     /* The train stops at r = 1. For a pair, no larger growth at which the pair keeps falling was found
      * either. */
     DOM_PROVED_NONE,
-    /* The train keeps falling at every growth from `from` to `low`, or no growth is proved if `low` is NaN.
-     * `gap` says why the proof is incomplete. */
+    /* The train keeps falling at every growth from `from` to `low`. If `low` is NaN, this is proved for no
+     * growth. `gap` says why the proof is incomplete. */
     DOM_PROVED_PARTLY
 };
 
@@ -68,11 +68,11 @@ struct dom_proof {
 };
 
 /*
- * Prove bounds of the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair define
- * it. The bounds are decimal numbers whose relative distance is compute->tol, but at least 1e-15. Rounding
- * may leave a larger distance; the bounds are true even then. Only compute->tol and compute->interrupt are
- * used. After an interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED. Other statuses are
- * DOM_BAD_... and DOM_NO_MEMORY.
+ * Prove bounds on the largest growth of a train, or of a pair, as dom_limit_rmax and dom_limit_pair define
+ * it. The bounds are decimal numbers whose relative distance is compute->tol, or 1e-15 if that is larger.
+ * Rounding errors may leave a larger distance; the bounds are true even then. Only compute->tol and
+ * compute->interrupt are used. After an interrupt the status is DOM_OK, and the gap is DOM_PROOF_INTERRUPTED.
+ * Other statuses are DOM_BAD_... and DOM_NO_MEMORY.
  */
 enum dom_status dom_prove_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_proof *proof);
@@ -100,16 +100,16 @@ struct dom_proof_cycle {
 };
 
 /* Proves whether a train keeps falling at train->r and at all growths that round to this double, and proves
- * bounds of its barrier as dom_barrier_find defines it. The statuses are those of dom_prove_rmax. */
+ * bounds on the barrier as dom_barrier_find defines it. The statuses are those of dom_prove_rmax. */
 enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_proof_cycle *proof);
 
 /*
- * Proves bounds of the smallest n with first r^n >= height, as dom_count_find defines it: *least <= n <=
- * *most. If the powers are exact in double, as those of r = 2 are, the arguments count as exact numbers.
- * Otherwise the bounds hold for all numbers that round to the arguments, and differ if n depends on that
- * rounding. Infinity means that no n is large enough. If nothing is proved, the bounds are 0 and infinity.
- * The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
+ * Proves bounds on the smallest n for which first * r^n >= height, as dom_count_find defines n: *least <= n
+ * <= *most. If the powers are exact in double, as those of r = 2 are, the arguments count as exact numbers.
+ * Otherwise the bounds hold for all numbers that round to the arguments, and *least < *most if n depends on
+ * that rounding. Infinity means that no n is large enough. If nothing is proved, the bounds are 0 and
+ * infinity. The status is DOM_BAD_HEIGHT or DOM_BAD_R for an argument outside its range.
  */
 enum dom_status dom_prove_count(double first, double height, double r, double *least, double *most);
 

@@ -91,7 +91,8 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback that reports progress: `done` of the `of` parts of a long computation are complete. */
+/* A callback for progress reports. Of the parts of a long computation, whose number is `of`, `done` are
+ * complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */
@@ -118,7 +119,8 @@ typedef enum dom_status dom_parallel(size_t count, dom_task *task, void *context
 struct dom_domino {
     dom_real height, thickness, gap; /* m */
     dom_real mass;                   /* kg */
-    /* Radius of the edges in m, used only if rho of the row is not 0. 0 means rho times the height. */
+    /* Radius of the edges in m, used only if rho of the row is not 0. A radius of 0 stands for rho times the
+     * height. */
     dom_real radius;
     dom_real lean; /* rad, the tilt before the domino is hit, > 0 in the direction of the fall */
 };
@@ -156,7 +158,8 @@ struct dom_row {
     const struct dom_engine *engine;
 };
 
-/* Returns a row without dominoes, which the caller adds: g = 9.81 m/s^2, no push, no effects, no engine. */
+/* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The row has no dominoes; the
+ * caller adds them. */
 struct dom_row dom_row_default(void);
 
 /* One domino of the row while it is the head, that is, from the moment when it is hit until it hits the next
@@ -175,7 +178,7 @@ struct dom_fall {
     /* J, the energy lost to friction between dominoes after the hit. NaN if the row ends at this domino. */
     dom_real friction_work;
     dom_real theta_m; /* rad, the tilt of the domino at the top of the barrier */
-    /* rad, the last tilt: the domino hits the next one, lies on the floor, or comes to rest */
+    /* rad, the last tilt, at which the domino hits the next one, lies on the floor, or comes to rest */
     dom_real theta;
     size_t moving; /* the number of dominoes that move just after the hit, including this domino */
     /* As in struct dom_floor, but dominoes are numbered from 1. Unless row->floor is set, the coefficients
@@ -210,9 +213,9 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation with effects that
- * the model lacks. run has the parameters and the results of dom_row_run, and finds its private data in
- * row->engine->own. For a row with an engine, all functions about rows call run, except dom_row_watch, which
- * returns DOM_NO_METHOD. Studies may call run from many threads at once.
+ * the model lacks. `run` takes the parameters of dom_row_run and returns the same results; its private data
+ * are in row->engine->own. For a row with an engine, all functions about rows call `run`, except
+ * dom_row_watch, which returns DOM_NO_METHOD. Studies may call `run` from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
                                        bool times, dom_fall_visit *visit, void *context,
@@ -231,12 +234,12 @@ struct dom_moment {
 };
 
 /*
- * Runs a row and calls visit for each of `count` times in s, which must not decrease. A time after the end of
- * the motion gives the final state and the time at which it was reached; INFINITY always gives this state. A
- * domino that has detached keeps the tilt that it had at that moment. visit returns false to end the run.
- * Times < 0 are allowed only if the first domino is tipped over its edge; otherwise, and for NaN, the status
- * is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later times have no
- * value. Other statuses are those of dom_row_run.
+ * Runs a row and calls visit for each of `count` times, which are in s and in ascending order. A time after
+ * the end of the motion gives the final state and the time at which it was reached; INFINITY always gives
+ * this state. A domino that has detached keeps the tilt that it had at that moment. visit returns false to
+ * end the run. Times < 0 are allowed only if the first domino is tipped over its edge; otherwise, and for
+ * NaN, the status is DOM_BAD_TIME. The status is DOM_NO_MARGIN if the row comes so close to a stop that later
+ * times have no value. Other statuses are those of dom_row_run.
  */
 typedef bool dom_moment_visit(const struct dom_moment *moment, void *context);
 enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_compute *compute,
@@ -244,7 +247,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               struct dom_verdict *verdict);
 
 /* Writes the first `count` dominoes of a train. The gap of each is s times its own height, and the first
- * domino has the mass in kg. Does not check the arguments. */
+ * domino has the given mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -287,7 +290,7 @@ struct dom_mend {
  * Finds the changes of single gaps that make all dominoes fall, the smallest change first, and writes their
  * number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which the row
  * ends and the 30 gaps before that gap, down to 0 and up to the height of the domino before the gap. If a gap
- * is wider than that height, and all dominoes fall with a gap of that height, `to` is the height. Each
+ * is wider than that height, and all dominoes fall with a gap of that height, `to` is that height. Each
  * direction is searched in 40 steps of increasing length, of which the first is 1/64,000 of the range, and
  * then by bisection. An interval of gaps narrower than a step can be missed. Calls progress, which may be
  * NULL, for each gap. The statuses are those of dom_row_run.
@@ -324,9 +327,9 @@ struct dom_window {
  * its present value, whichever is larger, but not above DOM_MU_HIGHEST. Leans are tried in both directions,
  * until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all dominoes
  * fall with low and with high. An interval narrower than a step, in which the row does not fall, can be
- * missed. With an engine a window is searched in a quarter of the steps and has three digits, and it ends at
- * a value that the engine cannot decide. Calls progress, which may be NULL, for each window. The statuses are
- * those of dom_row_run.
+ * missed. With an engine, a window is searched in a quarter of the steps and has three digits. A value at
+ * which the engine cannot decide how the row ends counts as outside the window. Calls progress, which may be
+ * NULL, for each window. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_windows(const struct dom_row *row, const struct dom_compute *compute,
                                 enum dom_window_of of, dom_progress *progress, void *context,
@@ -344,9 +347,9 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* The sizes that the dominoes of a row may have, for designs and for dom_row_improve. */
 struct dom_limits {
-    /* For dom_row_improve: true to change the sizes of all dominoes but the first and the last, too, and not
-     * only the gaps. A domino keeps its proportions, except that its thickness is one of the boards if there
-     * are any. */
+    /* For dom_row_improve: true to change not only the gaps but also the sizes of all dominoes except the
+     * first and the last. A domino keeps its proportions, except that its thickness is that of a board if any
+     * boards are given. */
     bool sizes;
     /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
      * walls, the masses follow from the walls instead. */
@@ -354,7 +357,8 @@ struct dom_limits {
     dom_real hall; /* m, the space for the row with its last domino lying; may be infinite */
     /* For dom_row_improve: kg, the mass of the heaviest domino that changes; may be infinite. */
     dom_real heaviest;
-    dom_real grid;         /* m, all measures that change are multiples of this length; 0 for any measures */
+    /* m, the grid: all measures that change are multiples of this length; 0 if there is no grid */
+    dom_real grid;
     const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
     size_t boards;
 };
@@ -374,7 +378,8 @@ struct dom_wish {
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
  * `needs` are NaN or 0. */
 struct dom_design {
-    dom_real s, r;    /* the gap of each domino divided by its height, a multiple of 0.001; the growth */
+    /* s, the gap of each domino divided by its height, is a multiple of 0.001; r is the growth */
+    dom_real s, r;
     size_t steps;     /* first r^steps = height: the row has steps + 1 dominoes */
     dom_real feet;    /* m, from the back of the first domino to the front of the last */
     dom_real length;  /* m, with the last domino lying: feet + height */
@@ -392,29 +397,29 @@ struct dom_design {
  * at which a train has this safety at any s gives the smallest number of dominoes. r is then reduced until
  * the last domino is exactly `height` tall, and s stays where that growth is largest, or as close to it as
  * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, with up to 30
- * dominoes more. train->s and train->r are not used. Separations are tried at multiples of 0.001 and in
- * double; a separation at which a train or a row cannot be computed is skipped. If the wish has an engine,
- * the row must also fall in the engine, which is tried only at separations 0.1 apart. The safety is still
- * computed by the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or
- * DOM_BAD_PUSH if a member of the wish is outside its range.
+ * dominoes more. train->s and train->r are not used. The search computes in double, and tries separations
+ * that are multiples of 0.001. A separation at which a train or a row cannot be computed is skipped. If the
+ * wish has an engine, the row must also fall in the engine, which is then tried only at separations that are
+ * 0.1 apart. The safety is still computed by the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY,
+ * DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
 
 /*
- * Does what dom_design_find does, for a row whose measures are those that can be built: the measures of all
- * dominoes but the first are multiples of the grid, and thicknesses are boards if there are any. The rounded
- * row has the safety, and fits into the hall of the wish; the endless train is that before rounding. The last
- * domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not used. Other statuses are
- * DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ * Does what dom_design_find does, for a row that can be built: the measures of all dominoes except the first
+ * are multiples of the grid, and thicknesses are those of boards if any are given. The row has the safety and
+ * fits into the hall of the wish after it has been rounded; the results about the endless train are those
+ * before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not
+ * used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
                                struct dom_design *design);
 
 /*
- * Finds a row with a given number of steps >= 1 from the first domino to the last, which falls and fits into
- * the hall. The separation is the one that dom_design_find takes for this safety, or one as close to it as
+ * Finds a row that falls and fits into the hall, with a given number of steps (>= 1) from the first domino to
+ * the last. The separation is the one that dom_design_find takes for this safety, or one as close to it as
  * the hall and the start of the row allow. wish->least and wish->engine are not used. The limit is
  * DOM_DESIGN_SAFETY if no such row falls, and DOM_DESIGN_HALL if the hall is too short for this number of
  * dominoes even without gaps. `limits` may be NULL.

@@ -59,8 +59,8 @@ struct engine_hit {
     /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box that is
      * released instead of hit. */
     double time;
-    /* Time at which the box hits the next one, or lies; NaN if the box does neither, or was released instead
-     * of hit. */
+    /* Time at which the box hits the next one, or lies on the floor; NaN if the box does neither, or was
+     * released instead of hit. */
     double until;
     double omega;   /* angular velocity just after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes just after the hit */
@@ -75,19 +75,21 @@ struct engine_fall {
      * case. */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
-    double seconds; /* time until the last box lies, or until the row has come to rest */
+    double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
     double zero;    /* time from the start of the run to the moment from which all other times are measured */
     /* The deepest penetration of one box into another, relative to the height of the rear box. */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
-    /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the
-     * latter. */
+    /* The largest increase of energy from one hit to the next, relative to the kinetic energy at the second
+     * of these hits. */
     double gain;
-    /* How much the foremost boxes slowed down: the smallest ratio of an angular velocity to the largest one
-     * since the box was hit. A row that almost stops has a small ratio. The ratio is 0 if the
-     * foremost box was touched in any way other than by the tip of the box behind it on its back face. */
+    /* How much the foremost boxes slowed down: the smallest ratio of the angular velocity of a box to the
+     * largest angular velocity that this box has had since it was hit. A row that almost stops has a small
+     * ratio. The ratio is 0 if anything other than the tip of the box behind it, on its back face, has
+     * touched the foremost box. */
     double slowest;
-    /* true if boxes have touched in any way other than the tip of one on the back face of the next */
+    /* true if two boxes have touched in any way other than with the tip of one on the back face of the
+     * next */
     bool other_contact;
 };
 

@@ -6,15 +6,15 @@
 
 /*
  * The engine integrates by the symplectic Euler method, which is of first order, and finds the impulses of
- * contacts and joints by iteration. Boxes that penetrate each other are not pushed apart, since that would
- * move them off their hinges. A hinge that has drifted is pulled back over many steps, because a box keeps
- * the velocity that the pull gives it.
+ * contacts and joints by iteration. Boxes that penetrate each other are not pushed apart, since the push
+ * would move them off their hinges. A hinge that has drifted is pulled back over many steps, because a box
+ * keeps the velocity that the pull gives it.
  *
  * Before a hit the steps become short, so that the hit is detected on time and with little penetration. After
  * the hit they stay short for a while: the engine starts each step from the impulses of the step before,
  * scaled by the ratio of the lengths of the two steps, so a long step would act like another hit.
  */
-/* Rate at which drift decays, in 1 / sqrt(height / g) of the foremost box. */
+/* Rate at which the drift of a hinge is made to decay, in 1 / sqrt(height / g) of the foremost box. */
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
 static const double brakes = 0.9; /* the fraction of the time to the next hit that one step may take */
@@ -22,7 +22,7 @@ static const double brakes = 0.9; /* the fraction of the time to the next hit th
 static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
 static const double hinged_rest = 0.1,
-                    any_rest = 3; /* a box that rests for this long has stopped, in sqrt(height / g) */
+                    any_rest = 3; /* time, in sqrt(height / g), after which a box at rest counts as stopped */
 /* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
  * rows need a twentieth of this. */
 static const double most_work = 30;
@@ -131,9 +131,9 @@ static bool is_tipped(const struct world *w, size_t k)
     return cpvcross(arm, world_gravity(w->row)) < 0;
 }
 
-/* Returns true once the head lies, or has rested for so long that it has stopped for good. If only the
- * verdict is wanted, returns true as soon as it is certain: when the last box is tipped and turns ever
- * faster. */
+/* Returns true once the head lies on the floor, or has rested for so long that it has stopped for good. If
+ * only the verdict is wanted, returns true as soon as it is certain: when the last box is tipped and turns
+ * ever faster. */
 static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;

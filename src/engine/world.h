@@ -7,7 +7,8 @@
 #include "engine.h"
 #include <chipmunk/chipmunk_structs.h>
 
-/* The velocity of the centre of a box, and that of its upper and lower end relative to the centre. */
+/* The velocity of the centre of a box, and the velocities of its upper and lower end relative to the
+ * centre. */
 struct motion {
     cpVect v;
     double turns;

@@ -155,8 +155,9 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
 }
 
 #ifdef DOMQ
-/* Sets *coarse to the question that the double kernel answers first, with all of its digits; the quad kernel
- * then finds the remaining ones. Returns false for the other kernels. */
+/* Sets *coarse to the same question in double, to the full precision of double. The quad kernel starts from
+ * the answer of the double kernel to this question. Returns false unless the kernel of the question is the
+ * one in quad. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;

@@ -2,7 +2,7 @@
 /*
  * The kernel with which the functions of <domino.h> compute in float or quad, or by a method for comparison.
  * Only the kernel in double is compiled for <domino.h>. All others are compiled once, for <domino_quad.h>,
- * and this kernel asks the functions of <domino_quad.h> and rounds their results to double.
+ * and this kernel calls the functions of <domino_quad.h> and rounds their results to double.
  */
 #include "dispatch/narrow.h"
 

@@ -9,7 +9,7 @@
 
 #include "geometry/request.h"
 
-/* X(name, arguments): each function returns its status. */
+/* The functions: X(name, arguments). Each function returns a status. */
 #define KERNEL_FUNCTIONS(X)                                                                                  \
     X(angles_find, const struct request *, struct dom_angles *)                                              \
     X(contact_find, const struct request *, dom_real, struct dom_contact *)                                  \
@@ -51,7 +51,8 @@ struct kernel {
 #undef KERNEL_MEMBER
 };
 
-/* kernel_narrow is dispatch/narrow.c, in which <domino.h> has all kernels but the one in double. */
+/* <domino.h> has only kernel_double itself, and uses all other kernels through kernel_narrow
+ * (dispatch/narrow.c). */
 extern const struct kernel kernel_double;
 #ifdef DOMQ
 extern const struct kernel kernel_float, kernel_quad, kernel_gsl, kernel_paper;

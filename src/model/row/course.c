@@ -56,7 +56,7 @@ struct course {
 /* A difference smaller than this many tolerances is noise. */
 #define NOISE 64
 
-/* Differences count as decaying if the ratio of each one to the previous one is at most this. */
+/* Differences count as decaying if each difference is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
 /* Returns the smallest contact force in a run of head k with another omegasq, or a negative number if the row
@@ -109,7 +109,7 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Lowers the deviations of marks `from` to `to` - 1 to those that the later marks allow. */
+/* Limits the deviations of marks `from` to `to` - 1 to what the later marks allow. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -128,7 +128,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
  * same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
-    bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES; /* such an end depends on the sizes alone */
+    /* how such a row ends depends on the sizes alone */
+    bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES;
     m->below = reach || end == DOM_ROW_STOPS ? (real)INFINITY : 0;
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
@@ -160,7 +161,7 @@ static enum dom_status course_run(struct course *c, size_t from, size_t last, st
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* the marks need the smallest forces */
+                      .forces = c->known < count, /* a mark stores the smallest force */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);
@@ -246,7 +247,8 @@ KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domi
     c->request.domino = domino;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
         status = row_domino_check(&c->request, k);
-    if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino) /* the row ends before the change */
+    /* the row ends before it reaches a changed domino */
+    if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino)
         return status;
     for (; c->made < from && status == DOM_OK; c->made++)
         status = row_geometry(&c->request, c->made, c->geometry);

@@ -47,14 +47,14 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* Bounds of the terms of all dominoes before this one, divided by the term of this domino. A sum that
-     * ends at this domino leaves these terms out. */
+    /* A sum along the chain that ends at this domino leaves out the terms of all dominoes before it. These
+     * are upper bounds of the omitted weights and moments of inertia, divided by the term of this domino. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While the domino leans backwards, the slope exceeds 1 by r L |x| / Y, where Y is at least the Y of
-         * an upright domino. */
+        /* While the domino leans backwards, the slope exceeds 1 by r L |x| / Y, and Y is at least as large as
+         * for an upright domino. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
@@ -74,7 +74,8 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Does the same as row_end if domino k or the next one leans before the row falls. */
+/* Does the same as row_end for a domino k that leans, or whose next domino leans, while the row still
+ * stands. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};

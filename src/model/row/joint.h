@@ -5,9 +5,10 @@
 
 #include "dynamics/choose.h"
 
-/* Relative tolerance for a gap as wide as the head is tall, which counts as reached. In a row of a train with
- * r = 1/s, the rounding errors of r, of two powers, of four products, and of both sizes when they are rounded
- * to the precision, are half a unit or one unit in the last place each. */
+/* A gap counts as reached if it is wider than the head is tall by at most this fraction, which allows for
+ * rounding errors. In a row of a train with r = 1/s, these are the errors of r, of two powers, of four
+ * products, and of both sizes when they are rounded to the precision. Each of these errors is half a unit or
+ * one unit in the last place. */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* One domino, in SI units. */

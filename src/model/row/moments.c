@@ -37,7 +37,9 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        if (!k.link.leads) { /* a rounding error: the domino detaches at just this tilt */
+        /* the domino detaches at exactly this tilt, but because of a rounding error it has detached
+         * already */
+        if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
         st->geometry.law->next(&k);
@@ -70,8 +72,8 @@ static real passage_size(const struct passage *s)
 }
 
 /* Near the tilt `to` at which the head comes to rest, the slowness grows like 1 / sqrt(to - theta). Therefore
- * x with theta = to - (to - lo) x^2 is the variable of integration: the time up to the rest is a smooth
- * function of x. */
+ * the variable of integration is x, defined by theta = to - (to - lo) x^2: the time until the head rests is a
+ * smooth function of x. */
 static real slowness_to_rest(real x, void *context)
 {
     struct passage *s = context;
@@ -112,7 +114,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 }
 
 /* Returns by how much the time from the beginning of the passage to the tilt `at` exceeds s->into. If the
- * passage ends at rest, `at` is instead the variable x, and the function uses the time from x to the rest. */
+ * passage ends at rest, `at` is instead the variable x, and the function uses the time from x until the head
+ * rests. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -202,11 +205,12 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges that falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* p = ln tan(phi / 4) when the domino hits the next one, and the requested time from p to that hit */
+    /* `end` is p = ln tan(phi / 4) when the domino hits the next one, and `left` is how long before that hit
+     * p is wanted */
     real end, left;
 };
 
-/* Returns the angle beyond theta_u from p = ln tan(phi / 4). */
+/* Returns phi, the angle beyond theta_u, for p = ln tan(phi / 4). */
 static real tipping_phi(real p)
 {
     return 4 * atan(exp(p));
@@ -218,7 +222,7 @@ static real tipping_rate(const struct segment *st, real phi)
     const struct geometry *geometry = &st->geometry;
     const struct tilt u = tilt_half(geometry_half_u(geometry)),
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
-    real energy = 2 * geometry_height(geometry, u); /* divided by sin^2(phi / 2) */
+    real energy = 2 * geometry_height(geometry, u); /* the released energy divided by sin^2(phi / 2) */
     if (phi > cbrt(REAL_EPSILON))
         energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
     return sqrt(energy / geometry_inertia(geometry, at));

@@ -5,7 +5,7 @@
 
 #include "motion/segment.h"
 
-/* When a passage begins: the head was hit at the time `begins`, and the passage begins `passed` tau later.
+/* Says when a passage begins: `passed` times tau after the head was hit, which was at the time `begins`.
  * `begins` and `tau` are in s. */
 struct since {
     real begins, tau, passed;

@@ -129,7 +129,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* these are final if the head touches the next domino from the start */
+    /* these values are final if the head touches the next domino from the start */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
@@ -153,8 +153,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs the first domino, which is tipped over its edge and let go. Its energy is that of the height that it
- * has lost since it tipped over (9; b5). */
+/* Runs the first domino, which is tipped over its edge and let go. Its kinetic energy is the potential energy
+ * that it has lost since then (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -264,7 +264,7 @@ KERNEL void row_launch(struct run *run)
     run->moving = 1;
 }
 
-/* Runs head k again, which has stopped, with a little more energy than it needs. */
+/* Runs head k, which has stopped, once more, with a little more energy than it needs. */
 static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
 {
     const real more = 1 + (real)1e-4;

@@ -9,7 +9,7 @@
 
 struct run {
     const struct row_request *request;
-    /* geometry[k] is that of domino k as a head, and as a follower of domino k + 1 */
+    /* geometry[k] describes domino k as a head, and as a follower of domino k + 1 */
     struct geometry *geometry;
     size_t made; /* number of geometries that have been made, if some are still missing (steady.h) */
     bool times;

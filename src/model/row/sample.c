@@ -30,9 +30,9 @@ struct random_row {
     const struct dynamics *begun;
 };
 
-/* The sums along a chain between two tilts of its head, in plain arithmetic without compensation, since the
- * sign of a margin needs few digits. H(theta) - H(0) is at most rise theta - bend theta^2 / 2, so the barrier
- * is at most rise^2 / (2 bend). */
+/* The sums along a chain between two tilts of its head, in plain arithmetic without compensation of rounding
+ * errors, since the sign of a margin needs few digits. H(theta) - H(0) is at most
+ * rise theta - bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend). */
 struct glide {
     real J, dH;
     real rise;  /* dH/dtheta where the motion of the head begins */
@@ -76,7 +76,7 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
 static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
 {
     const struct geometry *self = head->geometry;
-    /* If no follower rises, H decreases from theta_u of the head on. */
+    /* If no follower rises, H decreases once the head is beyond theta_u. */
     const real height = geometry_height(self, standing),
                bend = g->bend + (g->rises ? fmin(height, geometry_height(self, head->tilt)) : height);
     const real rise = fmax(g->rise, 0);
@@ -111,8 +111,9 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* Returns true if head k of a plain row certainly keeps falling, and sets `at` to the state in which it hits
- * the next domino. The chain at that moment replaces the stored chain of the previous head. */
+/* For rows with sharp edges and plumb dominoes: returns true if head k certainly keeps falling, and sets `at`
+ * to the state in which it hits the next domino. The chain at that moment replaces the stored chain of the
+ * previous head. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -175,7 +176,7 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Returns true if head k certainly keeps falling, by one of the two functions above. */
+/* Returns true if one of the two functions above finds that head k certainly keeps falling. */
 static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     return run->omegasq > 0 &&

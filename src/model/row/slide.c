@@ -72,8 +72,8 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
     return found;
 }
 
-/* Returns the omegasq that the head needs to pass the hardest tilt: the maximum of -v, from samples and a
- * parabola through every three neighbouring samples. */
+/* Returns the omegasq that the head needs to pass every tilt. This is the maximum of -v, where v is
+ * num_rough_v; it is found from samples and from a parabola through every three neighbouring samples. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* The number of equal dominoes that are required beyond the longest pass. */
+/* A head can repeat the motion of the previous one only if the number of equal dominoes up to the head
+ * exceeds the longest pass by this. */
 enum { STEADY_MORE = 2 };
 
-/* The number of equal dominoes at the end of a row whose geometry is made before the run. */
+/* If a row ends with equal dominoes, the geometry of this many of them is made before the run. */
 enum { STEADY_FIRST = 256 };
 
 /* The largest change of omegasq that all later heads together may cause, as a fraction of the tolerance. */
