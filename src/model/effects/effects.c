@@ -173,13 +173,14 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .help = "The row is set up many times. Each gap has a normally distributed error with the "
                     "standard deviation SIGMA, which is a length, and each height has a relative error with "
                     "the standard deviation HEIGHTS. If LIMITS is 'uniform', SIGMA and HEIGHTS are limits, "
-                    "and all errors within them are equally likely. Dominoes that would overlap touch. "
-                    "'placement' counts how often all dominoes fall, gives the exact 95 % interval of "
-                    "Clopper and Pearson, and reports where rows stop. 'budget' finds the SIGMA with which a "
-                    "given share of the rows falls. With the same 'seed', row number i is always the same, "
-                    "with any number of 'threads'. More errors are effects of their own: error_place, "
-                    "error_thickness, error_mass, error_lean and error_radius of each domino, and "
-                    "error_friction, error_slope, error_floor and error_push of the whole row.",
+                    "and all errors within them are equally likely. Dominoes that would overlap are moved "
+                    "until they touch. 'placement' counts how often all dominoes fall, gives the exact 95 "
+                    "% interval of Clopper and Pearson, and reports where rows stop. 'budget' finds the "
+                    "SIGMA with which a given share of the rows falls. With the same 'seed', row number i "
+                    "is always the same, with any number of 'threads'. Other errors have separate "
+                    "effects: error_place, error_thickness, error_mass, error_lean and error_radius for "
+                    "each domino, and error_friction, error_slope, error_floor and error_push for the "
+                    "whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                       "generators of GSL",
             .plan = "many rows, of which only the verdicts are computed, on all processors",

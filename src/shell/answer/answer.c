@@ -94,7 +94,7 @@ static void terminal_look(struct answer *a)
 
 void answer_plan(struct answer *a, const struct cell *sample)
 {
-    /* in a sweep, the sweep plans one layout for the rows of all points */
+    /* for a point of a sweep, the sweep has planned one layout for the rows of all points */
     if (a->layout.is_planned || !a->out || a->sink)
         return;
     a->layout.is_planned = true;
@@ -103,7 +103,7 @@ void answer_plan(struct answer *a, const struct cell *sample)
         bool is_real = sample && sample[i].kind == CELL_REAL;
         if (a->style.errors && sample && a->columns[i].width == 0 && (is_real || sample[i].kind == CELL_NONE))
             a->layout.bounded |= 1u << i;
-        /* A column with unknown numbers gets its largest unit. */
+        /* If the numbers of a column are not known yet, the column gets its largest unit. */
         domq_real most = (domq_real)a->layout.largest[i];
         most = is_real    ? quad_larger(most, quad(fabs)(sample[i].number))
                : most > 0 ? most

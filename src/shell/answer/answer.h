@@ -18,8 +18,8 @@ struct column {
     const char *key;     /* the name of the column */
     const char *unit;    /* "" for a pure number, "rad" or "rad/s" for angles, or a unit of measure.h */
     const char *meaning; /* an explanation for people, one line long */
-    /* the width of the column in a table of rows, for words and for numbers with few digits; 0 for other
-     * numbers */
+    /* for words and for numbers with few digits, the width of the column in a table of rows; for other
+     * numbers 0 */
     int width;
 };
 
@@ -38,7 +38,7 @@ struct layout {
     int digits, column[ANSWER_COLUMNS], words;
     /* the terminal is too narrow for a table, so a row is written as one line for each column */
     bool is_stacked;
-    /* If not NULL, a typical row, in case the first row has other kinds of cells. */
+    /* A row with the usual kinds of cells, in case the first row has other kinds. May be NULL. */
     const struct cell *sample;
 };
 
@@ -52,7 +52,7 @@ struct csv_layout {
 };
 
 struct answer {
-    FILE *out;        /* NULL if nothing is written and the last row is only kept */
+    FILE *out;        /* the stream; NULL if nothing is written and only the cells of the last row are kept */
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;

@@ -119,8 +119,9 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     if (cell.kind != CELL_REAL)
         return cell_text(cell, all, false, text);
     cell.number = rounded(style, cell.number);
-    /* Half of the computed numbers need all digits, and most of the others need one digit less. If printf has
-     * removed trailing zeros from the text with one digit less, every remaining digit is needed. */
+    /* About half of the computed numbers need `all` digits, and most of the others need one digit less. If
+     * printf has removed trailing zeros from the text with one digit less, every remaining digit is
+     * needed. */
     if (read_back(style, quad_text(cell.number, all - 1, text)) != cell.number)
         return quad_text(cell.number, all, text);
     char fewer[CELL_TEXT];

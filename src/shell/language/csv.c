@@ -125,9 +125,9 @@ static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 
 /*
  * Finds the separator. A line such as "sep=;" above the first line names the separator, and is skipped.
- * Otherwise the separator is ';' if the first line contains one. Otherwise it is a comma if the first line
- * contains one, unless the first tab of the line stands directly between two names. In all other cases it is
- * a tab.
+ * Otherwise the separator is ';' if the first line contains one. Otherwise it is a tab if the first tab of
+ * the first line stands directly between two names, or if the first line has no comma. In all other cases it
+ * is a comma.
  */
 static void separator_find(struct csv_file *file)
 {

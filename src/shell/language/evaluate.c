@@ -33,8 +33,8 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
 
 /* ---- Functions ---- */
 
-/* What a function takes and returns. A function of kind KEEPS returns a value with the unit of its arguments.
- * The result of a function of kind HALVES has the square root of the argument's unit. */
+/* What kinds of values a function takes and returns. A function of kind KEEPS returns a value with the unit
+ * of its arguments. The result of a function of kind HALVES has the square root of the argument's unit. */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {

@@ -74,7 +74,7 @@ struct parse {
      * supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
-    int depth, nested; /* the depth of recursion, and the number of open parentheses */
+    int depth, nested; /* the present depth of recursion, and the number of parentheses that are open */
     int nodes;         /* the number of nodes so far */
     char message[EXPRESSION_MESSAGE];
 };
@@ -88,11 +88,12 @@ struct evaluation {
     /* Computes the value of a TREE_SYMBOL. Returns false after an error, with an empty message if this
      * function has reported the problem itself. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
-    void *context;   /* for `symbol` */
-    domq_real angle; /* the session's unit of angles in radians, for angles that are given without a unit */
-    const char *at;  /* the position of the error, after an error */
-    bool of_value;   /* the error depends on the values of parameters, and may not occur with other values */
-    bool is_named;   /* the message already names the function defined by 'let' in which the error occurred */
+    void *context; /* for `symbol` */
+    /* the session's unit of angles, in radians; it applies to angles that are given without a unit */
+    domq_real angle;
+    const char *at; /* the position of the error, after an error */
+    bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
+    bool is_named;  /* the message already names the function defined by 'let' in which the error occurred */
     char message[EXPRESSION_MESSAGE];
 };
 

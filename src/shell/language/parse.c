@@ -75,7 +75,7 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    /* Where names alternate with values, "feet" is the effect of this name. */
+    /* Where names alternate with values, "feet" is the name of an effect and not a unit. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
     if (*c == '%' && value->kind == TREE_NUMBER && quantity_bare(value->value)) {

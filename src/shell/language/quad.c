@@ -28,7 +28,7 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
-    /* A faster way for whole numbers, which are common. */
+    /* Whole numbers, which are common, are written in a faster way. */
     if (near >= 1 && near < 1e15 && (domq_real)(long long)near == value &&
         whole_text((long long)near, text) <= digits)
         return text;

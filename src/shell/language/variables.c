@@ -18,7 +18,7 @@ static struct body *body_of(char *text)
     return (struct body *)(void *)(text - offsetof(struct body, text));
 }
 
-/* Returns a copy of a text with one user, or NULL if there is no memory. */
+/* Returns the text of a new body with the reference count 1, or NULL if there is no memory. */
 static char *body_make(const char *text)
 {
     const size_t size = strlen(text) + 1;
@@ -48,7 +48,8 @@ const struct variable *variable_find(const struct variables *variables, const ch
     return find(variables, name);
 }
 
-/* Adds a variable, or replaces the one with the same name. Takes over the body, and drops it on failure. */
+/* Adds a variable, or replaces the variable with the same name. Takes ownership of the body, and releases it
+ * on failure. */
 static bool put(struct variables *variables, struct variable variable)
 {
     struct variable *at = find(variables, variable.name);

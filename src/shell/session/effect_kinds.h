@@ -13,7 +13,7 @@
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {
-    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the effects below are numbered after those of the library */
+    EFFECTS_BEFORE = DOM_EFFECT_COUNT - 1, /* the numbers of the effects below follow those of the library */
 #define ENGINE_EFFECT_ENUM(name) EFFECT_##name,
     ENGINE_EFFECTS(ENGINE_EFFECT_ENUM)
 #undef ENGINE_EFFECT_ENUM

@@ -80,8 +80,8 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
                    csv->unused, csv->kind->names);
-    /* 'save' may write a script in another directory, and so needs the absolute path. A pipe has no such
-     * path, and keeps its name. */
+    /* 'save' may write a script in another directory, and so needs the absolute path. A pipe has no absolute
+     * path, so the name that the user typed is kept. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     if (good && !row->path) {
         row->path = csv->path;

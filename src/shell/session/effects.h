@@ -7,7 +7,8 @@
 #include "session/query.h"
 #include "session/row.h"
 
-/* Writes the values of an effect as people read them, such as "0.2", "1 m, 0.1", "record.csv" or "off". */
+/* Writes the values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or
+ * "off". */
 enum { EFFECT_SETTING = 256 }; /* room for the longest file name and a NUL byte */
 const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
 

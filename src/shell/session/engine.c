@@ -99,7 +99,7 @@ static enum dom_status status_of(enum engine_status status)
     return DOM_NOT_CONVERGED;
 }
 
-/* Converts hits from the engine's units to m, s and kg. */
+/* Converts the records of hits from the engine's units to m, s and kg. */
 static void hits_scale(struct engine_hit *hit, struct unit unit, size_t hits)
 {
     for (size_t k = 0; k < hits; k++) {
@@ -217,7 +217,7 @@ struct watch {
     const domq_real *times;  /* the times in s that have not been visited yet */
     size_t left;             /* the number of elements of `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    /* the distances in m that the feet have slid, and the time in s, after the last step */
+    /* after the last step: the distances in m that the feet have slid, and the time in s */
     double *feet, time;
     size_t head;
     domq_moment_visit *visit;
@@ -276,7 +276,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &settled->grain, watch_step, &w);
-    /* Once the motion has ended, the state no longer changes. */
+    /* Once the motion has ended, every later time has the same state. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);

@@ -10,7 +10,7 @@
 /* The values of the parameter 'method'. */
 enum { METHOD_MODEL, METHOD_ENGINE };
 
-/* What the engine finds in one run, in addition to what the library needs. */
+/* Results of one run of the engine that the library does not need. */
 struct engine_report {
     /* in m, s and kg; the caller provides the array, with one element for each domino */
     struct engine_hit *hit;

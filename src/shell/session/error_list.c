@@ -48,8 +48,8 @@ const struct domq_effect error_effect_thickness = {
     .adds = "random errors of the thicknesses of dominoes",
     .help = "Each domino is thicker or thinner by a separate random error, given as a fraction of its "
             "thickness, such as 0.01 or 1 %. Gaps and the density do not change, so a thicker domino is "
-            "heavier. A thickness is never below 1/100 of what it should be, twice the thickness of the "
-            "walls, or twice the radius of the edges.",
+            "heavier. A thickness is never below 1/100 of its value without the error, nor below twice the "
+            "thickness of the walls or twice the radius of the edges.",
     SIZED("", "error of each thickness, as a fraction of it", 1, 0.01),
     .needs = NEEDS(DOM_EFFECT_row),
 };

@@ -191,11 +191,11 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-/* Returns the rank of a parameter in parameter_in_order, which lists parameters by increasing rank. */
+/* Returns the rank of a parameter. parameter_in_order lists the parameters by increasing rank. */
 static int rank(const struct state *state, const struct parameter *p)
 {
-    /* Effects that are on come last. Among the effects that are off, those that need another effect come
-     * first. */
+    /* Effects that are on come after all other parameters. Among the effects that are off, those that need
+     * another effect come first. */
     if (p->effect)
         return state->scene.effect[p->which].on ? 5 : !p->effect->needs;
     return !p->words_only ? 4 : p->setting ? 2 : 3;

@@ -20,7 +20,7 @@ const struct parameter *parameter_find(const char *name);
 /*
  * Returns the parameter that has the word among its synonyms, or NULL. If several parameters have it, the
  * parameter in whose list the word comes first is returned. *is_usual is set to true if the word is the first
- * synonym in that list, which is what most people call the parameter.
+ * synonym in the list of that parameter, since most people call the parameter by its first synonym.
  */
 const struct parameter *parameter_by_synonym(const char *word, bool *is_usual);
 
@@ -90,8 +90,8 @@ bool parameter_set(struct state *state, const struct parameter *parameter, const
 
 /*
  * Lists the parameters, with NULL after the last one, in an order in which 'set' and 'effect' can restore the
- * state. If one effect needs another, the dependent effect is turned off first and on last. tol comes after
- * the precision.
+ * state. If one effect needs another, the dependent effect is turned off before the other, and turned on
+ * after it. tol comes after the precision.
  */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 

@@ -15,7 +15,7 @@ struct shard {
     size_t part, parts;
 };
 
-/* The circumstances of a computation. They do not change the numbers of an answer. */
+/* Under which circumstances a command runs. They do not change the numbers of its answer. */
 struct means {
     struct shard shard;
     bool safe;          /* commands may not touch files */
@@ -42,7 +42,7 @@ enum { ANSWER_CELLS = 16 };
 struct ans {
     const struct command *command; /* the command of the last answer; NULL if there has been none */
     struct cell cells[ANSWER_CELLS];
-    bool printed; /* the last answer was the value of an expression */
+    bool printed; /* the last answer was the value of an expression, which is stored in `value` */
     struct quantity value;
 };
 
@@ -62,7 +62,7 @@ struct walk {
 
 struct query {
     const struct state *state;
-    const struct scene *scene; /* the scene of that state */
+    const struct scene *scene; /* the scene of `state` */
     const struct arguments *given;
     const struct ans *ans;
     const struct means *means;

@@ -26,7 +26,7 @@ struct parameter {
     /* NULL unless the parameter is an effect. For an effect, `help` and `synonyms` above are NULL, because
      * the description of the effect contains them. */
     const struct domq_effect *effect;
-    int which;                /* the number of the effect, if the parameter is one */
+    int which;                /* the number of the effect, if the parameter is an effect */
     const struct word *words; /* words for some of the values; may be NULL */
     /* the parameter takes only these words, and its value is stored as an unsigned */
     bool words_only;

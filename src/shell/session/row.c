@@ -33,7 +33,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
     row_changes_apply(listed, domino, count);
-    /* restores m g h / 2 = 1 for the changed first domino */
+    /* if a change has affected the first domino, its m g h / 2 must be made 1 again */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
@@ -123,8 +123,8 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 #define SLIP_OF_UNIT 50
 
 /* Returns true if a new value that was typed without a unit, and is therefore in m or kg, is plausible: a
- * user who types 25 means 25 mm and not 25 m. A gap is plausible if it is no wider than the taller of the two
- * dominoes beside it is tall. Otherwise reports the problem. */
+ * user who types 25 means 25 mm and not 25 m. A gap is plausible if it does not exceed the height of the
+ * taller of the two dominoes beside the gap. Otherwise reports the problem. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -193,8 +193,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Returns true if the row has all dominoes in the ranges and, if gaps change, a gap before each of these
- * dominoes. Otherwise reports the problem. */
+/* Returns true if the row has all dominoes that are in the ranges and, if gaps change, a gap before each of
+ * these dominoes. Otherwise reports the problem. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {

@@ -51,12 +51,14 @@ struct listed_row {
 
 struct scene {
     struct domq_train train;
-    struct domq_compute compute; /* options without error bounds, which query_compute adds */
+    /* the options, except whether error bounds are computed, which query_compute adds */
+    struct domq_compute compute;
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
     domq_real density; /* the density of solid dominoes in kg/m^3; 0 if it is not known */
     domq_real seed;    /* the seed of random rows */
-    unsigned method;   /* METHOD_MODEL or METHOD_ENGINE, which decides what runs rows; see engine.h */
+    /* METHOD_MODEL or METHOD_ENGINE (engine.h): whether the model or the engine runs rows */
+    unsigned method;
     struct effect_state effect[EFFECT_COUNT];
     struct listed_row listed;
 };
@@ -103,8 +105,8 @@ void listed_free(struct listed_row *row);
  * in m. */
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);
 
-/* Returns the mass in kg that the first domino has if its height and thickness in m are these, or 0 if
- * neither mass nor density is known. */
+/* Returns the mass in kg of a first domino with this height and thickness in m, or 0 if neither mass nor
+ * density is known. */
 domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_real thickness);
 
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */

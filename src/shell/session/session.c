@@ -60,7 +60,7 @@ bool session_stops(const struct session *session, long errors)
 /* A copy of the typed line above a caret is indented by this many columns. */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line has no control characters. A pasted line may have some. */
+/* Returns true if the typed line has no control characters, which a pasted line may have. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed.text, (size_t)session->typed.length);

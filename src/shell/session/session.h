@@ -14,7 +14,7 @@ struct session {
     struct ans ans;
     struct walk walk;
     struct means means;
-    struct undo *undo; /* NULL until something has changed */
+    struct undo *undo; /* the history of states; NULL until a command has changed the state */
 
     struct output *output; /* the top of the stack of outputs, which receives the answers */
     struct output standard;
@@ -31,14 +31,14 @@ struct session {
     struct typed {
         const char *text; /* the line that is being run, not terminated by a NUL byte; NULL between lines */
         int length, columns;
-        bool is_last; /* at the prompt: nothing has been written below the typed line */
+        bool is_last; /* the session is at the prompt, and nothing has been written below the typed line */
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
     /* The flag that the handler of SIGINT sets, if SIGINT ends only the running command and not the script.
      * Otherwise NULL. */
     volatile sig_atomic_t *resumes;
-    bool bail; /* the first error ends the session */
+    bool bail; /* the first error ends the session, as with --bail */
     bool quit;
     bool wrote; /* the last command wrote rows of an answer */
     long errors;
