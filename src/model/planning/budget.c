@@ -10,12 +10,14 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    enum dom_error_of kind; /* the kind of error that varies, or DOM_ERROR_COUNT for all */
+    enum dom_error_of kind; /* the kind of error whose size is sought; DOM_ERROR_COUNT stands for all kinds */
     double widest;          /* the largest sigma that is tried */
-    double lo, hi;          /* best known bounds of sigma: enough rows fall with lo, too few with hi */
+    /* the closest known bounds of sigma: enough rows fall with `lo`, and too few with `hi` */
+    double lo, hi;
     /* true while the search is for sigma itself, not for an end of its confidence interval */
     bool of_answer;
-    /* A cache of the last results. The searches for the interval need many of them again. */
+    /* A cache of the last results. The searches for the ends of the confidence interval need many of these
+     * results again. */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];
@@ -54,11 +56,11 @@ static void known(struct budget *b, double lo, double hi)
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds sigma with a relative tolerance of 1e-3. At `lo` at least the requested share of the rows falls, and
- * at `hi` a smaller share. */
+/* Finds sigma with a relative tolerance of 1e-3. At `lo`, the share of the rows that fall is at least the
+ * requested share; at `hi` it is smaller. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
-    const double none = 1e-9 * hi; /* smaller than any error of real rows */
+    const double none = 1e-9 * hi; /* an error this small is negligible in a real row */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(b, at, &falls);
@@ -73,7 +75,7 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
 }
 
 /* Finds the largest sigma at which the requested share of the rows falls, by doubling and then by bisection.
- * *sigma is infinite if that share still falls at the largest sigma that is tried. */
+ * *sigma is infinite if enough rows fall even at the largest sigma that is tried. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;

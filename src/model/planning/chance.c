@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The probability that a row fails, that is, does not fall. This probability is an integral over the random
- * errors. Here it is a sum over random rows, which are the same in every call. Each row contributes a number
- * between 0 and 1 that depends smoothly on its margin. A first-order reliability index, which needs only the
- * derivatives at the row without errors, is no substitute: a domino fails if the gap before it is too narrow
- * or too wide, so its margin has a maximum in between, where the derivative is 0. A search that followed this
- * index found a row of which 54 % failed, instead of 29 %.
+ * errors. Here it is estimated by a mean over random rows, which are the same in every call. Each row
+ * contributes a number between 0 and 1 that depends smoothly on its margin. A first-order reliability index,
+ * which needs only the derivatives at the row without errors, is no substitute: a domino fails if the gap
+ * before it is too narrow or too wide, so its margin has a maximum in between, where the derivative is 0. A
+ * search that followed this index found a row of which 54 % failed, instead of 29 %.
  */
 #include "planning/chance.h"
 #include "dispatch/dispatch.h"
@@ -19,18 +19,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The largest and the smallest margin: that of a domino that needs no energy, and that of one that friction
- * locks. MARGIN_NONE is the margin of a domino at which a row ends in a way that the model does not follow.
- */
+/* MARGIN_MOST and MARGIN_LEAST are the largest and the smallest margin. A domino that needs no energy has the
+ * largest margin, and a domino that friction locks has the smallest. MARGIN_NONE is the margin of a domino at
+ * which a row ends in a way that the model does not follow. */
 #define MARGIN_MOST  9.0
 #define MARGIN_NONE  (-1.0)
 #define MARGIN_LEAST (-3.0)
-#define UNSEEN       20.0 /* the margin of a domino that is not hit, since the row has ended before */
+#define UNSEEN       20.0 /* the margin of a domino that is not hit, since the row ends earlier */
 
-/* A row that fails with a smaller share than this, or falls with a smaller share, has no derivative. */
+/* No derivative is computed for a row whose probability to fall, or to fail, is smaller than this. */
 #define SURE 1e-3
 
-/* A run with a change ends at a domino whose margin changes by less than this share of the largest change. */
+/* After a gap or a size has been changed, a row is run only up to the domino whose margin changes by less
+ * than this fraction of the largest change of a margin. */
 #define DECAYED 1e-3
 
 /* The relative step of difference quotients. The margins are correct to about 1e-7. */
@@ -44,8 +45,8 @@ enum { BATCH = 16 };
 /* The energy margins of a row while it runs. */
 struct run {
     double *margin;
-    bool tips;          /* the first domino is tipped, and has no margin */
-    const double *base; /* the margins without the change that is tried, or NULL */
+    bool tips;          /* the first domino is tipped over its edge, and has no margin */
+    const double *base; /* the margins before the change that is tried, or NULL */
     size_t from;        /* the number of the first domino that the change concerns */
     double most;        /* the largest change of a margin so far */
 };
@@ -65,8 +66,8 @@ static bool margin_seen(const struct dom_fall *fall, void *context)
     return fall->domino < run->from + 2 || by > DECAYED * run->most;
 }
 
-/* Finds the energy margins of a row, one for each domino. If the row has a change, `base` has the margins
- * without it, and the run ends once the change has decayed. */
+/* Finds the energy margins of a row, one for each domino. If domino `from` has been changed, `base` has the
+ * margins before the change, and the run ends once the margins hardly change any more. */
 static enum dom_status energies_find(const struct chance *c, const struct dom_row *row, const double *base,
                                      size_t from, double *margin)
 {
@@ -86,7 +87,8 @@ static enum dom_status energies_find(const struct chance *c, const struct dom_ro
     return DOM_OK;
 }
 
-/* Finds the margins of reach: by which share of its height each domino reaches beyond the gap after it. */
+/* Finds the margins of reach. The margin of a domino says how far the previous domino reaches beyond the gap
+ * between the two, as a fraction of the height of the previous domino. */
 static void reaches_find(const struct dom_row *row, double *margin)
 {
     margin[0] = MARGIN_MOST;
@@ -111,13 +113,14 @@ struct shared {
     enum dom_status *status;
 };
 
-/* The margins of one row, and how much its share of falling changes with each of them. */
+/* The margins of one row before and after a change, and the derivative of the probability that the row falls
+ * with respect to each margin. */
 struct weighed {
     double *margin, *changed, *weight;
 };
 
-/* Returns the probability that the row falls, which is the product of those of its margins, and writes its
- * derivative by each margin. */
+/* Returns the probability that the row falls, which is the product of one probability for each margin, and
+ * writes the derivative of the product with respect to each margin. */
 static double weigh(const struct chance *c, size_t margins, const struct weighed *w)
 {
     double before = 1, after = 1;
@@ -133,7 +136,7 @@ static double weigh(const struct chance *c, size_t margins, const struct weighed
     return before;
 }
 
-/* Returns how much the changed energy margins change the probability that the row falls. */
+/* Returns by how much the probability that the row falls changes with the energy margins. */
 static double change_of(const struct weighed *w, size_t count)
 {
     double sum = 0;
@@ -215,7 +218,7 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     const struct dom_placement *p = &s->chance->placement;
     enum dom_status status = DOM_OK;
     for (size_t i = 0; i < batches; i++)
-        s->status[i] = DOM_INTERRUPTED; /* until the batch has run */
+        s->status[i] = DOM_INTERRUPTED; /* replaced when the batch has run */
     if (p->parallel)
         status = p->parallel(batches, batch_run, s, p->pool);
     for (size_t i = 0; i < batches && !p->parallel; i++)

@@ -8,9 +8,9 @@
 #include "planning/planner.h"
 #include <string.h>
 
-/* The search tries rows with up to MORE dominoes more than the fewest that may suffice. The search for the
- * shortest row ends after LONGER successive rows that are not shorter than the best one, or after
- * LONGER_IN_ENGINE such rows if an engine runs each row. */
+/* The search tries rows with up to MORE dominoes in addition to the smallest number that may suffice. The
+ * search for the shortest row ends after LONGER successive rows that are not shorter than the best one, or
+ * after LONGER_IN_ENGINE such rows if an engine runs each row. */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
 static bool train_enough(struct planner *p, struct choice c)
@@ -99,8 +99,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Returns the smallest separation down to which the row keeps the safety. With the separation `good` the row
- * must have the safety. */
+/* Starting from the separation `good`, at which the row must have the safety, returns the smallest separation
+ * down to which the row keeps the safety. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -116,8 +116,8 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Steps of the search for a separation, in units of 1/GRID. For one row an engine takes as long as the model
- * takes for hundreds. */
+/* Steps of the search for a separation, in units of 1/GRID. An engine takes as long for one row as the model
+ * takes for hundreds of rows. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
@@ -190,8 +190,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth has. That
- * is the ratio of a train of equal dominoes (r = 1). */
+/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth can have.
+ * A train of equal dominoes (r = 1) has this largest ratio. */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;
@@ -279,7 +279,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train is as safe as that */
+        p.wish = &falls; /* no train has the safety */
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An error leaves a size at least this fraction of its value. */
+/* No error makes a size smaller than this fraction of the size without the error. */
 #define LEAST_SHARE ((dom_real)0.01)
 
 /* Slopes, leans, radii and thicknesses stay inside their limits by at least this factor, which exceeds the
@@ -35,8 +35,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns seed number i of those derived from `seed`. Its bits are mixed with splitmix64 (Steele et al.,
- * 2014), since the consecutive values of a plain counter would give similar random numbers. */
+/* Returns the i-th of the seeds that are derived from `seed`. Its bits are mixed with splitmix64 (Steele et
+ * al., 2014), since the consecutive values of a plain counter would give similar random numbers. */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -110,7 +110,7 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
 }
 
 /* Moves each domino on its own, without the dominoes after it. A domino that would overlap the previous one
- * is placed so that it touches that one. */
+ * is placed so that the two touch. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* how far the previous domino has moved */
@@ -153,7 +153,7 @@ dom_real row_steepest(const struct dom_row *row)
     return steepest;
 }
 
-/* Draws the error of a value that the whole row has in common. */
+/* Draws the error of a value that is the same for the whole row, such as the slope. */
 static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
 {
     struct dom_row *row = &draw->row;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the row that falls most reliably under random errors. The search minimizes the smoothed share of
- * random rows that do not fall (chance.h). The smoothing of each margin is as wide as a multiple of its own
- * standard deviation. It begins with the factor 1, where the share is about that with errors sqrt(2) times as
- * large, so that rows far from failing contribute, too, and goes on with more rows and less smoothing. If all
- * margins have the same width, the large dominoes, which hardly notice errors of a few mm, keep as much
- * energy to spare as the small ones, which need it. All steps use the same random rows. Other random rows
- * decide whether a result is kept.
+ * Finds the row that falls most reliably under random errors. The search minimizes the smoothed fraction of
+ * random rows that do not fall (chance.h). Each margin is smoothed over a multiple of its standard deviation.
+ * At first the multiple is 1: the fraction is then about as large as if all errors were sqrt(2) times as
+ * large, and rows that are far from failing contribute, too. Later levels of the search have more rows and
+ * less smoothing. If all margins were smoothed over the same width, the large dominoes, which hardly notice
+ * errors of a few mm, would keep as much energy to spare as the small ones, which need it. All steps use the
+ * same random rows. Other random rows decide whether a result is kept.
  *
  * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better in an earlier version of this search:
  * 7.2 % of the rows of eleven dominoes failed instead of 7.6 %, with as many runs. But Debian has NLopt only
@@ -29,7 +29,7 @@
 #include <string.h>
 
 /* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of each
- * margin, and the largest number of values of the function with a gradient. */
+ * margin, and how often the function and its gradient may be evaluated. */
 static const struct level {
     size_t rows;
     double width;
@@ -37,17 +37,17 @@ static const struct level {
 } levels[] = {{256, 1, 15}, {512, 0.5, 15}, {1024, 0.25, 15}, {2048, 0.15, 8}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* A result is checked after this many values. */
+/* A result is checked after this many evaluations. */
 enum { CHECK = 8 };
 
-/* The standard deviation of the margins is taken to be at least this. */
+/* A margin with a smaller standard deviation is treated as if it had this one. */
 #define SCATTER_LEAST 0.03
 
 /* The tolerance of the margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
 /* The length of the minimizer's first step, in logarithms of gaps and heights, and the accuracy of its line
- * searches, which is the one that the manual of GSL recommends. */
+ * searches, as recommended in the manual of GSL. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -55,19 +55,21 @@ struct search {
     struct shape shape;
     struct chance chance;
     const struct dom_compute *compute;
-    const struct dom_placement *placement;        /* the rows that decide */
-    double *width;                                /* of each margin, on this level */
-    struct dom_domino *domino, *candidate, *best; /* for one trial; for one check; the best row so far */
+    const struct dom_placement *placement; /* the rows that decide */
+    /* the width of the smoothing of each margin, on this level */
+    double *width;
+    /* memory for a trial and for a check, and the best row so far */
+    struct dom_domino *domino, *candidate, *best;
     double *by_gap, *by_size;
     double *margin;       /* the margins of each row of a level */
     double *sorted;       /* one margin of all rows */
     gsl_vector *lowest_x; /* where the function had its lowest value on this level */
     double lowest;
-    size_t left;             /* the number of values that are left on this level */
-    double fails;            /* the smooth share of the best row, on the last level */
-    struct dom_study *study; /* of the row as given, and of the best row so far */
-    bool given_allowed;      /* the row as given keeps the limits */
-    bool is_allowed;         /* the best row so far keeps the limits */
+    size_t left;             /* the number of evaluations that are left on this level */
+    double fails;            /* the smoothed fraction of the rows that fail, for the best row so far */
+    struct dom_study *study; /* two studies: of the row as given, and of the best row so far */
+    bool given_allowed;      /* the row as given is within the limits */
+    bool is_allowed;         /* the best row so far is within the limits */
     enum dom_status status;
     dom_progress *progress;
     void *context;
@@ -82,7 +84,7 @@ static size_t values_all(void)
     return all;
 }
 
-/* Returns the number of rows on a level, at most about twice the number of rows that decide. */
+/* Returns the number of rows on a level, which is limited to about twice the number of rows that decide. */
 static size_t rows_of(const struct dom_placement *placement, const struct level *level)
 {
     const size_t most = 2 * placement->rows + 2;
@@ -117,7 +119,8 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
     }
     fails = GSL_MIN_DBL(GSL_MAX_DBL(fails, DBL_MIN), 1 - DBL_EPSILON);
     for (size_t i = 0; gradient && i < x->size; i++) {
-        /* the derivatives of gaps and heights by variable i, which cost nothing compared with running rows */
+        /* the derivatives of gaps and heights with respect to variable i take no time compared with running
+         * rows */
         const double step = 1e-6;
         double sum = 0, *moved = x->data + i * x->stride, at = *moved;
         *moved += step;
@@ -155,8 +158,8 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 
 /* ---- The search ---- */
 
-/* Sets the width of each margin from its standard deviation. This is estimated from the median and the values
- * below the median, since the large ones say nothing about the rows that fail. */
+/* Sets the width of each margin from its standard deviation. The standard deviation is estimated from the
+ * median and from a smaller quantile, since large margins say nothing about the rows that fail. */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
     const size_t rows = s->chance.placement.rows, margins = 2 * s->shape.row->count;
@@ -183,9 +186,9 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Keeps a row if it is better than the best so far by the rows of the search, and not worse than the row as
- * given by the rows that decide. If the row as given is outside the limits, any row that keeps them is
- * better. */
+/* Keeps a row if fewer rows of the search fail with it than with the best row so far, and if more of the
+ * deciding rows fall with it than with the row as given. If the row as given is outside the limits, any row
+ * within the limits is better. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;

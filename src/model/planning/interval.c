@@ -11,10 +11,10 @@
 
 /*
  * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
- * probability p. Every term of the binomial distribution is computed from its neighbour by their ratio,
- * starting at the term of k, and the sum is divided by the sum of all terms. So there are no factorials, and
- * all terms are relative to that of k. gsl_cdf_beta_P computes the same probability, but from a million rows
- * on it fails at some p, where its continued fraction does not converge.
+ * probability p. Starting at the term of k, every term of the binomial distribution is computed from its
+ * neighbour by their ratio, and the sum over the tail is divided by the sum of all terms. So there are no
+ * factorials, and all terms are relative to that of k. gsl_cdf_beta_P computes the same probability, but from
+ * a million rows on it fails at some p, where its continued fraction does not converge.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -47,7 +47,7 @@ static double tail_off(double p, void *context)
  * TAIL. Bisection is used, since the tail is flat where it is 0. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 halvings give all digits of a root near 1. The smallest root, that for one row out of the largest
+    /* 50 halvings give all digits of a root near 1. The smallest root, for one row out of the largest
      * possible number of rows, needs up to 64 more. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Limits on how many rows fall by chance, for a given probability. */
+/* The limits beyond which a number of fallen rows would be unlikely, given the probability that a single row
+ * falls. */
 #ifndef DOM_INTERVAL_H
 #define DOM_INTERVAL_H
 

@@ -136,8 +136,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The factor by which the growth is raised, and the factor if an engine runs the row and the search is for a
- * growth at which the row falls. */
+/* The factor by which each step raises the growth, and the larger factor that is used if an engine runs the
+ * row and the search is for a growth at which the row falls. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 

@@ -108,7 +108,7 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE
-    row.walls *= p->wish->first; /* from multiples of the first height to m */
+    row.walls *= p->wish->first; /* converts the walls from multiples of the first height to m */
     return row;
 }
 

@@ -21,7 +21,7 @@ struct planner {
     /* settings of the search, which computes in double for every precision of the result */
     struct dom_compute compute;
     const struct dom_wish *wish;
-    const struct dom_limits *limits; /* the sizes that the dominoes may have, or NULL for any */
+    const struct dom_limits *limits; /* the sizes that the dominoes may have; NULL if any sizes are allowed */
     struct dom_domino *domino;       /* array with room for `room` dominoes */
     size_t room;
     enum dom_status status;
@@ -64,8 +64,8 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
  * is set, the run ends at the first ratio below the safety. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
-/* Returns the length from the back of the first domino to the front of the last one, while all stand, for the
- * separation s and the thickness d of the train, before the measures are rounded. */
+/* Returns the length of the standing row from the back of the first domino to the front of the last one, for
+ * the separation s and the thickness d of the train, before the measures are rounded. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
 /* Returns the length of the row after the last domino has fallen forwards, before the measures are rounded.

@@ -10,7 +10,7 @@
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* Gaps of a row that just fits into the hall are narrowed by the factor 2^(-1 / SHARP). */
+/* If a row just fits into the hall, its gaps are nevertheless narrowed, by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height changes at most by this factor. */
@@ -53,7 +53,8 @@ void shape_begin(const struct shape *s, double *x)
     }
 }
 
-/* Returns the logarithm by which all growths must be divided, so that the last domino keeps its height. */
+/* Returns the logarithm of the factor by which all growths must be divided so that the last domino keeps its
+ * height. */
 static dom_real growth_excess(const struct shape *s, const double *growth)
 {
     const struct dom_domino *d = s->row->domino;
@@ -123,8 +124,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. The total distance is rounded each time rather than the single gap, so that
- * rounding errors do not add up. */
+/* Rounds all gaps to the grid. The sum of the gaps is rounded rather than each single gap, so that rounding
+ * errors do not add up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;
@@ -156,7 +157,7 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     }
     if (room <= 0 && gaps > 0)
         return false;
-    /* All but the smaller of 1 and room / sum, and smooth, so that a minimizer can follow the limit. */
+    /* Almost the smaller of 1 and room / sum, but smooth, so that a minimizer can follow the limit. */
     const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
     for (size_t k = 1; k < count; k++)
         d[k].gap *= narrower;

@@ -11,10 +11,10 @@ struct shape {
     const struct dom_limits *limits;
 };
 
-/* Returns the number of variables: the logarithms of the gaps, each divided by the height of the domino
- * before it, and, if sizes change, those of the growths from domino to domino. Only the differences between
- * the growths matter, since the last domino keeps its height. A row whose measures may not change has none.
- */
+/* Returns the number of variables. These are the logarithms of the gaps, each divided by the height of the
+ * domino before it, and, if sizes change, the logarithms of the growths from domino to domino. Only the
+ * differences between the growths matter, since the last domino keeps its height. A row whose measures may
+ * not change has no variables. */
 size_t shape_variables(const struct shape *shape);
 
 /* Sets the variables to the values for the given row. */

@@ -66,10 +66,10 @@ static bool is_train(const struct dom_row *row)
 /*
  * Runs only the first dominoes of a row that is part of a train, and returns true if these dominoes decide
  * whether all fall. A cycle hardly depends on the cycles before it, so the share of its energy that a domino
- * can spare approaches the share in the endless train, and changes less and less from domino to domino. All
- * dominoes fall if the first ones do, and if at least half of the share would be left after the last change
- * is repeated for each of the other dominoes. The last domino of a row falls down to the floor, unlike all
- * others, so its share must be large enough as well.
+ * can spare approaches the share in the endless train, and changes less and less from domino to domino. So
+ * all dominoes fall if the first ones do and if, supposing that the last change of the share repeats at every
+ * remaining domino, at least half of the share is left at the end. The last domino, unlike all others, falls
+ * down to the floor, so its share must be large enough as well.
  */
 static bool start_decides(struct trial *t)
 {
@@ -165,7 +165,8 @@ dom_real digit_of(dom_real value, int places)
 
 /* Values are rounded to this relative precision, so that a person can type them. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* The relative precision for rows that an engine runs, whose results are accurate to one percent. */
+/* The relative precision of values if an engine runs the rows, since the results of an engine are accurate to
+ * one percent. */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
 /* The number of values that are tried in each direction. An engine takes thousands of times as long for each
@@ -240,7 +241,8 @@ bool falls_with(dom_real value, void *context)
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
-            t->status = DOM_OK; /* a row that an engine cannot decide counts as a row that does not fall */
+            /* a row whose end the engine cannot decide counts as a row that does not fall */
+            t->status = DOM_OK;
     } else {
         t->verdict.end = DOM_ROW_STOPS;
         if (t->status == DOM_OK)

@@ -59,7 +59,7 @@ dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* Return and set the value. */
+/* trial_now returns the value, and trial_change sets it. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
@@ -74,16 +74,16 @@ dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 /* Returns one unit of the last digit to which an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* Returns the last value with which all dominoes fall, between a good value and a bad one. The result is
- * rounded to few digits, away from the bad value. */
+/* Searches from a good value towards a bad one, and returns the last value with which all dominoes still
+ * fall, rounded to a few digits, away from the bad value. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Returns the last value on the way from `now` to `end` with which all dominoes fall. All must fall with
- * `good`, the value of step i - 1. */
+/* Searches from `now` towards `end`, and returns the last value with which all dominoes still fall. All
+ * dominoes must fall with `good`, the value of step i - 1. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Finds the nearest value between the present one and `end` with which all dominoes fall, and the farthest
- * value up to which they still fall. Returns false if there is no such value. */
+/* Searches from the present value towards `end`. *to is the first value with which all dominoes fall, and
+ * *until is the last value up to which they still fall. Returns false if there is no such value. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif
