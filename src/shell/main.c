@@ -35,7 +35,7 @@ static const char help[] =
     "      --interruptible     SIGINT ends the running command, not the program\n"
     "      --shard I/N         compute only part I of N of a curve, sweep or placement\n"
     "  -h, --help              print this help\n"
-    "  -V, --version           print the version, and with what this program was built\n"
+    "  -V, --version           print the version, and what this program was built with\n"
     "\n"
     "Exit status: 0, or 1 after an error in a command, or 2 for wrong options.\n"
     "The command 'help' lists the commands: domino -e help\n";

@@ -64,7 +64,7 @@ END
 
 @test "design: what does not fit, and the number that would fit" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
-    same hall "infeasible: the shortest row with safety 2 is 19.59 m long with its last domino fallen; 'hall 19.6 m' would do." "$output"
+    same hall "infeasible: the shortest row with safety 2 is 19.59 m long with its last domino fallen; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
     same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
     close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6

@@ -161,7 +161,7 @@ effect row 6; effect friction 0.2|2|mgh/2
 effect row "$root/examples/record.csv"; effect push 3|8|J
 END
     run -1 "$DOMINO" -e 'set q hollow; set s 0.1; set r 1.2; effect row 5; explain verdict'
-    grep -q 'no energy decides how this row ends, at domino 1: it touches the next' <<<"$output"
+    grep -q 'this row ends at domino 1 for a reason other than its energy: it touches the next' <<<"$output"
     ! "$DOMINO" -e 'effect row 6; explain verdict' | grep -q 'This is the endless train'
     # Without a row the verdict is that of the train.
     same train "$(json 'explain why')" "$(json 'explain verdict')"

@@ -67,7 +67,7 @@ END
     printf 'gap (mm), speed (m/s)\n9, fast\n' >word.csv
     wrong 'fit friction empty.csv' "empty.csv:1:1: the file has no speeds; the first line names gap \(mm\), speed \(m/s\), and, if known, error"
     wrong 'fit friction head.csv' 'head.csv:2:1: the file has no speeds'
-    wrong 'fit friction one.csv' 'one.csv has one gap, .*add a second gap'
+    wrong 'fit friction one.csv' 'one.csv has only one gap, .*add a second gap'
     wrong 'fit friction bare.csv' "bare.csv:2:1: gap has no unit: '9' would be 9 m; write 'gap \(mm\)'"
     wrong 'fit friction unit.csv' "unit.csv:1:11: '\(m\)' is not a unit of speed; its units are: m/s"
     wrong 'fit friction some.csv' 'some.csv:3:9: some speeds have an error and some have none'
@@ -76,7 +76,7 @@ END
     wrong 'fit friction front.csv' "front.csv:1:1: the column 'speed' is missing; the first line names gap"
     wrong 'fit friction word.csv' "word.csv:2:4: speed at 'fast': 'fast' has no value in a file; write a speed"
     wrong 'fit friction none.csv' "cannot read 'none.csv': No such file"
-    wrong 'fit slope one.csv' 'one.csv has one gap, which any slope may fit'
+    wrong 'fit slope one.csv' 'one.csv has only one gap, and any value of slope may fit it'
     wrong 'fit friction' 'FILE is missing; usage: fit NAME FILE \[FPS\]'
     wrong 'fit mu one.csv' "unknown thing to fit 'mu'; did you mean 'friction'\?"
     wrong 'fit friction push one.csv' "a comma is missing before 'push'"
@@ -91,7 +91,7 @@ END
     wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: .fit ... FILE 240.'
     wrong 'fit friction mixed.csv' 'mixed.csv:4:9: the lines of run 1 are interrupted by another run'
     wrong 'fit friction twice.csv' 'twice.csv:3:1: domino 2 comes after domino 2'
-    wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s does not come after 0.2 s'
+    wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s is not later than 0.2 s'
     wrong 'fit friction timeless.csv' "timeless.csv:1:1: there is neither a column 'time \(s\)' nor a column 'frame'"
     wrong 'fit friction angle.csv' "angle.csv:2:4: angle has no unit: .*write 'angle \(deg\)'"
     wrong 'fit friction, push frames.csv 240' '3 measurements are too few for 2 unknowns and the clock of each run'

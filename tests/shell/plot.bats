@@ -194,7 +194,7 @@ END
     differ 'it does not fall' 'all fall' "$(json "$scene; verdict" | values verdict)"
     csv "$scene; mend" | awk -F, 'NR > 1 { print $1, ($3 < $4 ? $3 : $4), ($3 < $4 ? $4 : $3) }' | sort >mend
     same 'the same as mend' "$(cat mend)" "$(csv "$scene; plot gaps" | awk -F, 'NR > 1 && $3 != "" { print $1, $3, $4 }' | sort)"
-    "$DOMINO" -e "$scene; plot gaps" | grep -q 'The row does not fall as planned. It does with'
+    "$DOMINO" -e "$scene; plot gaps" | grep -q 'The row does not fall as planned. It falls with a gap of'
 }
 
 @test "plot placement: the data agree with placement, begin without errors, and have the interval" {

@@ -191,12 +191,12 @@ bool cost_measure(const struct query *query, int which, struct cost *cost, struc
 /* ---- The command ---- */
 
 static const struct column cost_columns[] = {
-    {"method", "", "the paper's recipe, solvers of GSL, or ours", 6},
+    {"method", "", "the method: the paper's recipe, GSL's solvers, or our own", 6},
     {"precision", "", "the arithmetic", 9},
     {"tol", "", "the relative tolerance that was requested", 7},
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
-    {"dominoes", "", "the most dominoes in one pass along the train", 8},
-    {"passes", "", "how often the answer passes along the train", 9},
+    {"dominoes", "", "the largest number of dominoes in one pass along the train", 8},
+    {"passes", "", "how many times the computation passes along the train", 9},
     {"time", "us", "time of one answer, the shortest of several", 10},
     {"times", "", "time divided by the time of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
@@ -273,14 +273,14 @@ static void cost_say(struct answer *a, const struct cost *cost, int which, doubl
     double six = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-6);
     double twelve = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-12);
     double quad = seconds_for(cost, DOM_METHOD_OURS, DOM_QUAD, 1e-12) / twelve;
-    char than[64 + CELL_TEXT] = "what 3 digits cost";
+    char than[64 + CELL_TEXT] = "as much as 3 digits";
     if (isfinite(quad))
-        snprintf(than, sizeof than, "what 3 digits cost; quad costs %s times double",
+        snprintf(than, sizeof than, "as much as 3 digits; quad costs %s times as much as double",
                  measured((domq_real)quad, "", 3).text);
     answer_say(a, "What is measured: %s.", measured_answers[which].meaning);
-    times_say(a, "To 6 digits the paper's recipe takes",
+    times_say(a, "For 6 digits the paper's recipe takes",
               seconds_for(cost, DOM_METHOD_PAPER, DOM_DOUBLE, 1e-6), six, "our time");
-    times_say(a, "To 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
+    times_say(a, "For 6 digits the solvers of GSL take", seconds_for(cost, DOM_METHOD_GSL, DOM_DOUBLE, 1e-6),
               six, "our time");
     times_say(a, "12 digits cost", twelve, few, than);
     if (isnan(twelve))
@@ -311,10 +311,10 @@ const struct command cost_commands[] = {
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer in each precision to more and more digits. The error is the "
-             "true one, which includes the rounding of the parameters. For rmax and pair, some lines are for "
-             "a proof, as 'prove' gives it.",
+             "true one, which includes the rounding of the parameters. For rmax and pair, the table also has "
+             "lines for proofs, as 'prove' makes them.",
      .see = "plot",
-     .unswept = "it measures time, and other points would run at the same time",
+     .unswept = "it measures computing time, which other points running at the same time would distort",
      .rows = true,
      ANSWER(cost)},
     {.name = NULL},

@@ -48,7 +48,7 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
 
 static const struct column theta1_columns[] = {
     {"theta", "rad", "tilt of the head", 0},
-    {"theta_1", "rad", "tilt of its follower (12; b8)", 0},
+    {"theta_1", "rad", "tilt of this domino's follower (12; b8)", 0},
     {"slope", "", "d theta_1 / d theta = a / b (14; b10)", 0},
     {"arm_a", "h", "lever arm of the contact force on the head", 0},
     {"arm_b", "h", "lever arm of the contact force on the follower", 0},

@@ -298,7 +298,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
 }
 
 static const struct column complete_columns[] = {
-    {"line", "", "a way to go on", 0},
+    {"line", "", "one way to continue the line", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -351,12 +351,12 @@ const struct command help_commands[] = {
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
-     .summary = "list how LINE may go on, as <TAB> does",
+     .summary = "list how LINE may continue, as <TAB> does",
      .example = "complete set output j",
      .act = run_complete},
     {.name = "version",
      .synonyms = "about build release compiler",
-     .summary = "the version of this program, and with what it was built",
+     .summary = "the version of this program, and what it was built with",
      ANSWER(version)},
     {.name = NULL},
 };

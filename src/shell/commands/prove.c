@@ -228,13 +228,13 @@ const struct command prove_commands[] = {
          {{.name = "WHAT", .kind = ARGUMENT_CHOICE, .of = "answer with a proof", .choices = prove_names},
           {.name = "VALUE", .kind = ARGUMENT_ANY, .of = "value", .optional = true}},
      .summary = "an answer with a proof: rmax, pair, barrier, verdict or count",
-     .help = "'prove rmax S' and 'prove pair S' find two decimals that enclose the largest growth, 'tol' "
-             "apart: for every growth up to the first decimal the train keeps falling, and at the second "
-             "decimal it stops. 'prove barrier' and 'prove verdict' are about the growth r, and 'prove count "
-             "H' is about the number of dominoes; whether such a row also starts is computed, not proved. "
-             "The proof covers all tilts, and all growths in between; domino-model(7) explains it. If it "
-             "fails or is interrupted, the answer is 'not proved', with what has been proved so far. There "
-             "are no proofs for friction and slopes.",
+     .help = "'prove rmax S' and 'prove pair S' find two decimal numbers, 'tol' apart, with the largest "
+             "growth between them: for every growth up to the first number the train keeps falling, and at "
+             "the second number it stops. 'prove barrier' and 'prove verdict' are about the growth r, and "
+             "'prove count H' is about the number of dominoes; whether such a row also starts is computed, "
+             "not proved. The proof covers all tilts, and all growths in between; domino-model(7) explains "
+             "it. If it fails or is interrupted, the answer is 'not proved', with what has been proved so "
+             "far. There are no proofs for friction and slopes.",
      .equation = "(26; c8), section 'A general domino train'",
      .example = "prove rmax 0.4",
      .see = "rmax pair barrier count",

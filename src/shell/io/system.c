@@ -76,7 +76,7 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
 }
 
 #else
-#error "this system has neither fopencookie() nor funopen(), which libbsd has"
+#error "this system has neither fopencookie() nor funopen(); install libbsd, which has funopen()"
 #endif
 
 /* ---- Files ---- */

@@ -95,7 +95,7 @@ static bool row_times(struct row_film *f)
     const double step = film->delay / 100.0 * (double)speed;
     if (!isfinite(f->row.end))
         return problem_no_answer(film->problem,
-                                 "one domino comes so close to a stop that later times have no value");
+                                 "one domino almost stops, so that later times cannot be computed");
     double moving = ceil((f->row.end - begins) / step - 1e-9);
     int held = HELD * 100 / film->delay;
     if (moving + held > FRAMES_MOST)
@@ -147,7 +147,7 @@ static bool animate_row(const struct film *film, double tower)
 /* ---- The command ---- */
 
 const struct column animate_columns[] = {
-    {"time", "s", "time of the frame, since the first head was hit", 0},
+    {"time", "s", "time of the frame, counted from the hit on the first head", 0},
     {"cycle", "", "number of the cycle, from 1", 0},
     {"theta", "rad", "tilt of the head", 0},
     {NULL, NULL, NULL, 0},

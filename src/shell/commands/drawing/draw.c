@@ -282,7 +282,7 @@ const struct command draw_commands[] = {
      .argument =
          {{.name = "FILE", .kind = ARGUMENT_FILE},
           {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
-     .summary = "a film of the row or the train in time, in FILE",
+     .summary = "a film of the falling row or of the train, in FILE",
      .help =
          "'animate row.gif' shows the row from the push until the last domino lies, or until the row stops, "
          "with a clock: in real time, or faster if that would take more than 9 s. 'speed 0.5' shows it half "

@@ -49,10 +49,11 @@ static struct guide_table *table_add(struct plan *p, const char *title, const ch
 bool plan_tape_table(struct plan *p)
 {
     const struct scene_row *scene = &p->row.run.scene;
-    struct guide_table *table = table_add(p, "For the hall: where the dominoes stand",
-                                          "In mm, on a tape whose zero is at the back of domino 1. All "
-                                          "dominoes fall if the back of one domino is from least to most.",
-                                          scene->row.count);
+    struct guide_table *table =
+        table_add(p, "For the hall: where the dominoes stand",
+                  "In mm, on a tape whose zero is at the back of domino 1. All dominoes fall if the back of "
+                  "one domino is between 'least' and 'most'.",
+                  scene->row.count);
     static const char *const head[] = {"domino", "back", "least", "most", "front", "gap"};
     if (!table)
         return false;
@@ -74,9 +75,9 @@ bool plan_size_table(struct plan *p, bool has_masses)
     struct guide_table *table =
         table_add(p, "For the workshop: the sizes of the dominoes",
                   has_masses ? "In mm and kg. All dominoes fall if the height or the thickness of one domino "
-                               "is from least to most."
+                               "is between 'least' and 'most'."
                              : "In mm; masses are divided by the mass of domino 1. All dominoes fall if one "
-                               "height or thickness is from least to most.",
+                               "height or thickness is between 'least' and 'most'.",
                   scene->row.count);
     const char *const head[] = {"domino", "height",    "least",
                                 "most",   "thickness", "least",

@@ -21,7 +21,7 @@ static const struct column explain_columns[] = {
     {"needs", "", "the quantities from which it comes", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
     {"depth", "", "how many equations lie between this quantity and the answer", 5},
-    {"meaning", "", "what the quantity is, and if no equation exists, why", 40},
+    {"meaning", "", "what the quantity is and, if it has no equation, why not", 40},
     {NULL, NULL, NULL, 0},
 };
 
@@ -152,9 +152,9 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     row_run_free(&run);
     if (!by_energy)
         return problem_no_answer(problem,
-                                 v.end == DOM_ROW_FALLS ? "all fall, and none of them has anything to climb"
-                                                        : "no energy decides how this row ends, at domino "
-                                                          "%zu: %s",
+                                 v.end == DOM_ROW_FALLS
+                                     ? "all dominoes fall, and none of them has a barrier to climb"
+                                     : "this row ends at domino %zu for a reason other than its energy: %s",
                                  v.domino, dom_row_end_text(v.end));
     a->note = NULL; /* the note says that the answer is about the train, but this answer is about the row */
     snprintf(verdict, VERDICT_TEXT,

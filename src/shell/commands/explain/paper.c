@@ -6,7 +6,7 @@
 
 const struct column paper_columns[] = {
     {"where", "", "the figure, the equation or the section of the paper", 13},
-    {"what", "", "what it states or draws", 34},
+    {"what", "", "what the paper states or draws there", 34},
     {"q", "", "mass exponent: 3 for hollow dominoes, 4 for massive ones", 4},
     {"s", "h", "separation", 0},
     {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
@@ -160,7 +160,7 @@ bool run_paper(const struct query *query, struct answer *a, struct problem *prob
         "weights r^(-q i) of the dominoes, which are 1 only for r = 1; (50; d8) lost its factor J(theta_c) "
         "in print. A rigid-body engine agrees with the exact values. The two fuels agree at the reach, "
         "where the fuel does not matter.");
-    answer_say(a, "All rows are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
+    answer_say(a, "All lines are for the paper's dominoes, d = 7/48, without effects; 'recipe' compares the "
                   "steps for the dominoes of the session.");
     return true;
 }

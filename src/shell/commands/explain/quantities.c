@@ -18,7 +18,7 @@ const struct given given_list[] = {
     {{{"theta_i", "θ_i", "\\theta_i"}},
      NULL,
      "rad",
-     "tilt of domino i: theta_1, the tilt of a follower, taken i times (27; A2)"},
+     "tilt of domino i: theta_1, the tilt of a follower, applied i times (27; A2)"},
     {{{"slope_i", "θ'_i", "{\\theta'_i}"}},
      NULL,
      "",
@@ -165,8 +165,7 @@ const struct derived derived_list[] = {
     Q("r_max", "r_max", "r_{\\max}", HAS_REACH, HAS_EDGES, SUM_NONE, "1/s", "rmax.r_max", "", "2; a2",
       "the largest growth: with more, the head misses the next domino"),
     Q("r_max", "r_max", "r_{\\max}", 0, 0, SUM_NONE, NULL, "rmax.r_max", "", "26; c8",
-      "the largest growth, found by a search: raised from 1, it is the first growth without energy to spare. "
-      "The lines "
+      "the largest growth, found by a search that raises r from 1 until no energy is to spare. The lines "
       "below are for r = r_max"),
     Q("n_exact", "x", "x", 0, 0, SUM_NONE, "ln(H/h)/ln(r)", "count(@).exact", "", "",
       "the number of steps, before it is rounded up"),

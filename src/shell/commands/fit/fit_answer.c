@@ -248,11 +248,10 @@ static bool speeds_check(const struct fit *f, const char *shown, struct problem 
                 shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
     }
     return several ||
-           problem_no_answer(
-               problem,
-               "%s has one gap, which any %s may fit; add a second gap, or use 'set r 1; set s GAP/h; "
-               "solve %s : duration.speed = SPEED'",
-               shown, f->unknown[0].parameter->name, f->unknown[0].parameter->name);
+           problem_no_answer(problem,
+                             "%s has only one gap, and any value of %s may fit it; add a second gap, or use "
+                             "'set r 1; set s GAP/h; solve %s : duration.speed = SPEED'",
+                             shown, f->unknown[0].parameter->name, f->unknown[0].parameter->name);
 }
 
 /* Returns the first unknown that the measurements do not determine, or NULL. */

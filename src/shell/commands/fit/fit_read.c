@@ -89,7 +89,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     const bool known = point.error > 0;
     if (d->points > 0 && known != d->has_errors)
         return csv_wrong(&csv->file, csv_cell(csv, error_column).at,
-                         "some %s have an error and some have none; give all of them one, or none",
+                         "some %s have an error and some have none; give an error to all of them, or to none",
                          csv->kind->items);
     struct fit_point *more = realloc(d->point, (d->points + 1) * sizeof *more);
     if (!more)
@@ -115,8 +115,8 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
         last->count++;
         return !(last->gap != gap && !isnan(gap)) ||
                csv_wrong(&csv->file, csv_cell(csv, GAP).at,
-                         "run %g has two gaps; give each run one, or leave out the column and name the row "
-                         "with 'effect row'",
+                         "run %g has two gaps; give each run a single gap, or leave out the column and enter "
+                         "the row with 'effect row'",
                          number);
     }
     for (size_t k = 0; d->run && k < d->runs; k++)
@@ -181,8 +181,9 @@ static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
             "they are hit, each once",
             point.domino, last->domino);
     if (last && (d->kind == FIT_HITS || last->domino == point.domino) && last->time >= point.time)
-        return csv_wrong(&csv->file, csv->row.at, "the time %g s does not come after %g s, on the line above",
-                         point.time, last->time);
+        return csv_wrong(&csv->file, csv->row.at,
+                         "the time %g s is not later than %g s, the time on the line above", point.time,
+                         last->time);
     if (point.domino > run->dominoes)
         run->dominoes = point.domino;
     return point_add(d, csv, point, ERROR);

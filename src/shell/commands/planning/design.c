@@ -86,7 +86,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     if (d->limit == DOM_DESIGN_HALL) {
         snprintf(text, size,
                  "infeasible: the shortest row with safety %s is %s m long with its last domino fallen; "
-                 "'hall %s m' would do",
+                 "'hall %s m' is long enough",
                  safety.text, measured(d->needs, "", 4).text,
                  measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
@@ -100,7 +100,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         snprintf(
             text, size,
             "infeasible: the start is too weak for safety %s at the next domino, and a push of %.40s rad/s, "
-            "which is %.40s at its top, would do: first enter 'effect row 2; effect push %.40s'",
+            "or %.40s at the top of domino 1, would be enough: first enter 'effect row 2; effect push %.40s'",
             safety.text, push.text, push_speed(wish, d->needs).text, push.text);
     } else if (d->limit == DOM_DESIGN_START) {
         snprintf(text, size,

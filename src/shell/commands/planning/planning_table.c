@@ -91,9 +91,9 @@ const struct command design_commands[] = {
              "values of the parameter NAME with which ANSWER has this VALUE, and whether ANSWER rises or "
              "falls there. ANSWER is a command, or an expression with commands as names: 'solve s : rmax(s) "
              "- pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= "
-             "VALUE', and with a command that 'assert' takes, 'solve' finds where its verdict changes: "
-             "'solve friction : verdict'. The search tries 241 values and looks between them; it can miss a "
-             "dip that is narrower than one step.",
+             "VALUE', and with a command that 'assert' takes, 'solve' finds where the verdict of this "
+             "command changes: 'solve friction : verdict'. The search tries 241 values and looks between "
+             "them; it can miss a dip that is narrower than one step.",
      .example = "solve d : rmax = 5/3; solve friction : barrier",
      .see = "sensitivity sweep assert",
      .unswept = "it varies a parameter itself",

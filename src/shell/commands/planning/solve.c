@@ -235,7 +235,7 @@ static bool scan_check(const struct scan *s, struct problem *problem)
         return true;
     return problem_no_answer(
         problem,
-        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows on what it depends",
+        "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows what it depends on",
         v->question->name, v->parameter->name, quad_shown(highest).text, quad_shown(v->from).text,
         quad_shown(v->to).text);
 }

@@ -93,7 +93,7 @@ const struct column slip_columns[] = {
     {"hit", "", "the friction that feet need in a collision: the largest ratio of impulses", 0},
     {"hit_domino", "", "the domino whose foot needs it", 0},
     {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
-    {"slips_hit", "", "yes if a foot slips in a collision, on that floor", 0},
+    {"slips_hit", "", "yes if a foot slips in a collision, on the floor of 'effect floor'", 0},
     {NULL, NULL, NULL, 0},
 };
 

@@ -75,12 +75,12 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
     struct trials t;
     if (!trials_make(query, problem, query->given->count > 0 ? query->given->number[0] : 2000, true, &t))
         return false;
-    bool done = !t.has_errors
-                    ? problem_error(problem, "this command needs random errors; first enter 'effect "
-                                             "placement 1 mm', or one such as 'effect "
-                                             "error_thickness 1 %%'")
-                : query->means->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
-                                                : placement_answer(query, a, problem, &t);
+    bool done =
+        !t.has_errors
+            ? problem_error(problem, "this command needs random errors; first enter 'effect placement 1 mm', "
+                                     "or another error, such as 'effect error_thickness 1 %%'")
+        : query->means->shard.parts > 0 ? study_blocks(query, a, problem, &t.scene, &t.placement)
+                                        : placement_answer(query, a, problem, &t);
     free(t.scene.domino);
     return done;
 }
@@ -207,8 +207,8 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
         others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
     return problem_no_answer(problem,
                              others
-                                 ? "even without the error of the %s fewer rows than that fall; enter a "
-                                   "smaller P, or make the other errors smaller"
+                                 ? "even without the error of the %s less than the share P falls; "
+                                   "enter a smaller P, or make the other errors smaller"
                                  : "even with an exact %s the row does not fall; 'mend' finds a change that "
                                    "saves it",
                              call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
@@ -248,7 +248,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
                    cell_word(error_names(NULL, (int)call->kind))),
-               any ? "more rows than that fall even with the largest errors that are tried"
+               any ? "more than the share P falls even with the largest errors that are tried"
                : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
                                                       : NULL);
 }

@@ -18,8 +18,8 @@ const struct column placement_columns[] = {
     {"stops_most", "", "the domino at which most of the other rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
-    {"without", "share", "the share of the rows that would fall without that error", 0},
-    {"stops_there", "", "the domino at which most rows stop because of that error", 0},
+    {"without", "share", "the share of the rows that would fall without the error in costs_most", 0},
+    {"stops_there", "", "the domino at which most rows stop because of the error in costs_most", 0},
     {NULL, NULL, NULL, 0},
 };
 
