@@ -67,8 +67,8 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 double seconds_of(bool (*answer)(void *context), void *context)
 {
-    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. A batch longer
-     * than `slow` seconds is the last one. */
+    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. No other batch
+     * follows a batch longer than `slow` seconds. */
     const double shortest = 2e-4, slow = 0.1;
     const int batches = 7;
     double least = HUGE_VAL;
@@ -124,7 +124,8 @@ static void row_measure(int which, const struct query *query, const struct domq_
 static const struct {
     enum dom_method method;
     enum dom_precision precision;
-    double share; /* rough fraction of the time of the whole table, for the progress display */
+    double share; /* roughly the fraction of the command's time that this measurement takes, for the progress
+                     display */
 } contenders[] = {
     {DOM_METHOD_PAPER, DOM_DOUBLE, 0.1}, {DOM_METHOD_GSL, DOM_DOUBLE, 0.05},
     {DOM_METHOD_OURS, DOM_FLOAT, 0.02},  {DOM_METHOD_OURS, DOM_DOUBLE, 0.03},
@@ -144,7 +145,7 @@ static enum dom_status contender_measure(int which, const struct query *query,
                                          const struct domq_value *reference, int contender, double done,
                                          struct cost *cost)
 {
-    const double longest = 2; /* most seconds that one measurement may be expected to take */
+    const double longest = 2; /* the longest time, in seconds, that one measurement may be expected to take */
     const struct domq_arithmetic *arithmetic = domq_arithmetic(contenders[contender].precision);
     for (int t = 0; t < TOLERANCES && tolerances[t] >= (double)arithmetic->tol_floor; t++) {
         struct cost_row *row = &cost->row[cost->rows];

@@ -17,7 +17,7 @@ struct cost_row {
     enum dom_method method;
     enum dom_precision precision;
     double tol;
-    enum dom_status status; /* if it is not DOM_OK, the members below are not set */
+    enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
     domq_real error;        /* relative error, never less than the error bound of the reference */
     struct dom_work work;
     double seconds; /* shortest time of several runs */

@@ -50,13 +50,13 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* how the row starts whose last domino is the one to topple */
+    struct start start;      /* how a row starts that ends with the domino to topple */
     struct start_growths growths;
     bool falls; /* The row falls. */
 };
 
-/* Finds whether a row of the train falls in which this many dominoes topple one more, and how large its
- * growth may be. Returns false with a problem. */
+/* Runs a row in which `dominoes` dominoes of the train should topple one more, to find whether all fall.
+ * Also finds how large the growth of such a row may be. Returns false with a problem. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {
@@ -190,8 +190,8 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Writes why the row does not topple a domino of this height. Returns NULL if it does, or if people have read
- * the reason already. */
+/* Writes why the row does not topple a domino of this height. Returns NULL if the row does, or if the
+ * sentences for people have already given the reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])

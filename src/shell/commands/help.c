@@ -141,7 +141,7 @@ static void help_show(struct session *session)
  * command instead. */
 static void help_columns(FILE *out, const struct command *c)
 {
-    int key = 12, unit = 6; /* least widths of the two columns, so that most pages look alike */
+    int key = 12, unit = 6; /* minimum widths of the two columns, so that most pages look alike */
     struct topic first;
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;

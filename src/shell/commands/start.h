@@ -16,8 +16,8 @@ struct start {
     const char *engine; /* why the rigid-body engine runs the row, or NULL if the model runs it */
 };
 
-/* Runs a row of the train's dominoes: `dominoes` of them or, if fewer decide whether the row starts, only the
- * first ones. If they do not fall, also finds the weakest push with which they do. Returns false with a
+/* Runs a row of the train's dominoes. The row has `dominoes` dominoes, or only as many as decide whether a
+ * row starts. If they do not all fall, also finds the weakest push with which they do. Returns false with a
  * problem. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);

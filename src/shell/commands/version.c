@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command version: which program this is, and with what it was built. */
+/* The command version: which version of the program this is, and what it was built with. */
 #include "commands/tables.h"
 #include <gsl/gsl_version.h>
 #include <readline/readline.h>

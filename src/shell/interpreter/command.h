@@ -93,16 +93,16 @@ struct command {
     /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter omits
      * the column, unless an argument of the command replaces the parameter. */
     const char *echo;
-    /* The key of the last column if its number takes much longer to find than the others. Only an answer that
-     * the user asks for by itself has this column. Sweeps and expressions do not know it. */
+    /* The key of the last column if its number takes much longer to find than the others. Only an answer
+     * that the user asks for by itself has this column. Sweeps and expressions do not have it. */
     const char *alone;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* the answer is about the endless train */
-    /* The kind of answer that the command writes: data, pictures, of which csv and json contain the data,
-     * charts, which are pictures that can also be written into a .tex file, documents, which are texts
-     * that can also be written into a .md or .tex file, or pages, which are long texts for the pager. */
+    /* The kind of answer that the command writes. Pictures have their data in csv and json. Charts are
+     * pictures that can also be written into a .tex file. Documents are texts that can also be written into
+     * a .md or .tex file. Pages are long texts for the pager. */
     enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
-    /* For a command that decides a question: the statement that is true if the answer is yes. See
+    /* For a command that answers yes or no: the statement that is true if the answer is yes. See
      * answer_holds. */
     const char *holds;
     bool runs;  /* the command runs other commands, whose answers go to the same output */
@@ -135,8 +135,8 @@ struct command_group {
 void command_registry(const struct command_group *groups);
 const struct command_group *command_groups(void);
 
-/* Four names_lists (see names.h): all commands; all commands and parameters; the column keys of the answer of
- * a command; and those of these keys that a sweep or an expression can ask the command for. */
+/* Four names_lists (see names.h): all commands; all commands and parameters; all column keys of a command's
+ * answer; and the column keys that a sweep or an expression can ask for. */
 const char *command_names(const void *context, int k);
 const char *topic_names(const void *context, int k);
 const char *answer_keys(const void *command, int k);
@@ -153,7 +153,7 @@ const char *topic_by_synonym(const char *word, int k);
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns true for 'print', the command for which an expression stands. */
+/* Returns true for 'print', the command that is meant when a line consists of an expression alone. */
 bool command_is_print(const struct command *command);
 
 /* Returns the index of the command's principal column. The command must have such a column. */

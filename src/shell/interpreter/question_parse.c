@@ -177,7 +177,7 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
     return item->word && (*item->word || problem_error(r->problem, "%s is missing", a->name));
 }
 
-/* Commands have no options. If '--check' follows a command that decides a question, this function reports
+/* Commands have no options. If '--check' follows a command that answers yes or no, this function reports
  * that 'assert' can be used instead, and returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {

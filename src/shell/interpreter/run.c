@@ -8,8 +8,8 @@
 
 #define TRAIN_NOTE "the endless train with these parameters, and not the row: 'fall' runs the row."
 
-/* Tells the user that the answer is not about the row. This note goes below the answer, or to standard error
- * if the answer is a picture in a file. */
+/* Tells the user that the answer is about the endless train, and not about the row of the scene. This note
+ * goes below the answer, or to standard error if the answer is a picture in a file. */
 static void train_note(const struct session *session, struct answer *answer)
 {
     const char *note =

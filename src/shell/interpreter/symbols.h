@@ -32,8 +32,8 @@ enum symbol {
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
     SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* The struct command of the last answer; the value is column `index` of that answer. If `refers` is NULL,
-     * the value is the one that 'print' showed last. */
+    /* `refers` points to the struct command that gave the last answer, and the value is column `index` of
+     * this answer. If `refers` is NULL, the value is the one that 'print' showed last. */
     SYMBOL_ANS,
     SYMBOL_WITH, /* a list of struct assignment that applies while the child is evaluated */
 };

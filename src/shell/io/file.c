@@ -22,7 +22,8 @@ struct file {
     /* must be the first member, so that a pointer to it is also a pointer to struct file */
     struct output output;
     struct target target;
-    /* `out` is the temporary file; otherwise it is a device or FIFO, and text is written at once */
+    /* true if `out` is the temporary file; false if it is the device or FIFO itself, to which text is
+     * written at once */
     bool is_held;
     const volatile sig_atomic_t *interrupt;
 };

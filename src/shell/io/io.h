@@ -25,9 +25,9 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
  * `seconds` seconds, or on an interrupt. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits for events of poll(2) on a file, or, if `file` is -1, for the time to pass. If `longest` is NULL,
- * there is no time limit. A signal that arrives between the check of the flag and the wait also ends the
- * wait. Returns false if the flag is raised. */
+/* Waits for events of poll(2) on a file. If `file` is -1, waits until the time `longest` has passed. If
+ * `longest` is NULL, there is no time limit. A signal that arrives between the check of the flag and the
+ * wait also ends the wait. Returns false if the flag is raised. */
 bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes. This function may be called in a signal handler. */

@@ -33,9 +33,10 @@ struct block {
 struct pool {
     const struct workers *job;
     pthread_mutex_t lock;
-    pthread_cond_t room;           /* signalled when blocks were written, or the work has ended */
+    pthread_cond_t room;           /* signalled when blocks have been written, or when the work has ended */
     size_t next;                   /* the first point that no worker has taken so far */
-    size_t taken, written, window; /* numbers of blocks; block k is stored in waiting[k % window] */
+    size_t taken, written, window; /* the numbers of blocks taken and written, and the size of the ring
+                                      `waiting`, in which block k is element k % window */
     struct block *waiting;
     bool is_over;
     struct workers_end end;

@@ -51,7 +51,7 @@ static int lines_around(const struct chart *c, int columns)
     int lines = 3, longest, across = legend_across(c, columns, &longest);
     for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
         lines += *texts[k] ? terminal_columns(texts[k]) / columns + 1 : 0;
-    /* Lines for each entry of the legend, which has two if a title is broken. */
+    /* The number of lines for each entry of the legend: two if the longest title has to be broken. */
     const int high = longest > legend_columns(c, columns) ? 2 : 1;
     return lines + (c->map.value || c->look.legend != CHART_LEGEND_BELOW
                         ? 0
@@ -61,7 +61,7 @@ static int lines_around(const struct chart *c, int columns)
 struct chart_look chart_size(const struct chart *c)
 {
     /* `least_high` is the minimum height of the axes, as a fraction of the width of the picture. A picture
-     * that is less than `narrow` cm wide has a smaller font, but at least `least_font`. */
+     * that is less than `narrow` cm wide has a smaller font, of `least_font` points or more. */
     const double least_high = 0.45, least_font = 7, narrow = 10;
     struct chart_look look = c->look;
     look.width = look.width > 0 ? look.width : CHART_WIDTH;

@@ -46,7 +46,7 @@ enum {
     SIDE = 30,  /* the margin that a printer needs */
     TITLE = 30, /* the height of the title above the caption */
     LINE = 15,  /* the height of a line of a table */
-    SPACE = 12, /* above a table */
+    SPACE = 12, /* the space above a table */
     SIZE = 11,  /* the font size of a table */
     DRAWING_LEAST = 190,
     DRAWING_MOST = 400,

@@ -142,8 +142,8 @@ bool stage_text(const struct stage *stage, struct look look, int width, int heig
 
 enum { SHEET_WIDTH = 640, CAPTION_COLUMNS = 76 };
 
-/* The size of a picture in dots, of which SHEET_WIDTH fit across the picture, and the part of the stage that
- * the picture shows. */
+/* The part of the stage that a picture shows, and the size of the picture in dots. A picture is SHEET_WIDTH
+ * dots wide. */
 struct sheet {
     double width, height, below, above; /* `below` and `above` are margins outside the axes */
     double head, indent;                /* the space above the caption, and the space to its left */

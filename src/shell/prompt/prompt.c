@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt. Readline is used through its callback interface, and pselect waits for a key. Signals are
- * blocked except during this wait and while a command runs, so that none is missed. */
+ * blocked except during this wait and while a command runs, so that no signal is missed. */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "io/terminal.h"
@@ -224,7 +224,9 @@ static bool key_read(struct session *session, const struct signals *s)
         return false;
     }
     if (ready > 0) {
-        sigprocmask(SIG_SETMASK, &s->awake, NULL); /* ^C must reach a computation. */
+        sigprocmask(
+            SIG_SETMASK, &s->awake,
+            NULL); /* If the key starts a computation, ^C must be able to interrupt the computation. */
         rl_callback_read_char();
         sigprocmask(SIG_BLOCK, &s->blocked, NULL);
     }

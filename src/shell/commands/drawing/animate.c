@@ -169,8 +169,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)
-        /* The note that the answer is about the train would be wrong for a row, and is not needed after
-         * 'train'. */
+        /* There is no note that the answer is about the train: it would be wrong for a row, and the user
+         * who typed 'train' does not need it. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (what->tower) {

@@ -7,8 +7,8 @@
 #include <math.h>
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
-/* The largest domino of a film may be this many times as tall as the first head, which would otherwise look
- * like a dot. */
+/* The largest domino of a film is at most this many times as tall as the first head. Otherwise the first
+ * head would look like a dot. */
 #define GROWN_MOST 40
 #define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than an eye can see */
 

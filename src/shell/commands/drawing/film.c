@@ -2,7 +2,7 @@
 #include "commands/drawing/film.h"
 #include "io/terminal.h"
 
-enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* least and largest height of a frame, in pixels */
+enum { SHEET_LEAST = 170, SHEET_MOST = 420 }; /* minimum and maximum height of a frame, in pixels */
 
 bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
 {

@@ -18,7 +18,7 @@
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)
 {
-    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES }; /* the first columns of 'count' */
+    enum { COUNT_HEIGHT, COUNT_GROWTH, COUNT_DOMINOES }; /* the first columns of the answer of 'count' */
     const struct ans *ans = query->ans;
     if (!ans->command || strcmp(ans->command->name, "count") != 0)
         return problem_error(problem,

@@ -15,8 +15,9 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
  * that are too small to be seen. Returns false if there is no memory. */
 bool tower_add(struct falling_row *row, double height);
 
-/* Puts the tower behind the place where the last domino will lie, as stage.domino[stage.count]: poses of the
- * row leave it alone, and a frame shows it if it is counted. Returns false if there is no memory. */
+/* Puts the tower behind the place where the last domino will lie, as stage.domino[stage.count]. Functions
+ * that pose the row do not change the tower. A frame shows the tower only if the caller adds 1 to
+ * stage.count. Returns false if there is no memory. */
 bool tower_film(struct falling_row *row, double height);
 
 #endif

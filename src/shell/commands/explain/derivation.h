@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Derivations: where a number comes from. A derivation is data. Each quantity has its equation as a text that
- * the parser of expressions reads, and another text for the number of the library, which is what the program
- * shows. The parser evaluates the equations as well, so that a test can compare the two.
+ * Derivations: where a number comes from. A derivation is data. Each quantity has its equation as a text
+ * that the expression parser reads, and a second text that computes the same number with the library. The
+ * program shows the library's number. The equations are evaluated, too, so that a test can compare the two
+ * numbers.
  */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
@@ -22,12 +23,13 @@ enum {
     HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
 };
 
-/* The sum over all dominoes i whose terms an equation gives. */
+/* If a quantity is a sum over all dominoes i, its equation gives the term of one domino, and this is the
+ * tilt of the head for which the sum is taken. */
 enum sum {
     SUM_NONE,
-    SUM_LAUNCH, /* a sum with the head at the tilt 0 */
-    SUM_TILT,   /* a sum with the head at the tilt theta */
-    SUM_TOP,    /* a sum with the head at the tilt theta_m, where the train is highest */
+    SUM_LAUNCH, /* the tilt 0 */
+    SUM_TILT,   /* the tilt theta of the question */
+    SUM_TOP,    /* the tilt theta_m, where the train is highest */
 };
 
 /* A symbol in equations: as it is typed, with Greek letters, and in TeX. */

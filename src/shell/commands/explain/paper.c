@@ -40,7 +40,7 @@ static void paper_row(struct table *t, const char *where, const char *what, domq
                    NULL);
 }
 
-/* Returns r_max at a separation with one of the fuels, and what limits it. */
+/* Returns r_max at a separation with one of the two formulas for the fuel, and what limits r_max. */
 static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fuel)
 {
     struct domq_limit limit = {.r_max = DOMQ_NAN, .ends = DOM_END_NONE};
@@ -51,7 +51,7 @@ static struct domq_limit limit_at(struct table *t, domq_real s, enum dom_fuel fu
     return limit;
 }
 
-/* Finds the separation beyond which the reach, r = 1/s, limits the growth. */
+/* Finds the separation beyond which the growth is limited by the reach, r = 1/s. */
 static domq_real crossing_find(struct table *t, enum dom_fuel fuel)
 {
     domq_real low = (domq_real)3 / 10, high = (domq_real)9 / 10;

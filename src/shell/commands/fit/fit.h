@@ -42,7 +42,8 @@ struct fit_data {
     struct fit_run *run;
     size_t points, runs;
     bool has_errors; /* the errors of all measurements are known */
-    /* Times of hits are compared as intervals, each from the last measured domino to this one. */
+    /* Times of hits are compared as intervals, each from the hit on the previous measured domino to the hit
+     * on this domino. */
     bool intervals;
 };
 
@@ -57,7 +58,7 @@ struct fit_unknown {
     const struct parameter *parameter;
     double lowest, highest;  /* the range in which the search begins */
     double value, deviation; /* the best value, and its standard deviation */
-    bool is_at_limit;        /* the best value is a limit of the parameter's range; it has no deviation */
+    bool is_at_limit; /* the best value is a limit of the parameter's range; `deviation` is then not known */
 };
 
 struct fit {
@@ -103,7 +104,8 @@ const char *fit_names(const void *context, int k); /* a names_list of the parame
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Fits, and adds the measurements to the chart, against the values that the model gives. */
+/* Fits the parameters, and adds a point to the chart for each measurement, at the value that the model
+ * gives and the value that was measured. */
 struct chart;
 bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
                struct problem *problem);

@@ -233,8 +233,8 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     return done;
 }
 
-/* Runs the method from the values in the unknowns and in *clock, and keeps the values that it finds. Returns
- * a status of GSL. */
+/* Runs the method of Levenberg and Marquardt from the values in the unknowns and in *clock, and replaces
+ * them by the values at the minimum. Returns a status of GSL. */
 static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
 {
     enum { STEPS_MOST = 50 };

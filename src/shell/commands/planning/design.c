@@ -233,7 +233,7 @@ static bool design_improve(const struct query *query, const struct wishes *w, st
     if (found.study[1].rows >= study->rows || found.changed > 0)
         *study = found.study[1];
     plan->is_improved = found.changed > 0;
-    if (plan->is_improved) { /* these are not those of the improved row */
+    if (plan->is_improved) { /* the numbers of the design are not valid for the improved row */
         d->row = d->train = d->seconds = DOMQ_NAN;
         d->weakest = 0;
     }

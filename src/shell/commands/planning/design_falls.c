@@ -9,7 +9,8 @@
 #include "session/errors.h"
 #include <stdlib.h>
 
-/* The search tries at most this many dominoes, and MORE rows of which even one with exact measures falls. */
+/* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE rows that fall if their
+ * measures are exact. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
 /* The table ends with this many dominoes more than are needed, so that a user can choose. */
@@ -57,7 +58,8 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall: of a few rows, and of more if these leave it open. */
+/* Counts how many random rows of a design fall. Runs a few rows first, and then more if the probability may
+ * be as high as `falls`. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
                          const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
                          struct tried *t, struct problem *problem)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The parts of the command design: its dominoes, and the number of them that most likely falls. */
+/* The parts of the command design that make and list the dominoes, and that find how many dominoes a row
+ * with a given probability to fall needs. */
 #ifndef SHELL_DESIGNS_H
 #define SHELL_DESIGNS_H
 
@@ -43,10 +44,11 @@ bool design_scene(const struct scene *from, const struct domq_design *design, co
 enum { REASON = 640 };
 
 /*
- * Finds the design with the fewest dominoes of which, under the random errors of the scene, at least the
- * share `falls` falls, where the lower end of the 95 % interval counts. For people, prints a table of the
- * numbers of dominoes that were tried. If there is no such design, design->limit is not DOM_DESIGN_FITS, and
- * `reason` says why. Returns false with a problem if rows cannot be run.
+ * Finds the design with the fewest dominoes that falls with at least the probability `falls` under the
+ * random errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. For
+ * people, prints a table of the numbers of dominoes that were tried. If there is no such design,
+ * design->limit is not DOM_DESIGN_FITS, and `reason` says why. Returns false with a problem if rows cannot
+ * be run.
  */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real falls, struct domq_design *design,

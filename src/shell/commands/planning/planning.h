@@ -63,12 +63,12 @@ bool scan_run(struct scan *scan);
 enum { BOARDS_MOST = 32 };
 
 struct wishes {
-    domq_real safety; /* the least safety of a design */
-    domq_real hall;   /* the greatest length of the row, in m */
+    domq_real safety; /* the minimum safety that a design must have */
+    domq_real hall;   /* the maximum length that the row may have, in m */
     enum dom_least least;
-    bool has_hall;                            /* the user has typed 'hall' */
-    domq_real falls;                          /* the least probability that a design falls, or 0 */
-    bool sizes;                               /* 'improve' also changes sizes */
+    bool has_hall;   /* the user has typed 'hall' */
+    domq_real falls; /* the minimum probability with which a design must fall, or 0 if there is no minimum */
+    bool sizes;      /* 'improve' also changes sizes */
     domq_real board[BOARDS_MOST], mass, grid; /* as in struct dom_limits */
     size_t boards;
 };
@@ -83,10 +83,10 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
 
 /* The result of an improvement. */
 struct improved {
-    struct domq_study study[2]; /* before and after */
+    struct domq_study study[2]; /* before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
-    domq_real length;           /* m, with the last domino fallen */
-    bool interrupted;           /* the row is the best so far */
+    domq_real length;           /* the length of the row in m, with the last domino fallen */
+    bool interrupted;           /* ^C ended the search, and the row is the best that had been found */
 };
 
 /* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if there
@@ -126,7 +126,8 @@ const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);
 const char *assert_names(const void *context, int k);
 
-/* Finds the range in which 'solve' searches a parameter of solve_names, unless the user gives one. */
+/* Finds the default range in which 'solve' searches a parameter of solve_names. It is used if the user
+ * gives no range. */
 void solve_range(const char *name, double *from, double *to);
 
 #endif

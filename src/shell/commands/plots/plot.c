@@ -136,7 +136,8 @@ struct plot_parsed {
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* The bound values of the members of plot_parsed; a fit is bound later, when it is drawn. */
+/* The bound values of the members of plot_parsed; the arguments of a fit are bound later, when the fit is
+ * drawn. */
 struct plot_given {
     struct chart_look look;
     bool has_argument;

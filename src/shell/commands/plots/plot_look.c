@@ -4,8 +4,8 @@
 #include "commands/plots/plots.h"
 #include <string.h>
 
-/* The words that choose the look. Where two words take the same kind of value, the word for the x axis comes
- * first. */
+/* The words that choose the look. Of a pair of words for the two axes, the word for the x axis comes first.
+ */
 enum look_word {
     LOOK_WIDTH,
     LOOK_HEIGHT,

@@ -50,8 +50,8 @@ struct study {
     size_t count, *stops;
 };
 
-/* Sets up the row many times with the errors of the scene, and writes these errors to `error`. Without
- * errors study->rows is 0. Returns false with a problem. */
+/* Sets up the row many times with the errors of the scene, and writes these errors to `error`. If the scene
+ * has no errors, study->rows is 0. Returns false with a problem. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_error error[DOM_ERROR_COUNT]);
 

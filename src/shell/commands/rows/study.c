@@ -97,8 +97,8 @@ static const struct column budget_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns 100 or 1000 if the share is a whole number of rows out of 100 or out of 1000. Returns 0 if it is
- * neither. */
+/* Returns 100 if the share is a whole number of rows out of 100, or else 1000 if it is a whole number of
+ * rows out of 1000. Otherwise returns 0. */
 static int rows_of(domq_real share)
 {
     for (int of = 100; of <= 1000; of *= 10)
@@ -107,8 +107,8 @@ static int rows_of(domq_real share)
     return 0;
 }
 
-/* Returns a phrase such as "95 of 100" or "999 of 1000". If neither form is exact, returns one such as "99.95
- * % of the". */
+/* Returns a phrase such as "95 of 100" or "999 of 1000". If neither form is exact, returns a phrase such as
+ * "99.95 % of the". */
 static struct words share_words(domq_real share)
 {
     struct words words;

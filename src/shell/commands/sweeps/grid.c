@@ -6,7 +6,7 @@ static const char form[] = "a grid is NAME FROM TO N, or NAME VALUE, VALUE, ...,
 
 /* ---- Parsing ---- */
 
-/* Parses one value. `name` is the name of the value in the message if it is missing. */
+/* Parses one value. If the value is missing, the message calls it `name`. */
 static bool value_parse(struct reader *r, const struct parameter *p, const char *name, struct item *item)
 {
     bool ends = reader_ends(r);

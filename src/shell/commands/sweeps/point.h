@@ -31,15 +31,16 @@ struct sweep_columns {
     char unit[ANSWER_COLUMNS][24];        /* the units of expressions in a list */
 };
 
-/* The data of one worker. Workers share what the pointers point to, and do not change it. */
+/* The data of one worker. All workers use the same grid, question and query, and do not change them. */
 struct sweeper {
     const struct grid *grid;
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the sweeping command, for messages */
-    struct means means;   /* the means for computing one point, which do not include the shard of the sweep */
-    bool styled;          /* the grid changes the number of digits */
-    struct answer answer; /* the worker's part of the answer; also copied for the question at each point */
+    struct means means; /* the means for computing one point, which do not include the shard of the sweep */
+    bool styled;        /* the grid changes the number of digits */
+    struct answer
+        answer; /* the worker's part of the answer; the answer at each point begins as a copy of it */
     struct sweep_columns columns;
     struct cell sample[ANSWER_COLUMNS]; /* a row of the sweep, set by point_probe */
     struct tally tally;
