@@ -24,7 +24,7 @@ KERNEL struct bound bound_head(const struct geometry *geometry, const struct lin
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
-/* Return error bounds for one domino's terms in J and in dH/dtheta. */
+/* These two functions return error bounds for one domino's terms in J and in dH/dtheta. */
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 

@@ -61,7 +61,7 @@ static real far_radius(const struct geometry *geometry)
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
 
-/* The measured cost of making a series is FAR_COST + order^3 / FAR_CUBE times the cost of one domino in a
+/* The measured cost of making a series is (FAR_COST + order^3 / FAR_CUBE) times the cost of one domino in a
  * pass. */
 #define FAR_COST 2
 #define FAR_CUBE 100

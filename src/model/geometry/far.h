@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Power series for the sums over the far followers of a domino, which lean nearly at theta_inf. */
+/* Power series for the sums over the far followers of a domino, whose tilts are nearly theta_inf. */
 #ifndef DOM_FAR_H
 #define DOM_FAR_H
 
@@ -53,7 +53,8 @@ KERNEL struct far_point far_point(const real *series, int order, real z)
     return (struct far_point){value, first * by, by * by * 2 * second - by * z * first};
 }
 
-/* Return H, up to a constant, and J of the part of a train that begins with a domino at z. */
+/* These two functions return H, up to a constant, and J, for the part of a train that begins with a domino at
+ * z. */
 KERNEL struct far_point far_H(const struct far *far, real z)
 {
     return far_point(far->H, far->order, z);

@@ -81,7 +81,7 @@ struct geometry {
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
-    real short_of; /* span - r s >= 0: how far the head reaches beyond the next domino */
+    real short_of; /* span - r s, which is >= 0: how far the head reaches beyond the next domino */
     /* 1 - r^2 s^2. A follower detaches where leave_by times v of its leader equals this number. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
@@ -93,7 +93,7 @@ struct geometry {
         real along, down; /* gravity along the floor and into the floor: 0 and 1, unless the floor slopes */
     } g;
     struct {
-        real x, y; /* h(theta) is h.y cos theta + h.x sin theta: d and 1, unless the floor slopes */
+        real x, y; /* h(theta) = h.y cos theta + h.x sin theta. On a level floor, x is d and y is 1. */
     } h;
     real decay;        /* r^-q theta_1'(theta_inf), the largest ratio of successive far terms of H1 */
     real decay_J;      /* passes assume at least this ratio of successive far terms of J */
@@ -105,8 +105,8 @@ struct geometry {
     struct far far;    /* only after far_make */
     struct far_friction far_friction;
     size_t n; /* the number of dominoes from this one to the end of the chain */
-    /* The geometry of the follower in a row. NULL in a train, all of whose dominoes have this geometry, since
-     * the train is self-similar. */
+    /* The geometry of the follower in a row. NULL in a train, which is self-similar, so that this geometry
+     * holds for all of its dominoes. */
     const struct geometry *follower;
     real upright; /* inertia of an upright domino: 1, unless its edges are rounded */
     /* The largest gap that a head reaches, relative to its height: 1 unless its edges are rounded. */
@@ -146,8 +146,8 @@ KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
 }
 
-/* Return i(theta) of struct rounded, which is the relative moment of inertia of a domino about the line where
- * it touches the floor, and the derivative of i. */
+/* These two functions return i(theta) and its derivative. i(theta) is the relative moment of inertia of a
+ * domino about the line where it touches the floor (struct rounded). */
 KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 {
     const struct rounded *of = &geometry->rounded;
@@ -186,8 +186,10 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
  * theta_c. An angle that differs from theta_c only by rounding gives theta_c. */
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
-/* Return upper bounds of errors of tilts, as angles: for a tilt with at most `units` rounding errors in each
- * coordinate, for the tilt of a head, for theta_u, for theta_f and for theta_leave. */
+/*
+ * These functions return upper bounds of the errors of tilts, as angles: for a tilt with at most `units`
+ * rounding errors in each coordinate, for the tilt of a head, for theta_u, for theta_f and for theta_leave.
+ */
 KERNEL real tilt_error(struct tilt t, real units);
 KERNEL real geometry_error_head(struct tilt head);
 KERNEL real geometry_error_u(const struct geometry *geometry);

@@ -10,8 +10,8 @@
 
 #include "geometry/sums.h"
 
-/* The contact of a domino with its follower, as in geometry_contact, with the turn, the arm b and the second
- * derivative. */
+/* The contact of a domino with its follower: the values that geometry_contact finds, and also the turn, the
+ * arm b and the second derivative. */
 struct rolling {
     struct contact contact;
     real turn;  /* theta_1 - theta */
@@ -33,7 +33,7 @@ struct arms {
     real ratio; /* a / b, the part of a torque on the follower that the contact passes on to the leader */
 };
 
-/* One domino in an array of all dominoes of a chain, which forces.c uses to find the forces. */
+/* One domino of a chain. From an array of all dominoes of the chain, forces.c finds the forces. */
 struct moving {
     struct link link;
     real second_derivative; /* theta_i'' */
@@ -137,9 +137,9 @@ struct contact_law {
 static const struct contact_law sharp_edges, rounded_edges;
 
 /*
- * Make the geometry of a train in two steps. geometry_read makes everything that does not depend on the
- * separation and the growth. geometry_set then checks and sets these two, and can be called again for other
- * values. dynamics_make does both, and sets the law of motion.
+ * These two functions make the geometry of a train in two steps. geometry_read makes everything that does not
+ * depend on the separation and the growth. geometry_set then checks and sets these two, and can be called
+ * again for other values. dynamics_make takes both steps, and sets the law of motion.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);

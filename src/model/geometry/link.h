@@ -76,8 +76,8 @@ KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* Return the lever arms a and b of the contact of a domino with its follower (table 1), including friction,
- * multiplied by r of the domino. */
+/* These two functions return the lever arms a and b of the contact of a domino with its follower (table 1),
+ * including friction, multiplied by r of the domino. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;

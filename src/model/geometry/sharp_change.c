@@ -96,8 +96,8 @@ static struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* Return the term of H2 of one domino, and the sum of the terms of this domino and all dominoes behind it.
- * second_derivative is theta'' of this domino. */
+/* These two functions return the term of H2 of one domino, and the sum of the terms of this domino and all
+ * dominoes behind it. second_derivative is theta'' of this domino. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -

@@ -106,7 +106,7 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
                        geometry->tol);
 }
 
-/* Returns the distance of a tilt from theta_inf, to the fourth order. */
+/* Returns the distance of a tilt from theta_inf, correct to the fourth order of this distance. */
 static real far_angle(const struct geometry *geometry, struct tilt t)
 {
     real z = far_off(geometry, t);
