@@ -312,8 +312,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
         real before = top_slope(lo, b), after = up <= span ? top_slope(up, b) : -1;
         if (c->status != DOM_OK || !(before > 0 && after < 0))
             continue;
-        /* Close to a smooth maximum the slope is small on both sides; at a kink or a jump it remains large on
-         * one of them. */
+        /* Close to a smooth maximum the slope is small on both sides; at a kink or a jump, it remains large
+         * on one of the two sides. */
         real near_lo = top_slope(b->s * (1 - width / 8), b), near_up = top_slope(b->s * (1 + width / 8), b);
         if (c->status != DOM_OK || near_lo > before / 4 || near_up < after / 4)
             break;
@@ -330,8 +330,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
     return c->status;
 }
 
-/* Finds the maximum of r_max near b->s. If *smooth is true before, b->s is close enough to it to look for the
- * sign change of the slope at once. */
+/* Finds the maximum of r_max near b->s. If *smooth is already true when the function is called, b->s is close
+ * enough to the maximum to look for the sign change of the slope at once. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
     /* The values of r_max determine a smooth maximum only to the square root of their noise, so a bracket for

@@ -120,8 +120,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The largest number of dominoes in all passes of a search with an equation of motion, where each domino
- * takes four times as long. */
+/* The largest number of dominoes in all passes of a search that solves an equation of motion, where each
+ * domino takes four times as long as in other searches. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)

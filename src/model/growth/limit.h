@@ -25,8 +25,8 @@ enum known { KNOWN_NOTHING, KNOWN_POSITIVE, KNOWN_TO_FALL };
 /* Finds the bounds for all growths between lo and hi. */
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip);
 
-/* Finds what is known about the margin between lo and hi. Computes hi->margin if its kinetic energy is NaN
- * and the margin is needed. */
+/* Finds what is known about the margin between lo and hi. If hi->margin.kinetic is NaN and the margin at hi
+ * is needed, computes hi->margin. */
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
                                   enum known *known);
 
@@ -71,7 +71,8 @@ KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, str
 /*
  * Finds the first growth after from->r at which the margin changes its sign; this growth lies between *before
  * and *after. *found is false if the sign does not change up to the reach. The result is not proved: a dip is
- * missed if neither the samples on both sides of the dip nor the sample half way between them shows it.
+ * missed if neither the samples on both sides of the dip nor the sample half way between those two samples
+ * shows it.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
                                     struct edge *after, bool *found);

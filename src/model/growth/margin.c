@@ -131,8 +131,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks has no margin, but it has a verdict: its energy tends to 0 as it approaches the
-     * locked tilt, so it stops. */
+    /* A train that locks has no margin, but it has a verdict: as the train approaches the locked tilt, its
+     * energy tends to 0, so it stops. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};

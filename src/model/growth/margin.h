@@ -59,8 +59,8 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* Return the context for margins of the endless train (26; c8, corrected), and for those of the pair
- * (17; b13). */
+/* These two functions return the context for margins of the endless train (26; c8, corrected), and for
+ * margins of the pair (17; b13). */
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 

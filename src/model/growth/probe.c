@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* The number of samples per factor of e in r far from the reach, and the number of samples near the reach,
- * one per decade of 1 - r s. */
+/* Far from the reach, PROBE_PER_E samples are taken per factor of e in r. Near the reach, PROBE_DECADES
+ * samples are taken, one per decade of 1 - r s. */
 #define PROBE_PER_E   8
 #define PROBE_DECADES 8
 

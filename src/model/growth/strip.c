@@ -2,8 +2,8 @@
 #include "growth/strip.h"
 #include "geometry/sums.h"
 
-/* Relative allowance for the rounding errors of sums over a chain, whose terms each have an error of a few
- * units. */
+/* Relative allowance for the rounding errors of sums over a chain. Each term of such a sum has an error of a
+ * few rounding units. */
 #define STRIP_SLACK (256 * REAL_EPSILON)
 
 #define LEAST_TOP_STEPS 4
@@ -296,8 +296,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* Upper bounds of the energy that the dominoes further down can still lose, at either end of the
-         * strip. None of them gains energy. */
+        /* The energy that the dominoes further down the chain can still lose: upper bounds for the two ends
+         * of the strip. None of these dominoes gains energy. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;

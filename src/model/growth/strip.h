@@ -44,9 +44,9 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
                                   real enough, real tol, struct strip *strip);
 
 /*
- * Return bounds of the barriers of all trains in the strip: an upper bound from the barrier at hi, and a
- * lower bound from the barrier at lo. `most` is an upper bound of all barriers. `width` is the difference of
- * ln r, or of s, between hi and lo.
+ * These two functions return bounds of the barriers of all trains in the strip: an upper bound from the
+ * barrier at hi, and a lower bound from the barrier at lo. `most` is an upper bound of all barriers. `width`
+ * is the difference of ln r, or of s, between hi and lo.
  */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);
 KERNEL real strip_barrier_least(const struct strip *strip, real lo_barrier, real most, real width);
