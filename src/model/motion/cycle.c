@@ -102,7 +102,7 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
         if (status != DOM_OK)
             return status;
         /* Near a stop the remaining energy is a small difference, which has the requested tolerance only if
-         * the sums have a finer one. */
+         * the sums have a finer tolerance. */
         real tol = cycle.segment.geometry.tol, needed = balance_tol(tol, w, cycle.launch.omegasq);
         if (w == 0 || !(needed < tol / 4))
             break;

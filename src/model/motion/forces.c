@@ -3,9 +3,9 @@
 #include <stdlib.h>
 
 /*
- * The force on the last domino that is shown comes from the dominoes after it, so the list is about twice as
- * long. In a long train this number of extra dominoes is enough, because moving_push replaces all later ones
- * by a geometric series.
+ * The force on the last domino that is shown comes from the dominoes after it, so the list has about twice as
+ * many dominoes as are shown. In a long train, FORCES_MORE extra dominoes are enough, because moving_push
+ * replaces all later ones by a geometric series.
  */
 #define FORCES_MORE 4096
 
@@ -254,8 +254,8 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples. The tolerance of a search for a minimum between two samples is a thousandth of their
- * distance. */
+/* The number of samples. The tolerance of a search for a minimum between two samples is a thousandth of the
+ * distance between them. */
 #define LEAST_SAMPLES 24
 #define LEAST_LONG                                                                                           \
     100000 /* a train of more dominoes, whose s is tiny, moves so smoothly that a third of the samples is    \

@@ -48,8 +48,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no kinetic energy away. If one detaches at once (r s = 1), J is smaller
-     * without it, and omegasq becomes larger by the same factor. */
+    /* A domino that detaches carries no kinetic energy away. If a domino detaches at once (r s = 1), J is
+     * smaller without that domino, and omegasq becomes larger by the same factor. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
