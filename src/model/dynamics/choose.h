@@ -18,8 +18,8 @@ KERNEL enum dom_status dynamics_read(const struct request *train, struct geometr
  * first use of the law. */
 KERNEL enum dom_status dynamics_make(const struct request *train, struct geometry *geometry);
 
-/* Allocate and free the memory that the law of motion needs. dynamics_end may also be called after
- * dynamics_begin has failed. */
+/* These two functions allocate and free the memory that the law of motion needs. dynamics_end may also be
+ * called after dynamics_begin has failed. */
 KERNEL enum dom_status dynamics_begin(struct geometry *geometry);
 KERNEL void dynamics_end(struct geometry *geometry);
 

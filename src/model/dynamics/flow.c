@@ -83,8 +83,8 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 
 /*
  * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain jumps
- * between two tilts if it ends one domino earlier at one of them. With the finer tolerance, the jump is too
- * small for a Chebyshev series to resolve.
+ * between two tilts if the sum ends one domino earlier at one of these tilts. With the finer tolerance, the
+ * jump is too small for a Chebyshev series to resolve.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -125,8 +125,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* Count the same dominoes in all sums over one piece, even if rounding puts the tilt at which a domino
-     * detaches inside the piece. */
+    /* All sums over one piece must include the same dominoes, even if rounding puts the tilt at which a
+     * domino detaches inside the piece. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -193,8 +193,11 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
     return status;
 }
 
-/* Solves the first part of a smooth piece again, if the motion uses up its energy soon after lo. The panels
- * of the whole piece may be too wide to show that. Lowers *hi to the end of the part that was solved. */
+/*
+ * Solves the first part of a smooth piece again, if the motion uses up its energy soon after lo. The panels
+ * of the whole piece may be too wide to show where the energy is used up. Lowers *hi to the end of the part
+ * that was solved.
+ */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
 {
