@@ -103,7 +103,7 @@ struct span {
         *value;
 };
 
-/* Returns the integral on the next finer level. */
+/* Returns the integral as computed on the given level, which is finer than the level before. */
 typedef real span_level(struct span *s, int level);
 
 /* Estimates the remaining error from the differences between successive levels. From level to level the

@@ -76,7 +76,7 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
 /* ---- Linear equations ---- */
 
 /*
- * The linear equation dw/dx = p(x) w + c(x), solved once for all initial values:
+ * The linear equation dw/dx = p(x) w + c(x). One solution holds for all initial values w(0):
  *
  *     w(x) = G(x) (w(0) + v(x)),   ln G = integral of p,   v = integral of c / G.
  *
@@ -137,7 +137,7 @@ struct num_rough {
 KERNEL void num_rough_begin(struct num_rough *solution);
 KERNEL bool num_rough_solve(num_linear_function *f, void *context, real hi, struct num_rough *solution);
 
-/* Return v and G at u, which runs from -1 to 1 as x runs from 0 to hi. */
+/* These two functions return v and G at u, where u runs from -1 to 1 as x runs from 0 to hi. */
 KERNEL real num_rough_v(const struct num_rough *solution, real u);
 KERNEL real num_rough_G(const struct num_rough *solution, real u);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Switch off GSL's error handler, which would abort the program. There is only one handler in a process, and
- * several threads may compute at the same time, so the calls are counted: the first dom_quiet_begin switches
- * the handler off, and the last dom_quiet_end restores it.
+ * These two functions switch off GSL's error handler, which would abort the program, and restore it. There is
+ * only one handler in a process, and several threads may compute at the same time, so the calls are counted:
+ * the first dom_quiet_begin switches the handler off, and the last dom_quiet_end restores it.
  */
 #ifndef DOM_QUIET_H
 #define DOM_QUIET_H
