@@ -16,8 +16,8 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/* Bounds of the sine of a single tilt. v (2 - v) and its square root together have a relative error below 2
- * 2^-53. The factor 1 -+ 2^-51 covers this error and the rounding of the multiplication itself. */
+/* Bounds of the sine of a single tilt. v (2 - v) and its square root together have a relative error below
+ * 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding of the multiplication itself. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));

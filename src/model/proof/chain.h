@@ -71,7 +71,8 @@ struct growth growth_make(const struct shape *shape, double r_low, double r_high
 /* Returns sin theta for the tilts v. */
 struct span tilt_sine(struct span v);
 
-/* Return g = h(theta) - 1 = d sin theta - v, and its derivative dh/dtheta, for the tilts v. */
+/* These two functions return g = h(theta) - 1 = d sin theta - v, and the derivative dh/dtheta, for the tilts
+ * v. */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 

@@ -45,7 +45,7 @@ struct climb {
 
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
-/* Return an upper and a lower bound of 2 sin(theta_c/2) for all growths. */
+/* These two functions return an upper and a lower bound of 2 sin(theta_c/2) for all growths. */
 double upright_hit_above(const struct upright *upright);
 double upright_hit_below(const struct upright *upright);
 

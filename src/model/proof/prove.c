@@ -238,8 +238,11 @@ static struct span times_exactly(struct span a, double b)
 
 enum { POWERS_MOST = 100000 };
 
-/* Returns the smallest n for which first r^n >= height is certain (if `surely` is set) or possible (if not),
- * since only bounds of first r^n are known. Returns INFINITY if there is no such n below POWERS_MOST. */
+/*
+ * Returns the smallest n for which `first` * r^n >= height is certain (if `surely` is set) or possible (if
+ * `surely` is not set). The two can differ, since only bounds of `first` * r^n are known. Returns INFINITY if
+ * there is no such n below POWERS_MOST.
+ */
 static double count_until(struct span first, double r, double height, bool surely)
 {
     struct span tall = first;

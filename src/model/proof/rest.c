@@ -13,8 +13,8 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
     rest.series = up(1 / left);
     /* dtheta_i/dtheta is multiplied by at most p at each contact, whether followers detach or not. */
     rest.tilts = up(up(up(shape->steepest * power) * domino->slope.hi) / least_0(down(1 - up(rest.p * w))));
-    /* shift_i+1 = step shift_i + c_i/Y_i stays below the fixed point of this rule with step = p and
-     * c_n/Y_n. */
+    /* Since shift_i+1 = step shift_i + c_i/Y_i, shift stays below the fixed point of the same rule with p in
+     * place of step and c_n/Y_n in place of c_i/Y_i. */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
         /* shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */

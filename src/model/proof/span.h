@@ -17,13 +17,13 @@
 #include <stdbool.h>
 
 #ifdef __FAST_MATH__
-#error "A proof needs every rounding where it is written: compile without -ffast-math."
+#error "A proof needs every rounding step exactly as it is written: compile without -ffast-math."
 #endif
-_Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof is in IEEE 754 double.");
+_Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/* Marks a bound, together with a wrong expression that could stand in its place. The tests compile these
- * sources with a definition that takes the wrong expression, and must then fail. */
+/* Marks a bound, together with a wrong expression that could stand in its place. tests/unit/test_proof.c uses
+ * the wrong expressions one at a time, and checks that its tests then fail. */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -32,8 +32,8 @@ struct span {
     double lo, hi;
 };
 
-/* Return a double above or below every real number that rounds to z. DBL_MIN covers results that
- * underflow. */
+/* These two functions return a double above, and below, every real number that rounds to z. DBL_MIN covers
+ * results that underflow. */
 static inline double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
