@@ -299,8 +299,9 @@ struct dom_launch {
 
 /*
  * Finds the motion just after a collision. With DOM_NO_FUEL (P <= 0) the members fuel, J0 and velocity_ratio
- * are written, and omegasq and kinetic are NaN. DOM_LOCKS, from this function and from all functions of a
- * cycle below, means that friction prevents the cycle from beginning; no member is written in that case.
+ * are written, and omegasq and kinetic are NaN. DOM_LOCKS means that friction prevents the cycle from
+ * beginning; no member is written in that case. All functions below that are about a cycle may return
+ * DOM_LOCKS, too.
  */
 enum dom_status dom_launch_find(const struct dom_train *train, const struct dom_compute *compute,
                                 struct dom_launch *launch);

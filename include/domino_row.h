@@ -65,8 +65,8 @@ enum dom_window_of {
 
 /*
  * The errors that a row may have once it is set up: X(name, unit, meaning). If the unit is "", the error is
- * relative to the value, except that an error of a friction is added to the coefficient. The kinds from
- * friction on describe one unknown value of the whole row, so all dominoes share one error.
+ * relative to the value, except that an error of a friction is added to the coefficient. The kind `friction`
+ * and all kinds after it describe one unknown value of the whole row, so all dominoes share one error.
  */
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
@@ -194,8 +194,8 @@ struct dom_verdict {
     size_t domino;
     /* J, the missing energy, > 0 for DOM_ROW_STOPS. Infinite if friction would lock the row. */
     dom_real short_by;
-    /* s, the time until all dominoes lie or, if the row ends early, until the last hit; NaN if times were not
-     * requested */
+    /* s, the time until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
+     * times were not requested */
     dom_real seconds;
     size_t weakest; /* the domino that falls with the smallest margin / barrier; 0 if there is none */
     dom_real spare; /* margin / barrier of the weakest domino; infinite if there is no barrier */
@@ -382,7 +382,7 @@ struct dom_design {
     dom_real s, r;
     size_t steps;     /* first r^steps = height: the row has steps + 1 dominoes */
     dom_real feet;    /* m, from the back of the first domino to the front of the last */
-    dom_real length;  /* m, with the last domino lying: feet + height */
+    dom_real length;  /* m, after the last domino has fallen: feet + height */
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
@@ -445,10 +445,10 @@ struct dom_error {
 
 /*
  * The random errors of a row. A domino keeps its density, so its mass changes with its height and its
- * thickness. Dominoes that would overlap are placed so that they touch. A size keeps at least 1/100 of its
- * value. A domino that would fall over by itself gets the largest lean with which it stands. A friction or a
- * push that would be negative becomes 0. Errors of radii have no effect without rounded edges, nor do errors
- * of the floor without an engine, or errors of the push without a push.
+ * thickness. Dominoes that would overlap are placed so that they touch. No error makes a size smaller than
+ * 1/100 of its value. A domino that would fall over by itself gets the largest lean with which it stands. A
+ * friction or a push that would be negative becomes 0. Errors of radii have no effect without rounded edges,
+ * nor do errors of the floor without an engine, or errors of the push without a push.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];
@@ -499,8 +499,8 @@ enum dom_status dom_study_interval(struct dom_study *study);
 /* How precisely a row must be set up. */
 struct dom_budget {
     /* The size of the error in its unit, or the factor by which all errors are multiplied, and its 95 %
-     * interval. `sigma` is infinite if even the largest size that is tried is small enough, and `low` is 0 if
-     * there are too few rows for a bound. */
+     * interval. `sigma` is infinite if enough rows fall even with the largest size that is tried, and `low`
+     * is 0 if there are too few rows for a bound. */
     double sigma, low, high;
 };
 

@@ -24,7 +24,7 @@ struct engine_row {
     const struct engine_box *box;
     size_t count;
     double g;
-    /* Angular velocity given to the first box; NaN if it is tipped over its edge and let go instead. */
+    /* Angular velocity given to the first box; NaN if the box is instead tipped over its edge and let go. */
     double push;
     double slope;  /* angle by which the floor descends in the direction of the row */
     double mu;     /* friction coefficient between boxes */
@@ -71,7 +71,7 @@ struct engine_hit {
 struct engine_fall {
     bool all;  /* true if all boxes fall */
     bool lies; /* true if the last box that was hit has fallen to the floor */
-    /* True if the first box, tipped over its edge, would already touch the second. Nothing was run in this
+    /* True if the first box, tipped over its edge, would already touch the second. The row is not run in this
      * case. */
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */

@@ -17,7 +17,7 @@
 /* Rate at which the drift of a hinge is made to decay, in 1 / sqrt(height / g) of the foremost box. */
 static const double hinge_rate = 50;
 static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
-static const double brakes = 0.9; /* the fraction of the time to the next hit that one step may take */
+static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
@@ -132,8 +132,8 @@ static bool is_tipped(const struct world *w, size_t k)
 }
 
 /* Returns true once the head lies on the floor, or has rested for so long that it has stopped for good. If
- * only the verdict is wanted, returns true as soon as it is certain: when the last box is tipped and turns
- * ever faster. */
+ * only the verdict is wanted, returns true as soon as the verdict is certain, that is, when the last box is
+ * tipped and turns ever faster. */
 static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;

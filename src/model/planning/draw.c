@@ -56,8 +56,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /*
- * Returns the next random error. It combines two generators, because a generator of GSL takes a seed of 32
- * bits, and with one generator some of a million rows would have the same seed.
+ * Returns the next random error. The error combines the numbers of two generators, because a generator of GSL
+ * takes a seed of 32 bits, and with only one generator some of a million rows would have the same seed.
  */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {

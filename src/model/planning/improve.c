@@ -40,7 +40,7 @@ enum { LEVELS = sizeof levels / sizeof *levels };
 /* A result is checked after this many evaluations. */
 enum { CHECK = 8 };
 
-/* A margin with a smaller standard deviation is treated as if it had this one. */
+/* If the standard deviation of a margin is smaller than this, it is replaced by this value. */
 #define SCATTER_LEAST 0.03
 
 /* The tolerance of the margins. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Candidates of a design: trains and rows of the same growth, how safe they are and how long. */
+/* Candidates for a design: trains, and rows of the same growth; how safe they are, and how long. */
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 

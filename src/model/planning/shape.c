@@ -80,7 +80,7 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
                    before = s->row->walls > 0 ? walls_volume(s->row, d->height, d->thickness) : 0,
                    after = before > 0 ? walls_volume(s->row, height, thickness) : 0;
     /* The mass of a solid domino (q = 4) is proportional to its thickness, even if the height does not
-     * change. That of a domino with thin walls (q = 3) hardly depends on the thickness. */
+     * change. The mass of a domino with thin walls (q = 3) hardly depends on the thickness. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
     d->radius *= x;
     d->height = height;

@@ -53,7 +53,7 @@ static struct range range_of(const struct trial *t)
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
         /* The domino moves forwards at most until it touches the next one, or until it is out of reach of the
-         * one before it. */
+         * domino before it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -128,8 +128,8 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Does the same as window_edge for an edge that is close to `guess`. The first two trials are one digit
- * apart, and later ones farther and farther, until the edge is between two of them. */
+/* Does the same as window_edge for an edge that is close to `guess`. The first two trials are one unit of the
+ * last digit apart, and later trials are farther and farther apart, until the edge is between two trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);

@@ -43,7 +43,7 @@ struct course {
     struct dom_verdict verdict;
 };
 
-/* Factor by which omegasq is raised in the fast one of the two runs that look for negative contact forces. */
+/* Factor by which omegasq is raised in the faster of the two runs that look for negative contact forces. */
 #define FAST 1000
 
 /* A trial may end early if the changed dominoes can cause no further deviation above LEFT_MOST, nor above
@@ -154,8 +154,8 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. Heads that no run
- * has reached before get their marks. */
+/* Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. Makes the marks
+ * of those heads that no earlier run has reached. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;

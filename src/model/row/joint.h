@@ -36,8 +36,8 @@ KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k,
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
 /* Finds the contact of domino k with domino k + 1, which may lean, and the tilt of domino k at that contact.
- * Returns false if the contact is not that of an edge on the back face, or if the two dominoes touch before
- * domino k moves. */
+ * Returns false if the contact is not that of an upper edge with the back face of the other domino, or if the
+ * two dominoes touch before domino k moves. */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 #endif

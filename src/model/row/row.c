@@ -27,7 +27,7 @@ static enum dom_status descent_rest(struct descent *d, bool used_up)
     return status;
 }
 
-/* Follows the motion in a segment to its end, or until it comes to rest. */
+/* Follows the motion to the end of the segment, or until the head comes to rest. */
 static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 {
     struct segment *st = &d->st;

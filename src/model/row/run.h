@@ -46,7 +46,8 @@ KERNEL void row_launch(struct run *run);
  * the verdict. */
 KERNEL enum dom_status row_head(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
-/* Moves head k from its first tilt to its last one. On return `d` has the state at the end of this motion. */
+/* Moves head k from its first tilt to its last tilt. On return `d` has the state at the end of this
+ * motion. */
 KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d, struct dom_fall *fall);
 
 /* Lets head k, which arrives in the state `at` with the chain `hitting`, hit domino k + 1, which becomes the

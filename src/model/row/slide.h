@@ -21,8 +21,8 @@ KERNEL real slide_error(const struct geometry *head);
  * must push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq, under the same
- * conditions. Returns false if the head may not reach its end. */
+/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq. All dominoes must be
+ * plumb, and all contacts must push. Returns false if the head may come to rest before the end. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 

@@ -9,8 +9,9 @@
 struct steady {
     struct dom_fall fall; /* the fall of the last head that was computed */
     size_t alike;         /* number of equal dominoes up to the present head */
-    size_t more; /* 1 if each head has one more moving domino than the previous one, 0 if it has as many */
-    bool found;  /* true if the next head repeats this motion, provided that its dominoes are equal as well */
+    /* 1 if each head has one more moving domino than the previous head, 0 if both have equally many */
+    size_t more;
+    bool found; /* true if the next head repeats this motion, provided that its dominoes are equal as well */
 };
 
 /* Makes the geometry of the dominoes up to domino k that have no geometry yet. */

@@ -109,7 +109,8 @@ static void session_write(struct session *session, const struct problem *problem
     if (source && escape_needed(source))
         source = names_shown(source, shown); /* control characters could hide the message */
     int n = 0;
-    output_flush(session->output); /* stdout and stderr may be the same file */
+    /* the answer so far must come before the message if stdout and stderr are the same file */
+    output_flush(session->output);
     progress_end();
     session_caret(session, problem->column);
     if (source && problem->column)
