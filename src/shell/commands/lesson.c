@@ -88,7 +88,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
                 struct problem *problem)
 {
     (void)given;
-    /* A separate session with default parameters, so that those of `session` do not change. */
+    /* A separate session with default parameters, so that the parameters of `session` do not change. */
     struct session reader;
     bool in_file = session->source.stream && strcmp(session->source.name, "stdin") != 0;
     int width, height;

@@ -64,8 +64,8 @@ static void rmax_say(struct answer *a, const struct domq_train *train, const str
                        : "With a larger growth there is too little energy to keep falling.");
 }
 
-/* Prints why the two formulas for the fuel give different limits or the same one, or why one limit is
- * missing. */
+/* Prints why the two formulas for the fuel give different limits, why they give the same limit, or why one
+ * limit is missing. */
 static void rmax_fuels_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used,
                            const struct domq_limit *exact, const struct domq_limit *paper)
 {
@@ -216,8 +216,7 @@ static const struct column curve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data of one worker thread: what to compute, which is the same for all workers, and the worker's
- * results. */
+/* The data of one worker thread: the task, which is the same for all workers, and the worker's results. */
 struct curve {
     domq_real from, to, n;
     struct domq_train train;

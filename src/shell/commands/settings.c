@@ -10,8 +10,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* Prints what a change means. If the output is for programs, as with csv and json, prints a note to standard
- * error instead. */
+/* Prints a sentence about a change. If the output is for programs, as with csv and json, the sentence goes
+ * to standard error. */
 static void change_say(const struct query *query, struct answer *a, const char *text)
 {
     a->wrote_text = answer_for_people(a);

@@ -180,7 +180,7 @@ static bool walk_move(const struct query *query, struct answer *a, struct proble
         done = move == MOVE_GOTO ? walk_to(query, a, problem, &walk)
                                  : walk_by(query, a, problem, &walk, begun, move == MOVE_STEP);
     if (query->next)
-        *query->walk = walk; /* saved even after a problem, such as the end of the walk */
+        *query->walk = walk; /* the walk is saved even after a problem, such as the end of the walk */
     return done;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of commands, and those commands that are defined in another file than the table that lists them.
- */
+/* The tables of commands, and the commands that are not defined in the same file as the table that lists
+ * them. */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
 

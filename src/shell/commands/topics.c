@@ -150,8 +150,8 @@ static int summary_column(void)
 
 void topic_entry(FILE *out, const char *prefix, const char *usage, const char *summary)
 {
-    /* ROOM is the least width of a summary beside the usage. INDENT is the indentation of a summary below the
-     * usage. */
+    /* ROOM is the minimum width of a summary beside the usage. INDENT is the indentation of a summary below
+     * the usage. */
     enum { ROOM = 30, INDENT = 6 };
     int column = summary_column() + (int)strlen(prefix);
     bool below = help_width(out) < column + ROOM;

@@ -187,7 +187,7 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
                                  "%.17g]; 'thetac' gives its upper end",
                                  a->name, quad_shown(style_angle(style, theta)).text, style_angle_unit(style),
                                  a->name, (double)style_angle(style, angles.theta_c));
-    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
+    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs makes 0 of a -0. */
     return true;
 }
 

@@ -109,8 +109,7 @@ struct command {
     bool files; /* the command reads or writes files, so a safe session refuses to run it */
     /* the command may change parameters, effects, the row or variables, and 'undo' can revert the change */
     bool changes;
-    /* the shortest abbreviation that is reserved for this command although other commands begin with it,
-     * too */
+    /* the shortest abbreviation that means this command although other commands begin with it, too */
     const char *shortest;
     /* Computes the answer to a query. A command that changes something stores the new state in query->next.
      * Returns false with a problem. */
@@ -146,8 +145,8 @@ const char *command_keys(const void *command, int k);
  * names that have a value in every state. */
 const char *value_names(const void *context, int k);
 
-/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of the
- * k-th topic that has this synonym, counted from 0, or NULL if there are not so many. */
+/* A word such as 'growth' (for r) or 'speed' can be a synonym of one or more topics. Returns the name of
+ * the k-th topic that has this synonym, counted from 0, or NULL if fewer topics have it. */
 const char *topic_by_synonym(const char *word, int k);
 
 /* Returns the command with this name, or NULL. */

@@ -38,7 +38,7 @@ static void run_command_at(struct session *session, struct reader *line)
     if (command_parse(&r, &q)) {
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
-        /* All changes of a sourced file together are one step of 'undo'. */
+        /* 'undo' reverts all changes that a sourced file makes as one step. */
         bool is_step = c->changes && session->source.depth == 0;
         bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;

@@ -24,7 +24,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          prefix, usage);
 }
 
-/* Returns true if value i of an effect may be left out, and `word` stands for a later value of the effect. */
+/* Returns true if value i of an effect may be left out, and `word` stands for one of the next values of the
+ * effect. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);

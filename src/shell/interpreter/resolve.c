@@ -96,9 +96,9 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of a column in the command's answer. A name such as "ans.margin" or "rmax.r" gives the
- * key of the column; without a key, this is the principal column. Stores the unit of the column in the tree.
- * Returns -1 after an error. */
+/* Returns the index of a column in the command's answer. A name such as "ans.margin" or "rmax.r" includes
+ * the key of the column. A name without a key means the principal column. Stores the unit of the column in
+ * the tree. Returns -1 after an error. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];

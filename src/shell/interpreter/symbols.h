@@ -38,7 +38,7 @@ enum symbol {
     SYMBOL_WITH, /* a list of struct assignment that applies while the child is evaluated */
 };
 
-/* A function defined by 'let', with the names in its body resolved. Each expression that uses a function has
+/* A function defined by 'let'. The names in its body are resolved. Each expression that uses a function has
  * its own copy of this struct. */
 struct routine {
     const struct variable *function;
@@ -73,8 +73,8 @@ bool resolve(struct resolver *resolver, struct tree *tree);
 bool query_evaluate(const struct query *query, struct evaluation *evaluation, const struct tree *tree,
                     struct quantity *result, struct problem *problem);
 
-/* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a query
- * that is the same except that it refers to *state. Returns false with a problem. */
+/* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a copy
+ * of the query that refers to *state. Returns false with a problem. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

@@ -46,9 +46,9 @@ void progress_show(double fraction);
 /* A dom_progress that calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
-/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise it obeys them again. A
- * thread is muted while its work is only a part of the work whose progress is shown. Returns the previous
- * setting. */
+/* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise such calls take
+ * effect again. A thread is muted while its work is only a part of the work whose progress is shown.
+ * Returns the previous setting. */
 bool progress_mute(bool mute);
 
 #endif

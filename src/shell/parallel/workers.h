@@ -17,8 +17,8 @@ struct workers {
      * worker has a separate copy. If it returns false, the work ends after the rows of all earlier points
      * have been written. */
     bool (*point)(void *context, size_t point, FILE *out);
-    /* Each worker gets a copy of this context. If a point ends the work, the copy of the worker that computed
-     * the point is copied back. */
+    /* Each worker gets a copy of this context. If a point ends the work, this context becomes the copy of
+     * the worker that computed the point. */
     void *context;
     size_t size; /* the size of the context */
     /* Merges a worker's copy into `context` after the last point. May be NULL. */
@@ -34,7 +34,7 @@ struct workers_end {
     int error; /* for WORKERS_LOST: errno of the write that failed */
 };
 
-/* Computes all points. If some threads cannot be created, the other workers do the work of all. */
+/* Computes all points. If some threads cannot be created, the other workers compute all points. */
 struct workers_end workers_run(const struct workers *workers);
 
 /* Returns how many workers to use for this many points. `threads` is the parameter 'threads'; 0 means one

@@ -127,8 +127,8 @@ bool chart_fit(struct chart *chart);
  * chart cannot be drawn with these choices. */
 const char *chart_dress(struct chart *chart);
 
-/* Returns the sizes of the picture and of its font: those that the user has chosen, and usual values for the
- * others. */
+/* Returns the sizes of the picture and of its font. A size that the user has not chosen has its usual
+ * value. */
 struct chart_look chart_size(const struct chart *chart);
 
 /* axis_place returns the position of a value on its axis, from 0 at the lower end to 1 at the upper end.

@@ -134,7 +134,7 @@ bool picture_begin(struct picture *p, FILE *out, const char *terminal, const vol
 
 /*
  * Returns an error number if the end of the drawing was lost because the disk is full, and 0 otherwise.
- * gnuplot does not report this error. The function tests whether the disk has room for another block.
+ * Since gnuplot does not report this error, tests whether the disk has room for another block.
  */
 static int drawing_error(FILE *drawing, long size)
 {

@@ -108,7 +108,7 @@ static void chart_terminal(const struct chart *chart, const char *path, char *te
     if (chart->tex)
         snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", usual, look.width, look.height,
                  look.font / TEX_FONT);
-    /* The numbers of dots per cm and per point below agree with those of pictures of the usual size. */
+    /* The numbers of dots per cm and per point below are the same as in pictures of the usual size. */
     else if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0 || chart->look.family))
         snprintf(terminal, size, "%s enhanced", usual);
     else if (strcmp(ending, ".svg") == 0)

@@ -46,8 +46,8 @@ struct drawn {
     struct point corner[CORNERS];
     bool touched; /* the domino's follower touches the domino at `contact`; otherwise `contact` is NaN */
     struct point contact;
-    /* The push at the contact, divided by the weight of the head, and divided by the weight of this domino.
-     * NaN if unknown. */
+    /* The push at the contact: `force` is relative to the weight of the head, and `of_own` to the weight of
+     * this domino. Both are NaN if the push is not known. */
     double force, of_own;
 };
 
@@ -99,7 +99,7 @@ int drawn_name(const struct drawn *domino, char name[DRAWN_NAME]);
 /* Returns true for a domino that is touched at its hinge (r s = 1), so that no push can turn it. */
 bool drawn_locked(const struct drawn *domino);
 
-/* Returns true for the weakest domino, and for the one at which a row ends. */
+/* Returns true for the weakest domino, and for the domino at which a row ends. */
 static inline bool drawn_marked(const struct drawn *domino)
 {
     return domino->part == WEAKEST || domino->part == ENDS;

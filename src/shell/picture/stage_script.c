@@ -212,7 +212,7 @@ static bool height_text(const struct stage *stage, const struct sheet *v, size_t
     return drawn_marked(d) || (before > half && after > half);
 }
 
-/* Returns true if the height of a domino need not be written, because the domino before has the same
+/* Returns true if the height of a domino need not be written, because the previous domino has the same
  * height. */
 static bool height_repeats(const struct stage *stage, size_t k)
 {

@@ -43,8 +43,8 @@ static void emit_name(const struct completion *c, const char *name, const char *
 /* ---- Values ---- */
 
 /* Returns true if a name whose value has this unit may be the whole value of the argument. If the argument
- * has no unit, only names that belong to the same parameter may: for r, these are r and names that begin with
- * r_. */
+ * has no unit, only the name of its parameter, and names that begin with this name and '_', may be the
+ * value: for r, for example, r_max. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);
@@ -88,8 +88,8 @@ static void emit_values(const struct completion *c)
         emit_name(c, name, strcmp(name, "pi") == 0 ? "" : "(", !is_any);
 }
 
-/* The callback that collects the candidates for is_unasked: sets *context to the candidate if it is the first
- * one and a command, and otherwise to "". */
+/* The callback of is_unasked, called with each candidate. Sets *context to the first candidate if it is a
+ * command and the only candidate, and otherwise to "". */
 static void keep_only(const char *candidate, void *context)
 {
     const char **only = context;

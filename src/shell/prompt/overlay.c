@@ -20,8 +20,8 @@ enum { HINT = 256, COLOURED_MOST = 2000 };
 
 static bool is_coloured, is_hinted;
 
-/* The hint from the history: the remainder of an earlier line, which some keys insert as if it were typed. It
- * is "" if there is no such hint. */
+/* The hint from the history: the remainder of an earlier line, which some keys insert as if the user had
+ * typed it. It is "" if there is no such hint. */
 static char rest[HINT];
 
 /* Returns true if Readline is in its ordinary editing mode, so that the screen shows just the typed line, on

@@ -23,7 +23,7 @@ struct train_film {
     double r, pitch, duration, step;
     double tau; /* tau of the first head, in s */
     bool stops;
-    struct stage whole; /* a stage as large as that of the frames, without dominoes */
+    struct stage whole; /* an empty stage with the size of the frames' stages */
     char ruler[96];
 };
 

@@ -163,7 +163,9 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 
 /* ---- The train ---- */
 
-enum { FORCES_MOST = 6 }; /* most forces in a caption; the dominoes farther back can hardly be seen */
+enum {
+    FORCES_MOST = 6
+}; /* the maximum number of forces in a caption; dominoes farther back can hardly be seen */
 
 /* Writes the caption of a train: its parameters, the meaning of the marks, and the forces if no arrows show
  * them. */

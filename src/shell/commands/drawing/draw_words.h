@@ -21,7 +21,7 @@ struct draw_what {
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* whether the user gave each of the values */
     domq_real value[DRAW_VALUES];
-    int column; /* position in the line of the moment or the number of cycles, for messages */
+    int column; /* for messages: where the moment or the number of cycles begins in the line */
 };
 
 /* Returns the arguments of 'draw' or 'animate', with defaults for those that were not given. */

@@ -131,7 +131,7 @@ static bool sum_value(struct derivation *d, struct step *s)
         return true;
     if (!chain_fill(d, &d->at, tilt) || !chain_fill(d, &d->launch, 0))
         return false;
-    /* The last terms, of dominoes that have detached, are 0. */
+    /* The last terms are those of detached dominoes, and are 0. */
     const size_t both = d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2;
     if (!chain_extend(d, &d->at, both + 2) || !chain_extend(d, &d->launch, both + 2))
         return false;
@@ -236,7 +236,8 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
 }
 
 /* If the question is about the largest growth at a separation, sets the separation of the train, sets the
- * growth to the largest one, and sets *reach to whether the reach limits it. Returns false with a problem. */
+ * growth to the largest one, and sets *reach to whether the reach limits this growth. Returns false with a
+ * problem. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

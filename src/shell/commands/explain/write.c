@@ -97,7 +97,7 @@ struct writer {
     domq_real value; /* the value in the question, or NaN */
 };
 
-/* Writes the words of a quantity. */
+/* Writes what a quantity is, in words. */
 static void words_write(const struct writer *w, const struct step *s)
 {
     char piece[ESCAPE_PIECE];
@@ -140,7 +140,8 @@ static void value_write(const struct writer *w, const struct step *s)
         fprintf(w->formula.out, w->tex ? "\\,\\mathrm{%s}" : " %s", unit);
 }
 
-/* Writes one quantity: its words, its equation, the numbers and the value, one below the other. */
+/* Writes one quantity: what it is, its equation, the equation with numbers, and the value, one below the
+ * other. */
 static void step_write(const struct writer *w, const struct step *s)
 {
     FILE *out = w->formula.out;

@@ -75,10 +75,10 @@ struct fit {
 };
 
 /*
- * Computes what the model gives for each measurement with these values of the unknowns. The clock of each run
- * of hits is set so that the residuals of its times are least. For angles, clock[k] is the time at which the
- * motion of run k begins. Returns false and sets fit->problem if there is no answer, or if the row of the
- * model ends before the last domino that was measured.
+ * Computes what the model gives for each measurement with these values of the unknowns. The clock of each
+ * run of hits is set so that the sum of the squared residuals of its times is smallest. For angles,
+ * clock[k] is the time at which the motion of run k begins. Returns false and sets fit->problem if there is
+ * no answer, or if the row of the model ends before the last domino that was measured.
  */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 

@@ -211,8 +211,8 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Adds the same time to all computed times of a run, so that the sum of the squared residuals becomes least.
- */
+/* Adds the same time to all computed times of a run, so that the sum of the squared residuals becomes
+ * smallest. */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {
     double sum = 0, weights = 0;

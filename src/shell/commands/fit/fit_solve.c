@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The least sum of squares of 'fit': a coarse grid of starting values, and the method of Levenberg and
- * Marquardt of GSL from the best of them. */
+/* Finds the parameters of 'fit' with the smallest sum of squares. A coarse grid of starting values is tried
+ * first. GSL's method of Levenberg and Marquardt then continues from the best of them. */
 #include "commands/fit/fit.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -157,8 +157,8 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Tries all combinations of starting values, and keeps the best in the unknowns and in *clock. Returns false
- * with fit->problem if the model has an answer for none of them. */
+/* Tries all combinations of starting values, and stores the best one in the unknowns and in *clock. Returns
+ * false with fit->problem if the model has an answer for none of them. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};

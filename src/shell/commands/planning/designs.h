@@ -12,7 +12,7 @@ struct designed_row {
     size_t count;
     bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
     bool hollow;
-    bool is_improved;                 /* the dominoes are no longer those of a train */
+    bool is_improved; /* 'improve sizes' has changed the dominoes, so they are not part of a train any more */
     const struct domq_limits *limits; /* the sizes that the dominoes may have, or NULL for any */
 };
 
@@ -24,8 +24,8 @@ bool plan_make(const struct query *query, struct problem *problem, const struct 
 /* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
 domq_real plan_mass(const struct designed_row *plan);
 
-/* Lists the dominoes: for people with the sizes to saw and the places to stand them, and for a file with the
- * columns that 'effect row FILE' reads. */
+/* Lists the dominoes. For people, the list has the sizes to saw, and the places where the dominoes stand.
+ * For a file, the list has the columns that 'effect row FILE' reads. */
 void plan_write(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves the columns about random rows out unless `falls` is true. */

@@ -21,8 +21,8 @@ const struct column improve_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The number of random rows with which the probability is estimated. An engine takes thousands of times as
- * long for a row as the model. */
+/* The number of random rows with which the probability is estimated. The engine takes thousands of times as
+ * long for a row as the model does. */
 enum { ROWS = 2000, ROWS_OF_ENGINE = 100 };
 
 /* A row and its improvement. Do not copy this struct: it contains a pointer to the pool inside it. */

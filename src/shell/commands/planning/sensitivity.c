@@ -45,7 +45,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the size of the larger of the two changes, or -1 if neither exists. */
+/* Returns the absolute value of the larger of the two changes, or -1 if neither exists. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,

@@ -71,8 +71,8 @@ static enum dom_status tilts_find(const struct cycle *c, domq_real theta, struct
     return status;
 }
 
-/* Counts the dominoes that 'plot chain' shows: those whose tilt at the launch can be told apart from theta_f.
- */
+/* Counts the dominoes that 'plot chain' shows: all dominoes whose tilt at the launch visibly differs from
+ * theta_f. */
 static enum dom_status lines_count(const struct cycle *c, int *lines)
 {
     struct tilts start;

@@ -60,7 +60,7 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
 #define SIZE_LEAST 6
 #define MOST       30
 #define FONT_LEAST 5
-/* The least width of a picture with a legend at the right, in cm. */
+/* The minimum width of a picture with a legend at the right, in cm. */
 #define LEGEND_LEAST 10.0
 
 enum { FAMILY_LENGTH = 64 };

@@ -35,7 +35,7 @@ static double spare_of(const struct row_run *run, size_t i)
 }
 
 /* Sets the ends of the axes. The axis of energies is logarithmic, and begins at a power of ten below the
- * least spare energy. */
+ * smallest spare energy. */
 static void fall_axes(const struct row_run *run, struct chart *chart)
 {
     double least = HUGE_VAL, most = 0;

@@ -161,7 +161,7 @@ bool change_bind(const struct question *q, const struct query *query, struct arg
 
 /* ---- The answer ---- */
 
-enum { LINES = 12 /* the most dominoes whose changes are printed */ };
+enum { LINES = 12 /* the maximum number of dominoes whose changes are printed */ };
 
 static void change_say(const struct query *query, struct answer *a, const struct row_change *change, size_t k,
                        const struct domq_domino *before, const struct domq_domino *after)

@@ -15,8 +15,8 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* The friction of the floor that keeps the foot of a domino from slipping while the head, often another
- * domino, falls or is hit. */
+/* The friction of the floor with which the foot of a domino does not slip while the head, which is often
+ * another domino, falls or is hit. */
 struct slip {
     domq_real needs;     /* the friction; infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
@@ -30,8 +30,9 @@ struct feet {
     } motion, hit;               /* while dominoes fall, and in the instant of a hit */
 };
 
-/* feet_begin takes the friction of the floor from the scene. feet_add is then called for each domino that is
- * hit. At the end, feet_say prints how much friction the feet of a row of `count` dominoes need. */
+/* feet_begin takes the friction of the floor from the scene. The caller then calls feet_add for each domino
+ * that is hit and, at the end, feet_say, which prints how much friction the feet of a row of `count`
+ * dominoes need. */
 struct feet feet_begin(const struct query *query);
 void feet_add(struct feet *feet, const struct domq_fall *fall);
 void feet_say(struct answer *a, const struct feet *feet, size_t count);

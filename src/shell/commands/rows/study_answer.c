@@ -50,9 +50,9 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
 }
 
 /*
- * Steps through an array of counts from the largest to the smallest, without those that are 0: for example
- * through the dominoes at which rows stop. Returns the index after `last`, or the first index if `last` is
- * count. Returns count after the last index.
+ * Steps through an array of counts from the largest to the smallest, and leaves out counts of 0. The
+ * indices are, for example, the dominoes at which rows stop. Returns the index after `last`, or the first
+ * index if `last` is count. Returns count after the last index.
  */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
@@ -76,8 +76,8 @@ static int cause_next(const struct study *s, int last)
     return (int)most_next(cost, DOM_ERROR_COUNT, (size_t)last);
 }
 
-/* Returns the number of the domino at which most rows stop because of one kind of error, or 0 if there is
- * none. */
+/* Returns the number of the domino at which most rows stop because of one kind of error, or 0 if no row
+ * stops because of it. */
 static size_t cause_stops(const struct study *s, int kind)
 {
     const size_t most = most_next(study_stops(s, kind), s->count, s->count);

@@ -189,7 +189,7 @@ static bool point_answer(struct sweeper *w, size_t k)
     state.settings.threads = 1; /* a point uses one thread, because whole points are computed in parallel */
     if (w->styled) {
         struct answer_style style = state_style(&state);
-        style.digits = a.style.digits; /* otherwise the width of a column would change */
+        style.digits = a.style.digits; /* otherwise the width of a column would change from point to point */
         style.format = a.style.format; /* a plot chooses the format itself */
         a.style = style;
     }
@@ -228,7 +228,8 @@ bool point_write(void *sweeper, size_t k, FILE *out)
     struct sweeper *w = sweeper;
     w->to = &w->answer;
     w->to->out = out;
-    w->to->columns = w->columns.column; /* the units may differ from those of other workers */
+    w->to->columns =
+        w->columns.column; /* the units of this worker's answers may differ from the units of other workers */
     if (k > 0)
         w->to->has_rows = w->to->is_open = true;
     if (!point_answer(w, k))

@@ -146,7 +146,7 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
 }
 
 /* Writes the rows of all points. The output before the first row must depend neither on the worker that
- * computes this row nor on the part that --shard selects, so it is planned with a sample row. */
+ * computes this row nor on the part that --shard selects, so this output is planned with a sample row. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
