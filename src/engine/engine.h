@@ -101,7 +101,7 @@ enum engine_status {
     ENGINE_NO_END /* the row has neither fallen nor come to rest within a very large number of steps */
 };
 
-/* The largest number of boxes in a row. The time that a run takes grows with its square. */
+/* The largest number of boxes in a row. The time that a run takes grows with the square of this number. */
 enum { ENGINE_MOST = 200 };
 
 /* Loads the engine, unless an earlier call has already loaded it. Returns ENGINE_OK, ENGINE_NO_LIBRARY or

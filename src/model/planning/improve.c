@@ -43,7 +43,7 @@ enum { CHECK = 8 };
 /* If the standard deviation of a margin is smaller than this, it is replaced by this value. */
 #define SCATTER_LEAST 0.03
 
-/* The tolerance of the margins. */
+/* The tolerance with which margins are computed. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
 /* The length of the minimizer's first step, in logarithms of gaps and heights, and the accuracy of its line
@@ -62,7 +62,7 @@ struct search {
     struct dom_domino *domino, *candidate, *best;
     double *by_gap, *by_size;
     double *margin;       /* the margins of each row of a level */
-    double *sorted;       /* one margin of all rows */
+    double *sorted;       /* the values of one margin in all rows, in ascending order */
     gsl_vector *lowest_x; /* where the function had its lowest value on this level */
     double lowest;
     size_t left;             /* the number of evaluations that are left on this level */

@@ -32,7 +32,7 @@ struct batch {
     struct random_row *sample; /* runs the rows; NULL if an engine runs them */
 };
 
-/* Returns the length of the list of stops. */
+/* Returns the number of elements of `stops`. */
 static size_t stops_length(const struct shared *s)
 {
     const size_t lists = s->causes ? 1 + DOM_ERROR_COUNT : 1;
@@ -154,7 +154,7 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
                                                                     batch_run, s, p->pool);
     if (s->status != DOM_OK)
         status = (enum dom_status)s->status;
-    else if (status == DOM_OK && s->done < p->rows) /* the pool has not run all batches */
+    else if (status == DOM_OK && s->done < p->rows) /* the thread pool has left out some batches */
         status = DOM_INTERRUPTED;
     struct dom_study found = {.rows = s->done, .fall = s->fall, .unknown = s->unknown};
     const bool partial = status == DOM_INTERRUPTED && found.rows > 0;

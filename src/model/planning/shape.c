@@ -13,7 +13,7 @@
 /* If a row just fits into the hall, its gaps are nevertheless narrowed, by the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
-/* A height changes at most by this factor. */
+/* A height is multiplied or divided by at most this factor. */
 #define FARTHEST ((dom_real)4)
 
 /* An allowance for rounding errors: a limit may be exceeded by this factor. */

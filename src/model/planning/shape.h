@@ -32,10 +32,10 @@ bool shape_dominoes(const struct shape *shape, const double *x, bool final, stru
  * all but the first, and the places. */
 void shape_round(const struct shape *shape, struct dom_domino *domino);
 
-/* Returns DOM_OK, or which of the limits is outside its range. */
+/* Returns DOM_OK, or the status that says which limit is outside its range. */
 enum dom_status limits_check(const struct dom_limits *limits);
 
-/* Returns true if a row keeps the limits. */
+/* Returns true if a row is within the limits. */
 bool shape_keeps(const struct shape *shape, const struct dom_domino *domino);
 
 #endif

@@ -37,7 +37,7 @@ struct mark {
 struct course {
     struct row_request request;
     struct geometry *geometry;
-    size_t made; /* number of dominoes that have the geometry of the unchanged row */
+    size_t made; /* number of elements of `geometry` that are those of the unchanged row */
     struct mark *mark;
     size_t known; /* number of marks that have been found */
     struct dom_verdict verdict;
@@ -53,7 +53,7 @@ struct course {
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
-/* A difference smaller than this many tolerances is noise. */
+/* A difference of less than NOISE times the tolerance counts as rounding noise. */
 #define NOISE 64
 
 /* Differences count as decaying if each difference is at most this fraction of the previous one. */

@@ -59,7 +59,7 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
     }
-    /* The value 1 means that no domino can be left out. */
+    /* If decay or decay_J is 1, a sum cannot leave out any domino. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }

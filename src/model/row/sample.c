@@ -42,7 +42,7 @@ struct glide {
     bool rises; /* some follower rises at first */
 };
 
-/* Adds one domino, which moves from b to a. */
+/* Adds one domino, which moves from the state b to the state a, to the sums. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -239,7 +239,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     return status;
 }
 
-/* Sets the tolerance of a rough run or of a precise one. */
+/* Sets the tolerance of a rough or of a precise run. */
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;

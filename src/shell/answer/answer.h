@@ -56,8 +56,8 @@ struct answer {
     const char *path; /* the name of the output file after '>' or '>>', or NULL */
     bool appended;    /* the answer is appended to the file, because the command has '>>' */
     struct answer_style style;
-    const char *command;                /* the name of the command, for programs */
-    const char *note;                   /* a remark for programs, or NULL */
+    const char *command;                /* the name of the command, for programs that read the answer */
+    const char *note;                   /* a remark for programs that read the answer, or NULL */
     const struct column *columns;       /* the columns of each row, followed by a NULL key */
     struct column copy[ANSWER_COLUMNS]; /* memory for `columns` if they differ from those of the command */
     unsigned left_out;                  /* bit i: cell i of each row is not shown (see answer_leave_out) */

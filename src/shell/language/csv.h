@@ -50,7 +50,7 @@ struct csv_file {
     char *next;            /* the first character of the text that has not been read */
     struct csv_place at;   /* the position of the character at `next` */
     bool after_blank;      /* the character before `next` is a blank or a newline */
-    const char *cut_short; /* the reason why `text` is not the whole file, or NULL if it is */
+    const char *cut_short; /* NULL if `text` is the whole file, or else the reason why it is not */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
     /* What the numbers that have been read so far reveal about each decimal mark, point and comma. */
@@ -61,7 +61,7 @@ struct csv_file {
         /* The position of the first number in which this character might separate thousands instead. The line
          * is 0 if there is no such number. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits of that number before and after the mark */
+        char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
     } point, comma;
 };
 

@@ -79,7 +79,7 @@ struct csv_table {
     domq_real unit[CSV_COLUMNS_MOST];
     domq_real value[CSV_COLUMNS_MOST]; /* the value in the current row, in SI units, or NaN */
     bool other[CSV_CELLS_MOST];        /* true for a column of the file that the kind does not have */
-    /* the names of the file's columns that are ignored, except those for notes */
+    /* the names of the columns of the file that are ignored, except columns for notes */
     char unused[200];
 };
 

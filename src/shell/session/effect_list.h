@@ -17,7 +17,7 @@
 #define EFFECT_OFF ((domq_real)-HUGE_VAL)
 #define EFFECT_ON  ((domq_real)HUGE_VAL)
 
-/* Returns the description of effect k, from 0. */
+/* Returns the description of effect number k, counted from 0. */
 const struct domq_effect *effect_at(int k);
 
 /* A names_list (see names.h) of all effects. */
