@@ -96,8 +96,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 
 /*
  * Finds a growth at which the train with the separation s stops, if its margin at R is not negative although
- * r_max is less than R. Such a growth lies a little above r_max, and the one with the most negative margin is
- * the best witness. *witness is R if no growth is found.
+ * r_max is less than R. Such a growth lies a little above r_max, and the growth with the most negative margin
+ * is the best witness. *witness is R if no growth is found.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -241,8 +241,8 @@ static real top_slope(real s, void *context)
 /*
  * Finds the factor for slope_step at which the error of the rule is smallest. If a follower begins to detach
  * at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is better.
- * The difference between the results with two steps shows this error. The rounding error, divided by h,
- * prevents steps that are too small.
+ * The difference between the results with two steps shows the error of the rule. The rounding error, divided
+ * by h, prevents steps that are too small.
  */
 static void search_step(struct search *b)
 {
@@ -297,8 +297,8 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s, which is where the slope changes its sign. *smooth is false at a
- * kink or a jump. The relative error of b->s is much less than `width`. */
+/* Finds a smooth maximum of r_max near b->s by searching for the place where the slope changes its sign.
+ * *smooth is false at a kink or a jump. The relative error of b->s is much less than `width`. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;

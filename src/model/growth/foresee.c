@@ -165,7 +165,7 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
     const real tol = c->geometry.tol, aside = ROOT_ASIDE * ROOT_ASIDE;
     const bool follows = c->geometry.dynamics->conservative;
     /* With a coarser tolerance, the root found here could differ too much from the approximate root, and a
-     * complete search would have to follow. */
+     * complete search would then be necessary. */
     c->geometry.tol = fmin(tol, aside);
     enum dom_status status =
         follows ? root_followed(c, near, root)
