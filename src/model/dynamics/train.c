@@ -86,8 +86,11 @@ const struct dom_arithmetic *dom_arithmetic(enum dom_precision precision)
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count)
 {
-    /* A power in quad precision costs as much as running a domino, so each domino is computed from the one
-     * before it instead. The errors of these products are far below the accuracy of a row. */
+    /*
+     * A power in quad precision costs as much as running a domino, so the height and the mass of each domino
+     * are multiples of those of the domino before it. The errors of these products are far below the accuracy
+     * of a row.
+     */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;
     for (size_t k = 0; k < count; k++) {
