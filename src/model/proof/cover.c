@@ -109,7 +109,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Finds the trains of the strip and of its upper end. The sums of their energies leave out at most `rest`. */
+/* Finds the train for the whole strip, and the train at the upper end of the strip. The sums of the energies
+ * leave out at most `rest`. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;

@@ -49,8 +49,8 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal above n / unit at which the train stops. A decimal lies between the neighbours of its
- * nearest double, so the proof covers both neighbours. */
+/* Finds a decimal number above n / unit at which the train stops. A decimal number lies between the two
+ * neighbours of the double that is nearest to it, so the proof covers both of these neighbours. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -63,8 +63,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train keeps falling at every growth up to a decimal that is at most n / unit, and as close
- * to it as possible. */
+/* Proves that the train keeps falling at every growth up to a decimal number that is at most n / unit, and as
+ * close to it as possible. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
