@@ -188,7 +188,7 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 }
 
 /*
- * Finds the sums of chain a, whose head is at `head`, and the difference of H to chain b, whose head is at
+ * Finds the sums of chain a, whose head is at `head`, and H of chain a minus H of chain b, whose head is at
  * `from`. With t = tan((theta_a - theta_b)/2) of one domino, t of its follower is exactly t (1 - G) / (1 +
  * t^2 G), where G = r L (x_a + x_b) / (Y_a + Y_b), because X_a - X_b = r L (y_a - y_b). G is r L x / Y of the
  * slope (14; b10), averaged between the two tilts. So the smallest differences keep their digits.
