@@ -58,8 +58,8 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
  * hi]. */
 struct top {
     real lo, hi;
-    /* True if H is known to increase at lo, and to decrease at hi. Where that is not known, the top may be at
-     * the end itself. */
+    /* `rises` is true if H is known to increase at lo, and `falls` is true if H is known to decrease at hi.
+     * Where that is not known, the top may be at the end of the bracket itself. */
     bool rises, falls;
     real p; /* the next p to try */
     /* tan of half the angle by which the head leans backwards at the start, where p is negative. Changes of p
