@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A segment: a part of the motion of one head, from a given state at lo up to hi, by the law of motion of its
- * geometry. The cycle of a train is a single segment, whose barrier has an edge where a domino detaches. In a
- * row, a segment ends at such an edge.
+ * A segment: a part of the motion of one head, from a given state at lo up to hi, according to the law of
+ * motion of its geometry. The cycle of a train is a single segment, whose barrier has an edge where a domino
+ * detaches. In a row, a segment ends at such an edge.
  */
 #ifndef DOM_SEGMENT_H
 #define DOM_SEGMENT_H
