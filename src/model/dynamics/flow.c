@@ -48,9 +48,9 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 
 /*
  * Solves the beginning of a motion on separate narrow panels, whose ends increase by factors of 8, because
- * the solution changes on two small scales there: on the scale d, because u changes by only d^2 up to theta ~
- * d and by much more afterwards, and on the scale sqrt(1 - r s), because followers come down near this tilt.
- * *lo receives the tilt up to which the motion is solved.
+ * the solution changes on two small scales there. One scale is d: u changes by only d^2 up to theta ~ d, and
+ * by much more afterwards. The other scale is sqrt(1 - r s), the tilt near which followers come down. *lo
+ * receives the tilt up to which the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
