@@ -149,9 +149,11 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
     return limit;
 }
 
-/* For a pair that stops if its dominoes are equal, looks for a growth at which the pair keeps falling.
- * Returns a growth for which this is proved: if possible, a decimal just above the lowest root that samples
- * show. Returns NaN if no such growth is found. */
+/*
+ * For a pair that stops if its dominoes are equal, looks for a growth at which the pair keeps falling.
+ * Returns a growth for which this is proved: if possible, a decimal number just above the lowest root that
+ * samples show. Returns NaN if no such growth is found.
+ */
 static double band_begin(struct proof *proof)
 {
     enum { SAMPLES = 400 };
