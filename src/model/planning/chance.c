@@ -203,11 +203,13 @@ static void batch_run(size_t index, void *context)
     struct draw draw;
     double *memory = malloc(3 * margins * sizeof *memory);
     enum dom_status status = draw_begin(&draw, &s->row);
-    if (!memory)
+    if (!memory) {
         status = DOM_NO_MEMORY;
-    const struct weighed w = {memory, memory + margins, memory + 2 * margins};
-    for (size_t i = index * BATCH; i < rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
-        status = row_add(s, &draw, i, &w, &s->sums[index]);
+    } else {
+        const struct weighed w = {memory, memory + margins, memory + 2 * margins};
+        for (size_t i = index * BATCH; i < rows && i < (index + 1) * BATCH && status == DOM_OK; i++)
+            status = row_add(s, &draw, i, &w, &s->sums[index]);
+    }
     draw_end(&draw);
     free(memory);
     s->status[index] = status;
