@@ -146,8 +146,8 @@ static enum dom_status pair_find(struct margin_context *c, struct limit *found)
     struct edge edge;
     bool any;
     *found = no_limit;
-    /* If the growth is smaller than this, domino 1 has not yet tipped over when it hits the next domino (5;
-     * b0). */
+    /* If the growth is smaller than this, domino 1 has not yet tipped over when it hits the next domino
+     * (5; b0). */
     real tips = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1);
     if (tips > c->geometry.span / c->s)
         return DOM_OK;
