@@ -97,8 +97,8 @@ dom_real dom_speed(dom_real h, dom_real s, dom_real d);
  * A self-similar train. Start from dom_train_default() and change the members that differ. The last four
  * members are the effects of DOM_DYNAMICS, all off (0) by default:
  *
- * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. The equation of motion then
- * replaces (21; c3) and (24; c6).
+ * mu: the coefficient of Coulomb friction between dominoes, 0 ... DOM_MU_HIGHEST. With friction, the equation
+ * of motion is solved instead of (21; c3) and (24; c6).
  *
  * alpha: the angle in radians by which the floor falls in the direction of the train, -1.5 ... 1.5. The
  * status is DOM_NO_STAND if no domino can stand upright on that slope.
@@ -450,8 +450,8 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
                                       struct dom_least_force *least);
 
 /*
- * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z of the
- * reaction force of the floor during the motion, and of its impulse in the collision. A value is infinite if
+ * The friction coefficient that the floor needs so that no foot slips: the largest |R_x| / R_z, where R is
+ * the reaction force of the floor during the motion, or its impulse in the collision. A value is infinite if
  * a domino would be lifted off the floor.
  */
 struct dom_floor {

@@ -96,8 +96,8 @@ enum dom_fuel { DOM_FUEL_EXACT, DOM_FUEL_PAPER };
 enum dom_method { DOM_METHOD_OURS, DOM_METHOD_GSL, DOM_METHOD_PAPER };
 
 /*
- * Effects beyond the paper, which struct dom_effect describes. The code of an effect runs only while the
- * effect is on, and struct dom_work counts how often the code runs.
+ * Effects that the paper does not include. struct dom_effect describes an effect. The code of an effect runs
+ * only while the effect is on, and struct dom_work counts how often the code runs.
  *
  * DOM_DYNAMICS lists the effects that change how dominoes move: X(effect, member, status). `member` is the
  * member of struct dom_train and of struct dom_row that holds the value of the effect, where 0 means off.
@@ -155,7 +155,7 @@ const char *dom_event_text(enum dom_event_kind kind);
 enum dom_spacing { DOM_BY_TIME, DOM_BY_TILT };
 
 /* The questions that dom_trains_ask can ask. Each comment names the function that answers the question about
- * one train, and the structure that it fills. */
+ * one train, and the structure that this function fills. */
 enum dom_question {
     DOM_ASK_ANGLES,   /* dom_angles_find: struct dom_angles */
     DOM_ASK_CONTACT,  /* dom_contact_find, at a tilt: struct dom_contact */
@@ -174,9 +174,9 @@ enum dom_question {
 
 /* Counters of the work done. Every call adds to the counters, which the caller initializes with {0}. */
 struct dom_work {
-    size_t passes;                    /* passes down the chain of dominoes */
-    size_t dominoes;                  /* dominoes visited in all passes */
-    size_t longest;                   /* dominoes in the longest pass */
+    size_t passes;                    /* number of passes down the chain of dominoes */
+    size_t dominoes;                  /* number of dominoes visited in all passes */
+    size_t longest;                   /* number of dominoes visited in the longest pass */
     size_t entered[DOM_EFFECT_COUNT]; /* how often the code of each effect has run */
 };
 

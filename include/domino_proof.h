@@ -39,8 +39,8 @@ const char *dom_proof_gap_text(enum dom_proof_gap gap);
 
 /* The work that a proof took. */
 struct dom_proof_work {
-    size_t boxes;  /* rectangles of tilt and growth that were examined */
-    size_t chains; /* passes down the chain of dominoes */
+    size_t boxes;  /* number of rectangles of tilt and growth that were examined */
+    size_t chains; /* number of passes down the chain of dominoes */
 };
 
 /* What is proved about the largest growth. */

@@ -29,8 +29,8 @@ struct engine_row {
     double slope;  /* angle by which the floor descends in the direction of the row */
     double mu;     /* friction coefficient between boxes */
     double bounce; /* coefficient of restitution between boxes */
-    /* Friction coefficient of the floor; if it is infinite, each foot is a hinge, or rolls if it is
-     * rounded. */
+    /* Friction coefficient of the floor; if it is infinite, each foot is a hinge or, if its edges are
+     * rounded, rolls. */
     double feet;
     double radius; /* radius of rounded edges, relative to the height */
     /* length by which the upper back edge is cut off, relative to the height; masses are unaffected */
@@ -49,8 +49,8 @@ struct engine_grain {
     /* Steps per unit of time, where the unit is sqrt(height / g) of the foremost moving box. A box also takes
      * at least this many steps to turn by one radian. */
     double steps;
-    /* The impulses of contacts and hinges are found by iteration. Their error may change a velocity by this
-     * fraction of its change in the step. */
+    /* The impulses of contacts and hinges are found by iteration. An error of an impulse may change a
+     * velocity by at most this fraction of the change of the velocity in the step. */
     double tolerance;
 };
 

@@ -109,8 +109,8 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Moves each domino on its own, without the dominoes after it. A domino that would overlap the previous one
- * is placed so that the two touch. */
+/* Moves each domino without moving the dominoes after it. A domino that would overlap the previous one is
+ * placed so that the two touch. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
     dom_real before = 0; /* how far the previous domino has moved */

@@ -28,7 +28,7 @@ struct planner {
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
     bool whole;      /* if false, a run of a row may end at the first domino without the safety */
     size_t weakest;  /* number of the domino with the smallest ratio in the last row */
-    dom_real least;  /* kinetic / barrier of that domino */
+    dom_real least;  /* kinetic / barrier of the domino `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last row, by the model and by the engine */
     bool engine_refused; /* some row had the safety in the model, but did not fall in the engine */
 };

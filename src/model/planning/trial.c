@@ -20,7 +20,7 @@ static bool trial_judged(struct trial *t)
 /* The spare energy of the last dominoes that a trial has run. */
 enum { RECENT = 4 };
 struct recent {
-    dom_real share[RECENT]; /* margin / kinetic of each domino, beginning with the last */
+    dom_real share[RECENT]; /* margin / kinetic of each of these dominoes, beginning with the last */
     dom_real spare;         /* margin / barrier of the last domino */
 };
 
