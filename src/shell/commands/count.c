@@ -50,7 +50,7 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* how a row starts that ends with the domino to topple */
+    struct start start;      /* how the row starts; it includes the domino to topple */
     struct start_growths growths;
     bool falls; /* The row falls. */
 };

@@ -57,8 +57,8 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     made.row.floor = false;
     start->engine = made.row.engine ? scene_engine_why(&scene) : NULL;
     enum dom_status status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
-    /* A domino whose size or mass is out of the range of the precision is so far from the start that the row
-     * can be made shorter. */
+    /* If the size or the mass of a domino is out of the range of the precision, the row is made shorter.
+     * Such a domino is so far from the start that it does not matter. */
     while (is_beyond_range(status) && made.row.count > 2) {
         start->count = made.row.count /= 2;
         status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);

@@ -135,7 +135,7 @@ int command_principal(const struct command *c)
 const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
 {
     int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
-    bool inside = false; /* between the brackets around the values of an effect */
+    bool inside = false; /* true between the brackets around the values of an effect */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
         n += snprintf(usage + n, (size_t)(USAGE_SIZE - n), " %s%s%s", a->optional && !inside ? "[" : "",
@@ -187,7 +187,7 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
                                  "%.17g]; 'thetac' gives its upper end",
                                  a->name, quad_shown(style_angle(style, theta)).text, style_angle_unit(style),
                                  a->name, (double)style_angle(style, angles.theta_c));
-    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs makes 0 of a -0. */
+    *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
     return true;
 }
 

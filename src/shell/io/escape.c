@@ -36,7 +36,7 @@ static bool is_hidden(uint32_t code)
         {0x2060, 0x206f}, {0xfdd0, 0xfdef},   {0xfeff, 0xfeff},   {0xfff0, 0xfffb},
         {0xfffe, 0xffff}, {0x1bca0, 0x1bca3}, {0x1d173, 0x1d17a}, {0xe0000, 0xe0fff},
     };
-    bool found = (code & 0xfffe) == 0xfffe; /* the last two codes of every plane are not characters */
+    bool found = (code & 0xfffe) == 0xfffe; /* the last two codes of every Unicode plane are not characters */
     for (size_t i = 0; i < sizeof hidden / sizeof *hidden && code >= hidden[i].first; i++)
         found = found || code <= hidden[i].last;
     return found;
@@ -75,7 +75,9 @@ const char *escape_text(const char *text, char *shown, size_t size)
 {
     static const char more[] = "...";
     char piece[ESCAPE_PIECE];
-    size_t n = 0, last = 0; /* `last` is the length of the longest text after which there is room for "..." */
+    size_t n = 0,
+           last =
+               0; /* `last` is the length of the longest beginning of the text that leaves room for "..." */
     for (;;) {
         /* a fast path, because nearly all text is ASCII */
         while (*text >= ' ' && *text <= '~' && n + sizeof more < size)

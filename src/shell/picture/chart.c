@@ -136,8 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`. On both sides of the data
- * there is room of `pad` times this range. */
+/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`. On both sides of the data,
+ * `pad` times this range is left free. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */

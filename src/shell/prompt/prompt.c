@@ -176,8 +176,8 @@ static void readline_begin(void)
     rl_completer_quote_characters = "\"";
     rl_filename_quote_characters = " \t;#>";
     rl_variable_bind("enable-bracketed-paste", "on");
-    /* This reads the inputrc. overlay_begin has to come later, since it rebinds keys that the inputrc may
-     * bind. */
+    /* rl_initialize reads the inputrc. overlay_begin has to come later, since it rebinds keys that the
+     * inputrc may bind. */
     rl_initialize();
     overlay_begin();
 }

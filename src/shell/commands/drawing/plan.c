@@ -43,7 +43,7 @@ bool plan_parse(struct reader *r, struct question *q)
 
 /* ---- The numbers ---- */
 
-/* The number of random rows. The engine takes as long for a row as the model does for hundreds of rows. */
+/* The number of random rows. The engine needs as much time for one row as the model needs for hundreds. */
 enum { STUDY_ROWS = 2000, STUDY_ROWS_OF_ENGINE = 50 };
 
 static void plan_free(struct plan *p)

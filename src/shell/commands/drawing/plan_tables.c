@@ -16,7 +16,7 @@ const struct domq_window *plan_window(const struct plan *p, enum dom_window_of k
 
 /* ---- Texts ---- */
 
-/* Writes a length in mm. If `round` is -1 or 1, it is rounded down or up to 0.1 mm. */
+/* Writes a length in mm. If `round` is -1 or 1, the length is rounded down or up to a multiple of 0.1 mm. */
 static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 {
     double tenths = 10000 * (double)metres;

@@ -139,8 +139,9 @@ struct explain_bound {
     bool deep;
 };
 
-/* Writes a derivation for people or, if the answer goes to a lesson file, as a lesson, which begins with the
- * sentence `verdict` unless it is "". Returns false with a problem if pdflatex is needed and fails. */
+/* Writes a derivation for people or, if the answer goes to a lesson file, as a lesson. The text begins with
+ * the sentence `verdict` unless `verdict` is "". Returns false with a problem if pdflatex is needed and
+ * fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound, const char *verdict,
                    struct problem *problem);

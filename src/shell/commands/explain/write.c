@@ -261,7 +261,8 @@ static bool typeset_write(struct writer *w, const struct explained *e, bool deep
     return done;
 }
 
-/* Writes lines of text so that they fit the terminal. Lines that go on keep the indentation. */
+/* Writes lines of text so that they fit the terminal. If a line is broken, its continuation has the same
+ * indentation. */
 static void lines_write(FILE *out, char *text, int width)
 {
     for (char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {

@@ -104,8 +104,8 @@ const char *fit_names(const void *context, int k); /* a names_list of the parame
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Fits the parameters, and adds a point to the chart for each measurement, at the value that the model
- * gives and the value that was measured. */
+/* Fits the parameters, and adds a point to the chart for each measurement: x is the value that the model
+ * gives, and y the value that was measured. */
 struct chart;
 bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
                struct problem *problem);

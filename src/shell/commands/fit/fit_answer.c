@@ -8,7 +8,7 @@
 
 /* ---- The arguments ---- */
 
-/* The parameters of 'solve' that change how dominoes move. */
+/* Lists the parameters that can be fitted: those parameters of 'solve' that change how dominoes move. */
 const char *fit_names(const void *context, int k)
 {
     const char *name;

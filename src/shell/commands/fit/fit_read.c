@@ -132,7 +132,7 @@ static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 }
 
 /* Finds the time of a row of the file, from its frame if it has no time. The time is NaN if the row has
- * neither. */
+ * neither a time nor a frame. */
 static bool time_find(struct csv_table *csv, double rate, double *time)
 {
     const double frame = csv->column[FRAME] ? (double)csv->value[FRAME] : (double)NAN;

@@ -143,8 +143,8 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 
 /* ---- Where the search begins ---- */
 
-/* Returns starting value number k of an unknown, or NaN after the last one. The first is the present value.
- */
+/* Returns starting value number k of an unknown, or NaN after the last one. The first starting value is the
+ * present value of the parameter. */
 static double start_of(const struct fit *f, int i, int k)
 {
     static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
@@ -318,8 +318,8 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
     return status;
 }
 
-/* Returns the sum of the squared differences of successive residuals over the sum of the squared residuals: 2
- * if the residuals are independent, and near 0 if they drift (Durbin and Watson). */
+/* Returns the sum of the squared differences of successive residuals, divided by the sum of the squared
+ * residuals: 2 if the residuals are independent, and near 0 if they drift (Durbin and Watson). */
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command design, which finds a row with a given last height, a given safety and a limit on its length.
- */
+/* The command design, which finds a row with a given height of the last domino, a given safety and a limit
+ * on its length. */
 #include "answer/format.h"
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
@@ -28,8 +28,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction below that of the scene with which equal dominoes have this safety, to three
- * digits. Returns 0 if there is none. */
+/* Returns the largest friction, to three digits, with which equal dominoes have this safety. Considers only
+ * values below the friction of the scene. Returns 0 if there is none. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -77,7 +77,7 @@ static bool search_failed(const struct scene *scene, const struct domq_design *d
                              with, (double)d->needs, off);
 }
 
-/* Writes why no row fits the wish, and which change would make one possible. */
+/* Writes why no row fits the wish, and which change would make a row possible. */
 static void infeasible_text(const struct query *query, const struct domq_wish *wish,
                             const struct domq_design *d, char *text, size_t size)
 {
@@ -212,7 +212,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
-/* Improves the row of the session, which is the design, and makes it the row of the plan. */
+/* Improves the row of the session, which is the design, and makes the improved row the row of the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
                            struct designed_row *plan, struct domq_design *d, struct domq_study *study,
                            struct problem *problem)

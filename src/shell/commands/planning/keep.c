@@ -4,7 +4,7 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* Changes one measure of domino k, from 0, to a value or, if `times` is true, by a factor. */
+/* Changes one measure of domino k, counted from 0, to a value or, if `times` is true, by a factor. */
 static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {

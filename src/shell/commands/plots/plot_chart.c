@@ -9,8 +9,8 @@
 
 /* ---- The rows as numbers ---- */
 
-/* The functions of a binary output format: first a struct plot_rows with the keys and units of the columns,
- * and then each row as a struct plot_row. */
+/* The functions of a binary output format, which writes a struct plot_rows with the keys and units of the
+ * columns, and then each row as a struct plot_row. */
 static void keys_write(struct answer *a, const struct cell *cells, const char *reason)
 {
     struct plot_rows rows = {.count = 0};

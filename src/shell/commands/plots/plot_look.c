@@ -56,7 +56,7 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                                                 .of = "place of the legend",
                                                 .choices = legend_names};
 
-/* The ranges of the size of a picture for print, in cm, and of its letters, in points. */
+/* The limits of the width and height of a picture in a file, in cm, and of its font size, in points. */
 #define SIZE_LEAST 6
 #define MOST       30
 #define FONT_LEAST 5

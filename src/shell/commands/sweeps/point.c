@@ -16,8 +16,8 @@ static bool column_add(struct sweep_columns *c, int *n, struct column column, co
     return true;
 }
 
-/* Makes a column for each question of a list. The unit of an expression is the one that its value has in the
- * current scene. */
+/* Makes a column for each question of a list. The unit of an expression's column is the unit of its value
+ * in the current scene. */
 static void list_columns(struct sweeper *w)
 {
     struct sweep_columns *c = &w->columns;

@@ -129,7 +129,7 @@ static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        /* The two ends are enough if the values are not a list. */
+        /* If the values are not a list, the two ends of the axis are enough. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_largest(a, axis->parameter->name, axis_value(axis, k));
