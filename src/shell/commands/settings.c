@@ -76,8 +76,8 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (!(given->word[1] ? scene_row_load(&next->scene, given->word[1], query->means, problem)
                          : parameter_set(next, p, &given->number[1], given->count - 1, problem)))
         return false;
-    /* This is not reported in a script, because the next line of the script may set the other parameter,
-     * too. */
+    /* A script is not told that another parameter has changed, because its next line may set that
+     * parameter, too. */
     if (moved && parameter_get(next, moved) != was && !query->means->sourced)
         answer_say(a, "%s is now %g", moved->name, (double)parameter_get(next, moved));
     enum dom_precision precision = next->scene.compute.precision;

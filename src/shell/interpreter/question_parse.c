@@ -62,7 +62,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* The word stands for a later value. Use the usual value for the present one. */
+    /* The word stands for a later value. The value that is being read gets its usual value. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;

@@ -19,7 +19,8 @@ struct plan {
     struct guide guide;
 };
 
-/* plan_width returns the width of domino k, counted from 0, and plan_window its window of one kind. */
+/* plan_width returns the width of domino k, counted from 0. plan_window returns the window of one kind for
+ * this domino. */
 domq_real plan_width(const struct plan *plan, size_t k);
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 

@@ -67,7 +67,7 @@ struct fit {
     struct fit_unknown unknown[FIT_UNKNOWNS];
     int unknowns;
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS];
-    double spread; /* the sum of the squares of residual / error, divided by the freedom */
+    double spread; /* the sum of the squares of residual / error, divided by the degrees of freedom */
     size_t
         freedom; /* the degrees of freedom: the number of measurements minus the number of fitted numbers */
     double *computed;       /* for each measurement: what the model gives with the best values */

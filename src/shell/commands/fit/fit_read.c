@@ -21,7 +21,8 @@
             "more than 0, up to " range                                                                      \
     }
 
-/* The columns that hits and angles have in common, apart from the error. Angles have one more column. */
+/* The columns of hits and of angles. TIMED_COLUMNS defines those that are the same for both. Only angles
+ * have the column ANGLE_AT. */
 enum { DOMINO, TIME_AT, FRAME, RATE, RUN, GAP, ERROR, ANGLE_AT };
 #define TIMED_COLUMNS(domino_traits)                                                                         \
     [DOMINO] = {"domino", "nr,no,no.,number", CSV_WHOLE | (domino_traits), PLAIN, 1, 1e6, "1 .. 1e6"},       \

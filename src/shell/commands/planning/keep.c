@@ -34,7 +34,7 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    /* The changes above keep the density of each domino. The masses are changed now. */
+    /* The changes above keep the density of each domino. Now the masses are changed. */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {

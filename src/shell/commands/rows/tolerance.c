@@ -80,7 +80,9 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
 enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
 {
     const struct domq_row *row = &scene->row;
-    const bool leans = !row->engine && row->rho == 0; /* otherwise the library cannot compute leans */
+    const bool leans =
+        !row->engine &&
+        row->rho == 0; /* the library computes leans only in the model, and only with sharp edges */
     int search = 0;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};

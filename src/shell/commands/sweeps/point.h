@@ -69,7 +69,7 @@ bool point_probe(struct sweeper *w);
 
 /* The callbacks `point` and `merge` of struct workers. point_write writes the rows of point k. It returns
  * false, with the problem in the sweeper, if the question has an error. sweeper_merge adds the tally of a
- * worker to that of another one. */
+ * worker to the tally of another worker. */
 bool point_write(void *sweeper, size_t k, FILE *out);
 void sweeper_merge(void *sweeper, const void *worker);
 
