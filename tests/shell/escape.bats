@@ -86,7 +86,7 @@ harmless() { # FILE
     for name in $'a\e[31m' $'a\tb' $'a\u009bb' $'a\u202eb' $'\xffb' $'a\rb'; do
         for line in 'verdict > "NAME"' 'verdict >> "NAME"' 'save "NAME"' 'draw > "NAME.svg"' 'animate "NAME.gif" 1'; do
             run -1 --separate-stderr "$DOMINO" --keep-going -e 'effect row 2' -e "${line/NAME/$name}"
-            [[ $stderr == *'the name has control characters'* ]] || same "$line" refused "$stderr"
+            [[ $stderr == *'the name contains control characters'* ]] || same "$line" refused "$stderr"
             same "$line: nothing is written" '(nothing)' "$(ls)"
         done
     done

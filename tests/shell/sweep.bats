@@ -202,7 +202,7 @@ END
     wrong_line 'sweep mass 0 1 3 log : rmax' 'equal ratios need FROM and TO above 0'
     wrong_line 'sweep s 0.1 0.9 1e7 d 0.1 0.9 1e7 : rmax' 'more than 1000000000000 points'
     wrong_line 'sweep s 0.1 0.9 9 : set s 0.1' "'set' has no answer"
-    wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' cannot be swept: it measures time"
+    wrong_line 'sweep s 0.1 0.9 9 : cost rmax' "'cost' cannot be swept: it measures computing time"
     wrong_line 'sweep s 0.1 0.9 9 : draw' "'draw' cannot be swept: it draws"
     wrong_line 'sweep s 0.1 0.9 9 : sweep d 0.1 0.2 2 : rmax' 'name all parameters in one grid'
     wrong_line 'sweep s 0.1 0.9 9 : theta1 foo' ":28: theta1: T at 'foo': 'foo' has no value"
