@@ -91,8 +91,7 @@ enum dom_error_of {
 /* The largest number of changes that dom_row_mend finds. */
 enum { DOM_MENDS = 31 };
 
-/* A callback for progress reports. Of the parts of a long computation, whose number is `of`, `done` are
- * complete. */
+/* A callback for progress reports: `done` of the `of` parts of a long computation are complete. */
 typedef void dom_progress(size_t done, size_t of, void *context);
 
 /* ---- Parallel work ---- */

@@ -8,7 +8,7 @@
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static size_t taken; /* bytes reserved for all spaces */
+static size_t taken; /* bytes reserved for all spaces of the physics library */
 
 bool room_take(size_t boxes)
 {

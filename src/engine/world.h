@@ -14,7 +14,7 @@ struct motion {
     double turns;
 };
 
-/* A box in the space. */
+/* A box in the world of the physics library. */
 struct body {
     cpBody *body;
     cpShape *shape;

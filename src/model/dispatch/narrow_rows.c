@@ -127,7 +127,8 @@ enum dom_status narrow_row_watch(const struct row_request *q, const dom_real *ti
 
 /* ---- Rows that are run again and again ---- */
 
-/* The data behind the pointers that callers of the kernel get as a struct course or a struct random_row. */
+/* Callers of the kernel get pointers to a struct course or a struct random_row. In this file, such a pointer
+ * points to a struct narrow_runs. */
 struct narrow_runs {
     enum dom_precision precision;
     size_t count;

@@ -96,7 +96,7 @@ struct dynamics {
     enum dom_status (*speed)(const struct geometry *geometry, const struct start *start, real theta,
                              real *omegasq, real *error);
     /* Finds 1 / (tau^2 omega^2) at the tilt end - by, where `end` is the tilt at which the energy is used up.
-     * Stores NaN if the energy does not suffice for that tilt. */
+     * Stores NaN if there is not enough energy to reach that tilt. */
     enum dom_status (*before_rest)(const struct geometry *geometry, real end, real by, real *slowness);
     /* Finds tau^2 times the angular acceleration of the head for tau^2 omega^2 = w. If n is not NULL, *n
      * receives the number of dominoes that contribute. */

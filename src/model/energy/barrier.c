@@ -62,8 +62,8 @@ struct top {
      * Where that is not known, the top may be at the end of the bracket itself. */
     bool rises, falls;
     real p; /* the next p to try */
-    /* tan of half the angle by which the head leans backwards at the start, where p is negative. Changes of p
-     * are measured relative to |p| plus this value, since p may be 0 inside the bracket. */
+    /* tan of half the angle by which the head leans backwards at the start. Because p may be 0 inside the
+     * bracket, changes of p are measured relative to |p| plus this value. */
     real backwards;
     real height; /* estimated height of the top; its error is of third order in the last step */
     real moved;  /* relative change of p in the last step */

@@ -47,8 +47,8 @@ struct series {
     real next, ratio;
 };
 
-/* Adds a term, and its rounding error to `lost` (Fast2Sum). Fast2Sum needs the larger of the two numbers
- * first. */
+/* Adds a term to the sum, and the rounding error of this addition to `lost` (Fast2Sum, which needs the larger
+ * of the two numbers first). */
 KERNEL_LOOP void series_add(struct series *s, real term)
 {
     real sum = s->sum + term;

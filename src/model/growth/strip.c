@@ -78,8 +78,8 @@ struct strip_sums {
     real tilt;                     /* upper bound of the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound of d theta_1 / d ln r over the strip or, in a strip of separations, of d theta_1 /
- * ds. The bound is the value at hi for the smallest tilt of the leader. */
+/* Returns an upper bound of d theta_1 / d ln r in a strip of growths, or of d theta_1 / ds in a strip of
+ * separations. The bound is the derivative at hi, at the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
     real v = hi->detaches ? fmin(leader.v, hi->leave.v) : leader.v, X = fmax(hi->rs - hi->rL * v, 0);

@@ -257,10 +257,10 @@ static real least_at(real theta, void *context)
 /* The number of samples. The tolerance of a search for a minimum between two samples is a thousandth of the
  * distance between them. */
 #define LEAST_SAMPLES 24
-#define LEAST_LONG                                                                                           \
-    100000 /* a train of more dominoes, whose s is tiny, moves so smoothly that a third of the samples is    \
-              enough */
-#define LEAST_TOL ((real)1e-3 / LEAST_SAMPLES)
+/* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
+ * enough. */
+#define LEAST_LONG 100000
+#define LEAST_TOL  ((real)1e-3 / LEAST_SAMPLES)
 
 /* Finds the smallest force over [lo, hi], where forces do not jump. */
 static enum dom_status least_over(struct least_context *c, real lo, real hi)

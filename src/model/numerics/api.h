@@ -9,7 +9,7 @@
 
 #if __has_include("domino_quad.h")
 #include "domino_quad.h"
-#else /* when a tool checks a single source file before the build has generated domq_names.h */
+#else /* only for tools that check a single source file before the build has generated domq_names.h */
 #include "domino.h"
 typedef long double domq_real;
 #endif

@@ -58,9 +58,9 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Finds the separation on the grid with which a train can grow most and still have the safety, first in
- * coarse steps and then in steps that are halved. Returns the growth at that separation, or 0 if no train has
- * the safety. */
+/* Finds the separation on the grid that allows the largest growth with the required safety, first in coarse
+ * steps and then in steps that are halved again and again. Returns the growth at that separation, or 0 if no
+ * train is safe enough. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;

@@ -25,7 +25,8 @@ struct proof {
     const volatile sig_atomic_t *interrupt;
 };
 
-/* Begins a proof, and ends it by freeing its memory. proof_begin returns false if memory is exhausted. */
+/* proof_begin allocates the memory of a proof, and returns false if memory is exhausted. proof_end frees the
+ * memory. */
 bool proof_begin(struct proof *proof, const struct shape *shape);
 void proof_end(struct proof *proof);
 

@@ -59,8 +59,8 @@ struct course {
 /* Differences count as decaying if each difference is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force in a run of head k with another omegasq, or a negative number if the row
- * ends at this head. */
+/* Returns the smallest contact force while head k falls, if it began with `omegasq` instead of its own value.
+ * Returns a negative number if the row then ends at this head. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;

@@ -11,7 +11,7 @@ struct since {
     real begins, tau, passed;
 };
 
-/* A part of the motion of one head in time, in which no domino detaches. */
+/* A stretch of the motion of one head, during which no domino detaches. */
 struct passage {
     struct segment st;
     real to;    /* the tilt of the head where the passage ends */

@@ -266,8 +266,8 @@ static void times_say(struct answer *a, const char *what, double seconds, double
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints sentences that compare the times for 3, 6 and 12 correct digits. A measurement counts by the error
- * that it achieved, not by its tolerance. */
+/* Prints sentences that compare the times for 3, 6 and 12 correct digits. The digits of
+ * a measurement are those of the error that it achieved, not of its tolerance. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

@@ -56,7 +56,7 @@ struct tower {
 };
 
 /* Runs a row in which `dominoes` dominoes of the train should topple one more, to find whether all fall.
- * Also finds how large the growth of such a row may be. Returns false with a problem. */
+ * Also finds how large the growth of such a row may be. On failure, sets *problem and returns false. */
 static bool tower_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                        struct tower *t, struct problem *problem)
 {

@@ -36,7 +36,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
 }
 
 /* Counts the work of one answer of the scene without random errors, because the work of random rows is not
- * counted. If `random` is true, adds the work of one random row. Returns false with a problem. */
+ * counted. If `random` is true, adds the work of one random row. On failure, sets *problem and returns
+ * false. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {

@@ -17,8 +17,8 @@ struct start {
 };
 
 /* Runs a row of the train's dominoes. The row has `dominoes` dominoes, or only as many as decide whether a
- * row starts. If they do not all fall, also finds the weakest push with which they do. Returns false with a
- * problem. */
+ * row starts. If they do not all fall, also finds the weakest push with which they do. On failure, sets
+ * *problem and returns false. */
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
@@ -29,8 +29,8 @@ struct start_growths {
     bool has_engine; /* true if both are NaN because the rigid-body engine would take too long to find them */
 };
 
-/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. Returns false with a
- * problem. */
+/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. On failure, sets
+ * *problem and returns false. */
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 

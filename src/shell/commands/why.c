@@ -99,10 +99,11 @@ static void contact_say(const struct query *query, struct answer *a, const struc
         answer_say(a, "At r s = 1 the head is hit at its own hinge: the lever arm of the contact is 0, the "
                       "impulse has no upper bound, and the paper's assumption of contact fails (14; b10).");
     else if (c->force > 0 && c->impulse > 0)
-        answer_say(a,
-                   "The dominoes stay in contact, as the paper assumes: the smallest contact force is %s of "
-                   "the weight of domino %zu, which it pushes, at a tilt of %.4g %s.",
-                   weight.text, c->domino, tilt, unit);
+        answer_say(
+            a,
+            "The dominoes stay in contact, as the paper assumes. The weakest contact pushes domino %zu "
+            "with %s of that domino's weight, at a head tilt of %.4g %s.",
+            c->domino, weight.text, tilt, unit);
     else if (c->force > 0)
         answer_say(a, "The dominoes do not stay in contact, as the paper assumes: one of them would have to "
                       "be pulled in the collision. The answer is not valid.");

@@ -112,7 +112,7 @@ struct command {
     /* the shortest abbreviation that means this command although other commands begin with it, too */
     const char *shortest;
     /* Computes the answer to a query. A command that changes something stores the new state in query->next.
-     * Returns false with a problem. */
+     * On failure, sets *problem and returns false. */
     bool (*run)(const struct query *query, struct answer *answer, struct problem *problem);
     /* Replaces `run` for a command that needs the whole session and not just its state. */
     bool (*act)(struct session *session, const struct arguments *given, struct answer *answer,
@@ -169,8 +169,8 @@ int command_values(const struct command *command, int *fewest);
 enum { USAGE_SIZE = 96 };
 const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
 
-/* Checks that a safe session may run the command. Returns false with a problem if the session is safe and the
- * command reads or writes files. */
+/* Checks that a safe session may run the command. Sets *problem and returns false if the session is safe
+ * and the command reads or writes files. */
 static inline bool command_allowed(const struct means *means, const struct command *command,
                                    struct problem *problem)
 {
@@ -187,8 +187,8 @@ struct answer answer_kept(const struct query *query, const struct command *comma
  * unit. */
 struct quantity argument_unit(const struct argument *argument);
 
-/* Checks the value of an argument, and stores the value in SI units in *number. Returns false with a problem
- * if the unit or the value is wrong. */
+/* Checks the value of an argument, and stores the value in SI units in *number. Sets *problem and returns
+ * false if the unit or the value is wrong. */
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 

@@ -36,8 +36,8 @@ const struct parameter *parameter_parse(struct reader *reader, const char *form)
 const struct assignment *assignments_parse(struct reader *reader);
 
 /* Computes the value of an item and checks the value against the item's argument. Stores the value in
- * *number, and with its unit in *quantity, which may be NULL. Returns false with a problem. If `text` is not
- * NULL, the column of the problem is a column in this text. */
+ * *number, and with its unit in *quantity, which may be NULL. On failure, sets *problem and returns false.
+ * If `text` is not NULL, the column of the problem is a column in this text. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 

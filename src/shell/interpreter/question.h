@@ -32,16 +32,17 @@ static inline bool question_is_expression(const struct question *question)
     return command_is_print(question->command);
 }
 
-/* Parses the command at the position of the reader, and its arguments. Returns false with a problem. */
+/* Parses the command at the position of the reader, and its arguments. On failure, sets *problem and
+ * returns false. */
 bool command_parse(struct reader *reader, struct question *question);
 
 /* Parses the arguments of question->command, up to the end of the command, a '>' or one of the reader's
- * `stops`. Returns false with a problem. */
+ * `stops`. On failure, sets *problem and returns false. */
 bool question_parse(struct reader *reader, struct question *question);
 
 /* Parses a question that is an argument of another command: COMMAND, COMMAND.KEY, or an expression, which
- * becomes a question of the command 'print'. If `is_number` is true, the answer must be a single number.
- * Returns false with a problem. */
+ * becomes a question of the command 'print'. If `is_number` is true, the answer must be a single number. On
+ * failure, sets *problem and returns false. */
 bool question_parse_any(struct reader *reader, struct question *question, bool is_number);
 
 /* A names_list of the commands that question_parse_any accepts. */
@@ -57,8 +58,8 @@ struct call {
     struct state state; /* the state after the assignments of 'with'; unused without 'with' */
 };
 
-/* Binds a question in the state of a query. Returns false with a problem. The caller must call call_free in
- * both cases. */
+/* Binds a question in the state of a query. On failure, sets *problem and returns false. The caller must
+ * call call_free in both cases. */
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
 void call_free(struct call *call);
@@ -68,12 +69,12 @@ void call_free(struct call *call);
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 
-/* Binds a question and runs its command. Returns false with a problem. */
+/* Binds a question and runs its command. On failure, sets *problem and returns false. */
 bool question_ask(const struct question *question, const struct query *query, struct answer *answer,
                   struct problem *problem);
 
 /* Binds a question, runs its command, and stores one number of the answer in SI units: the cell of
- * question->key, or the value of an expression. Returns false with a problem. */
+ * question->key, or the value of an expression. On failure, sets *problem and returns false. */
 bool question_value(const struct question *question, const struct query *query, struct quantity *value,
                     struct problem *problem);
 

@@ -190,7 +190,7 @@ static bool check_wrong(const struct reader *r, const struct command *c)
     return true;
 }
 
-/* Parses "with NAME VALUE ..." if this text is next. Returns false with a problem. */
+/* Parses "with NAME VALUE ..." if this text is next. On failure, sets *problem and returns false. */
 static bool with_parse(struct reader *r, struct question *q)
 {
     if (!word_is_next(r, "with"))

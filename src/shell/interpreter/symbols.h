@@ -74,7 +74,7 @@ bool query_evaluate(const struct query *query, struct evaluation *evaluation, co
                     struct quantity *result, struct problem *problem);
 
 /* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a copy
- * of the query that refers to *state. Returns false with a problem. */
+ * of the query that refers to *state. On failure, sets *problem and returns false. */
 bool query_with(const struct query *query, const struct assigned *assigned, int count, struct state *state,
                 struct query *changed, struct problem *problem);
 

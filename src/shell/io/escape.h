@@ -33,8 +33,7 @@ char *escape_copy(const char *text);
  * programs decode to the same character.  A byte that is not UTF-8 becomes U+FFFD. */
 void escape_json(FILE *out, const char *text);
 
-/* Returns a letter of a text in the form in which TeX prints it. Letters that are commands in TeX are
- * escaped. */
+/* Returns one character of a text, escaped if it has a special meaning in TeX. */
 const char *escape_tex(char letter, char piece[ESCAPE_PIECE]);
 
 #endif

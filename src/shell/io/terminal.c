@@ -99,7 +99,7 @@ double terminal_clock(void)
 /* ---- Progress ---- */
 
 static atomic_int seconds; /* how long the command has been running, in s */
-static atomic_int done;    /* how many millionths of the command's work are done, or 0 if this is not known */
+static atomic_int done;    /* progress of the command in millionths, or 0 if it is not known */
 static _Thread_local bool is_muted;
 
 static bool is_ticking;

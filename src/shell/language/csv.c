@@ -87,7 +87,7 @@ static bool at_end(const struct csv_file *file)
 }
 
 /* Reads a cell and the separator after it, or the rest of the line. Sets *more to true if another cell
- * follows. Returns false with a problem. */
+ * follows. On failure, sets *problem and returns false. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);

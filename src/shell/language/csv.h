@@ -69,7 +69,7 @@ struct csv_file {
 bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Reads a whole file into file->text, which the caller frees. Returns false with a problem. */
+/* Reads a whole file into file->text, which the caller frees. On failure, sets *problem and returns false. */
 bool csv_load(struct csv_file *file, FILE *in);
 
 /* Reads the next record that is not empty. Returns false at the end of the file, or with a problem. */
@@ -79,11 +79,11 @@ bool csv_read(struct csv_file *file, struct csv_record *record);
 const char *csv_separator_name(const struct csv_file *file);
 
 /* Replaces decimal commas in the text of a cell by points, and records which decimal marks the cell uses.
- * `at` is the position of the cell. Returns false with a problem. */
+ * `at` is the position of the cell. On failure, sets *problem and returns false. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Call this function after the last number. Returns false with a problem if a number in the file can be read
- * in two ways. */
+/* Call this function after the last number. Sets *problem and returns false if a number in the file can be
+ * read in two ways. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell, in quotes if it contains any of the characters in `quoted`. Escapes control characters

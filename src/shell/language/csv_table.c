@@ -265,8 +265,8 @@ static bool constant_read(const char *text, struct quantity *q, char message[EXP
     return good && **end == '\0';
 }
 
-/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without checking
- * the range. Returns false with a problem. */
+/* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without
+ * checking the range. On failure, sets *problem and returns false. */
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -321,7 +321,7 @@ bool csv_check(struct csv_table *csv, int k, domq_real value)
 
 /* ---- Rows ---- */
 
-/* Reads and checks the value of column k in the current row. Returns false with a problem. */
+/* Reads and checks the value of column k in the current row. On failure, sets *problem and returns false. */
 static bool value_read(struct csv_table *csv, int k)
 {
     const struct csv_column *c = &csv->kind->column[k];

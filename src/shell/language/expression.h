@@ -74,7 +74,7 @@ struct parse {
      * supported. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
-    int depth, nested; /* the present depth of recursion, and the number of parentheses that are open */
+    int depth, nested; /* the current depth of recursion, and the number of open parentheses */
     int nodes;         /* the number of nodes so far */
     char message[EXPRESSION_MESSAGE];
 };

@@ -12,7 +12,7 @@ enum { ROOM = 320 };
 /* The height of a line of text in cm, divided by the font size in points. */
 #define LINE_CM 0.048
 
-/* Returns how many characters fit side by side into a picture. `width` is in cm, and the font size `font` in
+/* Returns how many characters fit on one line of a picture. `width` is in cm, and the font size `font` in
  * points. */
 static int columns_in(double width, double font)
 {

@@ -32,7 +32,7 @@ struct guide {
 void guide_text(const struct guide_table *table, FILE *out);
 
 /* Draws a guide as the picture to which the answer goes. A .pdf file gets as many A4 pages as are needed.
- * Other pictures are one long page. Returns false with a problem. */
+ * Other pictures are one long page. On failure, sets *problem and returns false. */
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

@@ -36,8 +36,8 @@ const struct ending *ending_of(const char *path);
 /* Returns true if the terminal is large enough for the picture of a command. Otherwise reports a problem. */
 bool picture_fits(const struct answer *a, const char *command, struct problem *problem);
 
-/* Checks, before any computation, that a picture can be drawn where the answer goes. Returns false with a
- * problem if it cannot. */
+/* Checks, before any computation, that a picture can be drawn where the answer goes. Sets *problem and
+ * returns false if it cannot. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
 /* Returns the words for captions of pictures that go where the answer goes. */

@@ -42,7 +42,7 @@ static int caption_lines(const char *text)
 /* Returns the sheet for a stage, with `room` dots above the tallest domino. */
 static struct sheet sheet_with(const struct stage *stage, double least, double most, double room)
 {
-    /* one more line is for labels_missing */
+    /* the number of caption lines, plus one for labels_missing */
     int lines = caption_lines(stage->caption) + (stage->row != NULL);
     struct sheet v = {.width = SHEET_WIDTH, .below = MARGIN_BELOW, .above = 10 + LINE * lines, .indent = 10};
     double edge = EDGE * (stage->right - stage->left), wide = stage->right - stage->left + 2 * edge;

@@ -64,7 +64,7 @@ static void row_drop(struct scene *scene)
     effects_apply(scene);
 }
 
-/* Reads a row from a file. Returns false with a problem. */
+/* Reads a row from a file. On failure, sets *problem and returns false. */
 static bool row_read(const struct scene *scene, const char *name, const struct means *means,
                      struct listed_row *row, struct problem *problem)
 {

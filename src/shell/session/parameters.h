@@ -76,10 +76,10 @@ struct assigned {
 enum { ASSIGNED_MAX = 8 };
 
 /*
- * Sets parameters in a copy of a state. The copy borrows the memory of the original, and must not be closed.
- * Parameters with words, such as the precision, are set first, because the range of tol depends on the
- * precision. Returns false with a problem if a value is out of its range, if an effect needs another effect
- * that is off, or if values exclude each other.
+ * Sets parameters in a copy of a state. The copy borrows the memory of the original, and must not be
+ * closed. Parameters with words, such as the precision, are set first, because the range of tol depends on
+ * the precision. Sets *problem and returns false if a value is out of its range, if an effect needs another
+ * effect that is off, or if values exclude each other.
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 

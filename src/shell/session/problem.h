@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors as values: a function that fails writes a message into a struct problem and returns false. Its
- * caller can print the message, write it into a row of the answer, or ignore it. Comments call this "returns
- * false with a problem". */
+ * caller can print the message, write it into a row of the answer, or ignore it. */
 #ifndef SHELL_PROBLEM_H
 #define SHELL_PROBLEM_H
 

@@ -37,7 +37,7 @@ struct parameter {
     size_t offset;     /* the offset of the value in struct state; not used for effects */
 
     /* Hooks; each may be NULL. */
-    /* Returns false with a problem if a value is in the range but cannot be combined with the state. */
+    /* Sets *problem and returns false if a value is in the range but cannot be combined with the state. */
     bool (*check)(const struct state *state, domq_real value, struct problem *problem);
     /* Changes other members of the state before the value is stored. */
     void (*before)(struct state *state, domq_real value);

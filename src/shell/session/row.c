@@ -162,7 +162,7 @@ static domq_real lean_angle(domq_real off, domq_real height)
 }
 
 /* Changes one measurement of domino k of a row, counted from 0, and stores the change in *kept, in the form
- * of struct listed_row. Returns false with a problem. */
+ * of struct listed_row. On failure, sets *problem and returns false. */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -212,7 +212,7 @@ static bool ranges_check(const struct row_range *range, int ranges, enum row_mea
     return true;
 }
 
-/* Changes the row of a scene that owns the memory of its row. Returns false with a problem. */
+/* Changes the row of a scene that owns the memory of its row. On failure, sets *problem and returns false. */
 static bool row_change(struct scene *scene, const struct scene_row *row, const struct row_change *change,
                        const struct row_range *range, int ranges, struct problem *problem)
 {

@@ -17,9 +17,9 @@ struct scene_row {
 };
 
 /*
- * Makes the row, and prepares it to be run by the model or, if the scene uses it, by the rigid-body engine.
- * Returns false with a problem if there is no row, no memory or no engine, or if a domino would fall over by
- * itself.
+ * Makes the row, and prepares it to be run by the model or, if the scene uses it, by the rigid-body
+ * engine. Sets *problem and returns false if there is no row, no memory or no engine, or if a domino would
+ * fall over by itself.
  */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 

@@ -152,7 +152,7 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
         plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
         if (plain && number >= 1 && number <= 50)
             return true;
-        return problem_error(problem, plain ? "the rate is a number of frames in a second in 1 .. 50"
+        return problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"
                                             : "the rate is a plain number");
     default:
         return true;

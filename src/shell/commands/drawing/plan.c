@@ -10,8 +10,8 @@
 
 const struct column plan_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
-    {"back", "m", "back of the domino on the tape, which begins at the back of domino 1", 0},
-    {"front", "m", "front of the domino on the tape", 0},
+    {"back", "m", "distance from the back of domino 1 to the back of this domino", 0},
+    {"front", "m", "distance from the back of domino 1 to the front of this domino", 0},
     {"back_low", "m", "the smallest place of the back with which all fall, if only this domino moves", 0},
     {"back_high", "m", "the largest such place", 0},
     {"gap", "m", "free distance to the domino before it", 0},

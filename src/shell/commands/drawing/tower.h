@@ -7,7 +7,7 @@
 #include "commands/drawing/falling_row.h"
 
 /* Makes the query about the row of the last 'count', and finds the height of the tower. *state becomes a
- * copy of the query's state, which borrows the memory of the original. Returns false with a problem if
+ * copy of the query's state, which borrows the memory of the original. Sets *problem and returns false if
  * there is no such answer. */
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem);

@@ -111,18 +111,18 @@ struct derivation {
     size_t i; /* index of the domino whose term is being computed */
 };
 
-/* Makes the steps of a question. If `fall` is not NULL, the question is about a domino of a row. Returns
- * false with a problem. The caller must call derivation_end in both cases. */
+/* Makes the steps of a question. If `fall` is not NULL, the question is about a domino of a row. On
+ * failure, sets *problem and returns false. The caller must call derivation_end in both cases. */
 bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
 
-/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. Returns
- * false with a problem. */
+/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. On
+ * failure, sets *problem and returns false. */
 bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta);
 /* Appends dominoes at theta_f, which have detached or lie at the end of the train, until the chain has
- * `count` dominoes. Returns false with a problem. */
+ * `count` dominoes. On failure, sets *problem and returns false. */
 bool chain_extend(struct derivation *derivation, struct chain *chain, size_t count);
 void chain_free(struct chain *chain);
 
@@ -140,7 +140,7 @@ struct explain_bound {
 };
 
 /* Writes a derivation for people or, if the answer goes to a lesson file, as a lesson. The text begins with
- * the sentence `verdict` unless `verdict` is "". Returns false with a problem if pdflatex is needed and
+ * the sentence `verdict` unless `verdict` is "". Sets *problem and returns false if pdflatex is needed and
  * fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound, const char *verdict,

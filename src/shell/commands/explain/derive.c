@@ -30,8 +30,9 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Evaluates an expression with functions of the library or, after '#', reads a member of struct domq_fall.
- * The result is NaN if the number does not exist. Returns false with a problem. */
+/* Evaluates an expression that calls functions of the library or, after '#', reads a member of struct
+ * domq_fall.
+ * The result is NaN if the number does not exist. On failure, sets *problem and returns false. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -236,8 +237,8 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
 }
 
 /* If the question is about the largest growth at a separation, sets the separation of the train, sets the
- * growth to the largest one, and sets *reach to whether the reach limits this growth. Returns false with a
- * problem. */
+ * growth to the largest one, and sets *reach to whether the reach limits this growth. On failure, sets
+ * *problem and returns false. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

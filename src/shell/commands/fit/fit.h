@@ -47,8 +47,8 @@ struct fit_data {
     bool intervals;
 };
 
-/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. Returns
- * false with a problem. The caller calls fit_data_free in both cases. */
+/* Reads the measurements. `rate` is the number of frames in a second, or NaN if it is not known. On
+ * failure, sets *problem and returns false. The caller calls fit_data_free in both cases. */
 bool fit_read(const struct query *query, const char *name, double rate, struct fit_data *data,
               struct problem *problem);
 void fit_data_free(struct fit_data *data);
@@ -89,12 +89,12 @@ bool fit_clocks(struct fit *fit, const double *value, double *clock);
  * have the same relative error, and all times and angles the same error. */
 double fit_error(const struct fit *fit, size_t k);
 
-/* Finds the values with the least sum of squares, their standard deviations and correlations. Returns false
- * with a problem. */
+/* Finds the values with the least sum of squares, their standard deviations and correlations. On failure,
+ * sets *problem and returns false. */
 bool fit_solve(struct fit *fit, struct problem *problem);
 
-/* Fits the parameters that the arguments of the query name. Returns false with a problem. The caller calls
- * fit_free in both cases. */
+/* Fits the parameters that the arguments of the query name. On failure, sets *problem and returns false.
+ * The caller calls fit_free in both cases. */
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 

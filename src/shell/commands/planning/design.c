@@ -252,7 +252,8 @@ static struct domq_limits design_limits(const struct query *query, const struct 
                                 .boards = w->boards};
 }
 
-/* Writes why there is no design. Returns false with a problem if the answer was to be written to a file. */
+/* Writes why there is no design. Sets *problem and returns false if the answer was to be written to a file.
+ */
 static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
                         struct problem *problem)
 {

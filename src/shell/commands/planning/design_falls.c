@@ -82,7 +82,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Writes that no number of dominoes is enough, and with which number most rows fall. */
+/* Writes that no number of dominoes is enough, and with which number the largest share of the rows falls. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish, domq_real falls,
                        char reason[REASON])
 {

@@ -16,8 +16,8 @@ struct designed_row {
     const struct domq_limits *limits; /* the sizes that the dominoes may have, or NULL for any */
 };
 
-/* Makes the dominoes of a design. Returns false with a problem if memory runs out; otherwise the caller frees
- * plan->domino. */
+/* Makes the dominoes of a design. Sets *problem and returns false if memory runs out; otherwise the caller
+ * frees plan->domino. */
 bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
                const struct domq_limits *limits, const struct domq_design *design, struct designed_row *plan);
 
@@ -47,8 +47,8 @@ enum { REASON = 640 };
  * Finds the design with the fewest dominoes that falls with at least the probability `falls` under the
  * random errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. For
  * people, prints a table of the numbers of dominoes that were tried. If there is no such design,
- * design->limit is not DOM_DESIGN_FITS, and `reason` says why. Returns false with a problem if rows cannot
- * be run.
+ * design->limit is not DOM_DESIGN_FITS, and `reason` says why. Sets *problem and returns false if rows
+ * cannot be run.
  */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real falls, struct domq_design *design,

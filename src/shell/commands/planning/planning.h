@@ -89,9 +89,9 @@ struct improved {
     bool interrupted;           /* ^C ended the search, and the row is the best that had been found */
 };
 
-/* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if there
- * is one. Returns false with a problem. If the problem is an interrupt, found->interrupted is true when
- * `found` and the next state have the best row so far. */
+/* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if
+ * there is one. On failure, sets *problem and returns false. If the problem is an interrupt,
+ * found->interrupted is true when `found` and the next state have the best row so far. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
                  struct improved *found, struct problem *problem);
 

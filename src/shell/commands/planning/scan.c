@@ -9,8 +9,8 @@
 
 /* ---- Probes ---- */
 
-/* Runs the command, and sets *value to 1 if its verdict is true and to -1 if it is not. Returns false with a
- * problem if there is no verdict. */
+/* Runs the command, and sets *value to 1 if its verdict is true and to -1 if it is not. Sets *problem and
+ * returns false if there is no verdict. */
 static bool verdict_ask(const struct probe *p, const struct query *at, struct quantity *value,
                         struct problem *problem)
 {

@@ -116,7 +116,7 @@ bool solve_parse_parameter(struct reader *r, struct question *q)
             problem_error(r->problem, "':' and an answer are missing; the form is %s", form_of(r->problem)));
 }
 
-/* Skips the ':'. Returns false with a problem if nothing follows. */
+/* Skips the ':'. Sets *problem and returns false if nothing follows. */
 static bool colon_pass(struct reader *r)
 {
     r->at = skip_blanks(r->at + 1);
@@ -216,7 +216,7 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
                  value.text, range, name, quad_shown(s->jump).text);
 }
 
-/* Returns false with a problem if the answer and the value have different units, or if the answer is
+/* Sets *problem and returns false if the answer and the value have different units, or if the answer is
  * constant. */
 static bool scan_check(const struct scan *s, struct problem *problem)
 {

@@ -34,8 +34,8 @@ static double watch_x(const struct watch *w, int step)
     return w->from + (w->to - w->from) * step / STEPS;
 }
 
-/* Computes the curve, and puts the point at the current value of the parameter. Returns false with a problem
- * if the curve has no points, or after an error or an interrupt. */
+/* Computes the curve, and puts the point at the current value of the parameter. Sets *problem and returns
+ * false if the curve has no points, or after an error or an interrupt. */
 static bool watch_begin(struct watch *w, struct problem *problem)
 {
     const struct parameter *p = w->solve->parameter;
@@ -130,8 +130,8 @@ static void watch_run(struct watch *w, FILE *out)
     }
 }
 
-/* Returns false with a problem if nobody is at a prompt to press keys, or if the terminal cannot move its
- * cursor. */
+/* Sets *problem and returns false if nobody is at a prompt to press keys, or if the terminal cannot move
+ * its cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;

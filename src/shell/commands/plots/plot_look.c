@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The look of a chart as the user chooses it: its texts, its size and its letters, its axes and its legend.
- */
+/* The look of a chart as the user chooses it: texts, size, font size, axes and legend. */
 #include "commands/plots/plots.h"
 #include <string.h>
 

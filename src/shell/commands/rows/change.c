@@ -102,8 +102,8 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit of the value, and finds from the value how the measure changes. Returns false with a
- * problem. */
+/* Checks the unit of the value, and finds from the value how the measure changes. On failure, sets *problem
+ * and returns false. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much friction of the floor keeps feet from slipping: in a train for 'slip', and in a row for 'fall'. */
+/* How much friction the floor must have so that no foot slips: in a train for 'slip', in a row for 'fall'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 

@@ -86,8 +86,8 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes what each kind of error costs. For example, "gap:98 gap@5:1" means that 98 rows fall without errors
- * of the gaps, and that one of these rows stops at domino 5 with such errors. */
+/* Writes how many rows stop because of each kind of error. For example, "gap:98 gap@5:1" means that 98 rows
+ * fall if the gaps have no errors, and that one of these 98 stops at domino 5 if the gaps have errors. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -319,8 +319,8 @@ static int compare_first(const void *a, const void *b)
     return x->first < y->first ? -1 : x->first > y->first;
 }
 
-/* Writes how many rows of the study are missing, or "" if none is. Returns false with a problem if the file
- * has a row twice. */
+/* Writes how many rows of the study are missing, or "" if none is. Sets *problem and returns false if the
+ * file has a row twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

@@ -52,7 +52,7 @@ struct study {
 };
 
 /* Sets up the row many times with the errors of the scene, and writes these errors to `error`. If the scene
- * has no errors, study->rows is 0. Returns false with a problem. */
+ * has no errors, study->rows is 0. On failure, sets *problem and returns false. */
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_error error[DOM_ERROR_COUNT]);
 

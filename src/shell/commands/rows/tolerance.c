@@ -149,7 +149,9 @@ static void friction_say(struct answer *a, const struct windows *w)
     const char *from = f.low > 0 ? "from " : "", *from_low = f.low > 0 ? low.text : "",
                *up_to = f.low > 0 ? " up to " : "up to ";
     if (isnan(f.low))
-        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now.text);
+        answer_say(
+            a, "No other value of the friction between the dominoes saves this row; the friction is %s now.",
+            now.text);
     else if (!w->falls)
         answer_say(a, "With a friction between the dominoes %s%s%s%s all would fall; it is %s now.", from,
                    from_low, up_to, high.text, now.text);

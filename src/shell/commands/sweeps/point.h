@@ -54,9 +54,9 @@ struct sweeper {
 };
 
 /*
- * Makes the columns of the sweep. If the command repeats a parameter of the grid in a column of its answer,
- * this column is left out, unless an argument of the command replaces the parameter. Returns false with a
- * problem if there are too many columns.
+ * Makes the columns of the sweep. If the command repeats a parameter of the grid in a column of its
+ * answer, this column is left out, unless an argument of the command replaces the parameter. Sets *problem
+ * and returns false if there are too many columns.
  */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
