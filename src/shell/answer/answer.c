@@ -41,15 +41,18 @@ struct column *answer_columns(struct answer *a, const struct column *columns)
     return a->copy;
 }
 
-void answer_leave_out(struct answer *a, const char *key)
+void answer_leave_out(struct answer *a, const char *keys)
 {
-    struct column *c = answer_columns(a, a->columns);
-    int i = 0; /* the index of the cell that belongs to this column */
-    for (; a->left_out >> i & 1 || strcmp(c->key, key) != 0; i++)
-        c += !(a->left_out >> i & 1);
-    a->left_out |= 1u << i;
-    for (; c->key; c++)
-        c[0] = c[1];
+    for (size_t n; *keys; keys += n + strspn(keys + n, " ")) {
+        struct column *c = answer_columns(a, a->columns);
+        int i = 0; /* the index of the cell that belongs to this column */
+        n = strcspn(keys, " ");
+        for (; a->left_out >> i & 1 || strncmp(c->key, keys, n) != 0 || c->key[n]; i++)
+            c += !(a->left_out >> i & 1);
+        a->left_out |= 1u << i;
+        for (; c->key; c++)
+            c[0] = c[1];
+    }
 }
 
 void answer_unit(struct answer *a, const char *key, const char *unit)

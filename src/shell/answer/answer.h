@@ -124,8 +124,9 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes a column from the answer. Rows are still passed with a cell for this column. */
-void answer_leave_out(struct answer *answer, const char *key);
+/* Removes columns, whose keys are separated by blanks, from the answer. Rows are still passed with a cell for
+ * each of them. */
+void answer_leave_out(struct answer *answer, const char *keys);
 
 /* Changes the explanation of a column in this answer. */
 void answer_means(struct answer *answer, const char *key, const char *meaning);

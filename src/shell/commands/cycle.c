@@ -32,9 +32,8 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
 {
     const struct domq_compute compute = query_compute(query);
     struct domq_angles angles;
-    enum dom_status status = domq_angles_find(&query->scene->train, &compute, &angles);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, domq_angles_find(&query->scene->train, &compute, &angles)))
+        return false;
     if (query->scene->train.rho != 0) {
         answer_means(
             a, "theta_c",
@@ -60,9 +59,8 @@ static bool run_theta1(const struct query *query, struct answer *a, struct probl
     const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_contact c;
-    enum dom_status status = domq_contact_find(&query->scene->train, &compute, theta, &c);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, domq_contact_find(&query->scene->train, &compute, theta, &c)))
+        return false;
     const char *why = isnan(c.arm_a) ? "whether the follower has detached and rests at theta_f" : NULL;
     return answer_row(
         a,
@@ -92,7 +90,7 @@ static bool run_chain(const struct query *query, struct answer *a, struct proble
     const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     enum dom_status status = domq_chain_walk(&query->scene->train, &compute, theta, chain_row, a);
-    return status == DOM_OK || problem_status(problem, query->scene, status);
+    return problem_status(problem, query->scene, status);
 }
 
 static const struct column energy_columns[] = {
@@ -108,9 +106,8 @@ static bool run_energy(const struct query *query, struct answer *a, struct probl
     const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_energy e;
-    enum dom_status status = domq_energy_find(&query->scene->train, &compute, theta, &e);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, domq_energy_find(&query->scene->train, &compute, theta, &e)))
+        return false;
     return answer_cells(a, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
 }
 

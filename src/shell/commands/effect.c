@@ -53,7 +53,7 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
         status = scene_answer(query->scene, &row, work);
     *dominoes = row.row.count;
     free(row.domino);
-    return status == DOM_OK || row_status(query, problem, status);
+    return row_status(query, problem, status);
 }
 
 /* A scene that is to be timed, and its row. */
@@ -155,8 +155,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds"); /* for people, effects_say prints these two columns below the table */
-    answer_leave_out(a, "source");
+    answer_leave_out(a, "adds source"); /* for people, effects_say prints these two columns below the table */
     for (int k = 0; k < EFFECT_ENGINE_END; k++) {
         char setting[EFFECT_SETTING];
         column_fit(&a->copy[1], effect_setting(query->scene, k, setting));

@@ -133,9 +133,8 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     struct domq_train train = query->scene->train;
     struct domq_limit exact, paper;
     train.s = argument_or(query->given, 0, train.s);
-    enum dom_status status = limits_find(train, &compute, &exact, &paper);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, limits_find(train, &compute, &exact, &paper)))
+        return false;
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {DOMQ_NAN, DOMQ_NAN, false};
     const char *missing = no_growth(used);
@@ -168,9 +167,8 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
     struct domq_train train = query->scene->train;
     struct domq_limit limit;
     train.s = argument_or(query->given, 0, train.s);
-    enum dom_status status = domq_limit_pair(&train, &compute, &limit);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, domq_limit_pair(&train, &compute, &limit)))
+        return false;
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
                    "A domino that just tips over topples one that is %s times as large, with a gap of %.6g "

@@ -112,9 +112,9 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     struct dom_proof proof = {.low = DOM_NAN};
     char reason[ANSWER_REASON];
     train.s = s;
-    enum dom_status status = (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene,
+                        (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof)))
+        return false;
     int decimals = proof.ends == DOM_PROVED_BARRIER ? proof.decimals : 0;
     answer_holds(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
     prove_row(a, s, what, cell_proved(proof.low, decimals),
@@ -149,9 +149,8 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     char reason[ANSWER_REASON];
-    enum dom_status status = dom_prove_cycle(&train, &compute, &proof);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, dom_prove_cycle(&train, &compute, &proof)))
+        return false;
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     answer_holds(a, proof.verdict == DOM_PROVED_GOES_ON);
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0), result[proof.verdict],

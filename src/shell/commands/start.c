@@ -31,10 +31,13 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
     return scene;
 }
 
-/* Returns true if the size or the mass of a domino is out of range. */
-static bool is_beyond_range(enum dom_status status)
+/* If the status says that the size or the mass of a domino is out of the range of the precision, makes the
+ * row shorter, and returns true. Such a domino is so far from the start that it does not matter. */
+static bool row_shorten(struct domq_row *row, enum dom_status status)
 {
-    return status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS;
+    const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;
+    row->count /= shorter ? 2 : 1;
+    return shorter;
 }
 
 /* Returns the push in rad/s that lifts the first domino off the floor. With this push, the weight of the
@@ -49,20 +52,18 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
 {
     struct scene_row made;
     struct domq_verdict verdict;
-    *start = (struct start){.count = dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES,
-                            .push = DOMQ_NAN};
-    struct scene scene = start_scene(query, train, start->count);
+    enum dom_status status;
+    struct scene scene =
+        start_scene(query, train, dominoes < START_DOMINOES ? (size_t)dominoes : START_DOMINOES);
     if (!scene_row_make(&scene, &made, problem))
         return false;
     made.row.floor = false;
-    start->engine = made.row.engine ? scene_engine_why(&scene) : NULL;
-    enum dom_status status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
-    /* If the size or the mass of a domino is out of the range of the precision, the row is made shorter.
-     * Such a domino is so far from the start that it does not matter. */
-    while (is_beyond_range(status) && made.row.count > 2) {
-        start->count = made.row.count /= 2;
+    do
         status = domq_row_run(&made.row, &made.compute, false, NULL, NULL, &verdict);
-    }
+    while (row_shorten(&made.row, status));
+    *start = (struct start){.count = made.row.count,
+                            .push = DOMQ_NAN,
+                            .engine = made.row.engine ? scene_engine_why(&scene) : NULL};
     start->falls = status == DOM_OK && verdict.end == DOM_ROW_FALLS;
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
@@ -71,14 +72,7 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
             status = domq_row_push(&made.row, &made.compute, push_lifting(&made.row), &start->push);
     }
     free(made.domino);
-    return status == DOM_OK || row_status(query, problem, status);
-}
-
-static void start_row(domq_real r, struct domq_domino *domino, size_t count, void *context)
-{
-    struct scene scene = *(const struct scene *)context;
-    scene.train.r = r;
-    scene_row_fill(&scene, domino, count);
+    return row_status(query, problem, status);
 }
 
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
@@ -95,14 +89,13 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
         return false;
     made.row.floor = false;
     made.compute.tol = quad_larger(made.compute.tol, START_TOL);
-    enum dom_status status = domq_row_rmax(&made.row, &made.compute, highest, start_row, &scene, &found);
-    while (is_beyond_range(status) && made.row.count > 2) {
-        made.row.count /= 2;
-        status = domq_row_rmax(&made.row, &made.compute, highest, start_row, &scene, &found);
-    }
+    enum dom_status status;
+    do
+        status = domq_row_rmax(&made.row, &made.compute, highest, row_grow, &scene, &found);
+    while (row_shorten(&made.row, status));
     free(made.domino);
-    if (status != DOM_OK)
-        return row_status(query, problem, status);
+    if (!row_status(query, problem, status))
+        return false;
     growths->r_min = found.r_min;
     growths->r_max = found.r_max < highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
                          ? round_digits(found.r_max, START_DIGITS, false)

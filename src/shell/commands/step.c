@@ -61,9 +61,8 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
                    walk_no_start);
         return true;
     }
-    enum dom_status status = domq_cycle_state(&w->train, &compute, w->theta, &s);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene, domq_cycle_state(&w->train, &compute, w->theta, &s)))
+        return false;
     struct walk_units u = walk_units(query, w->cycle);
     walk_say(query, w, &s, a);
     walk_columns_in(query, a);

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "io/io.h"
 #include "domino_quad.h"
-#include "io/system.h"
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/file.h>
+#include <sys/select.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -26,12 +25,16 @@ void io_unblock(const sigset_t *before)
     pthread_sigmask(SIG_SETMASK, before, NULL);
 }
 
-bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
+bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt)
 {
-    const struct pollfd ready = {.fd = file, .events = events};
+    fd_set in, out;
+    FD_ZERO(&in);
+    FD_ZERO(&out);
+    if (file >= 0)
+        FD_SET(file, to_write ? &out : &in);
     sigset_t before = io_block();
     if (!dom_raised(interrupt))
-        system_poll(&ready, longest, &before);
+        pselect(file + 1, &in, &out, NULL, longest, &before);
     io_unblock(&before);
     if (dom_raised(interrupt))
         errno = ECANCELED;
@@ -55,7 +58,7 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
         file = open(path, flags | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, mode);
     while (file < 0 && /* EAGAIN means that another program holds a lease on the file */
            (errno == EAGAIN || errno == EINTR || (errno == ENXIO && is_fifo(path))) &&
-           io_wait(-1, 0, &moment, interrupt));
+           io_wait(-1, false, &moment, interrupt));
     return file;
 }
 
@@ -65,7 +68,7 @@ bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt)
     while (flock(file, LOCK_EX | LOCK_NB) != 0) {
         if (errno != EWOULDBLOCK && errno != EINTR)
             return true;
-        if (terminal_clock() > end || !io_wait(-1, 0, &moment, interrupt))
+        if (terminal_clock() > end || !io_wait(-1, false, &moment, interrupt))
             return false;
     }
     return true;

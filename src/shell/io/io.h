@@ -25,10 +25,11 @@ int io_open(const char *path, int flags, mode_t mode, const volatile sig_atomic_
  * `seconds` seconds, or on an interrupt. */
 bool io_lock(int file, double seconds, const volatile sig_atomic_t *interrupt);
 
-/* Waits for events of poll(2) on a file. If `file` is -1, waits until the time `longest` has passed. If
- * `longest` is NULL, there is no time limit. A signal that arrives between the check of the flag and the
- * wait also ends the wait. Returns false if the flag is raised. */
-bool io_wait(int file, short events, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
+/* Waits until a file can be read or, if `to_write` is true, written, or until the time `longest` has passed.
+ * If `file` is -1, waits only for the time; if `longest` is NULL, there is no time limit. A signal that
+ * arrives between the check of the flag and the wait also ends the wait. Returns false if the flag is raised.
+ */
+bool io_wait(int file, bool to_write, const struct timespec *longest, const volatile sig_atomic_t *interrupt);
 
 /* Writes all bytes. This function may be called in a signal handler. */
 bool io_write(int file, const char *bytes, size_t count, const volatile sig_atomic_t *interrupt);

@@ -7,7 +7,6 @@
 #include "io/terminal.h"
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,17 +108,18 @@ static bool program_open(struct pager *p)
     int ends[2];
     command = command && *command ? command : NULL;
     if (!p->may_run || (!command && !(term && *term && strcmp(term, "dumb") != 0)) ||
-        tcgetattr(STDIN_FILENO, &p->modes) != 0 || !system_pipe(ends))
+        tcgetattr(STDIN_FILENO, &p->modes) != 0 || pipe(ends) != 0)
         return false;
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC); /* the pager program gets this end as its standard input */
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     bool is_started = program_start(command, ends[0], &p->child);
     close(ends[0]);
     fcntl(ends[1], F_SETFL, O_NONBLOCK);
     FILE *to = io_stream(ends[1], "w", p->interrupt);
-    if (!is_started || !to) {
-        if (to)
-            fclose(to);
+    if (!is_started && to)
+        fclose(to);
+    if (!is_started || !to)
         return false;
-    }
     p->to = to;
     sigaction(SIGQUIT, &(struct sigaction){.sa_handler = SIG_IGN}, &p->before[QUIT]);
     sigaction(SIGTSTP, &(struct sigaction){.sa_handler = SIG_DFL}, &p->before[STOP]);
@@ -158,7 +158,7 @@ static bool page_wanted(const struct pager *p)
     ssize_t n = 0;
     fputs("-- more -- (Enter: next page; q, Enter: end) ", p->to);
     fflush(p->to);
-    if (io_wait(STDIN_FILENO, POLLIN, NULL, p->interrupt))
+    if (io_wait(STDIN_FILENO, false, NULL, p->interrupt))
         n = read(STDIN_FILENO, answer, sizeof answer);
     if (n <= 0)
         putc('\n', p->to);

@@ -130,7 +130,7 @@ static ssize_t channel_read(void *cookie, char *bytes, size_t size)
         io_stdout_flush();
     ssize_t n = -1;
     do
-        if (!io_wait(c->file, POLLIN, NULL, c->interrupt))
+        if (!io_wait(c->file, false, NULL, c->interrupt))
             return -1;
     while ((n = read(c->file, bytes, size)) < 0 && (errno == EAGAIN || errno == EINTR));
     return n;
@@ -141,7 +141,7 @@ static ssize_t channel_write(void *cookie, const char *bytes, size_t size)
 {
     const struct channel *c = cookie;
     size_t done = 0;
-    while (done < size && io_wait(c->file, POLLOUT, NULL, c->interrupt)) {
+    while (done < size && io_wait(c->file, true, NULL, c->interrupt)) {
         ssize_t n = write(c->file, bytes + done, size - done);
         if (n < 0 && errno != EAGAIN && errno != EINTR)
             break;
@@ -210,7 +210,7 @@ FILE *io_stdin(const volatile sig_atomic_t *interrupt)
 
 const char *io_temporary_folder(void)
 {
-    const char *variable = system_environment("TMPDIR");
+    const char *variable = getenv("TMPDIR");
     return variable && *variable ? variable : P_tmpdir;
 }
 

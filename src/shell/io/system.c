@@ -4,10 +4,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <sched.h>
+#include <signal.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/select.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #ifdef HAVE_BSD_FUNOPEN
 #include <bsd/stdio.h>
@@ -81,35 +81,6 @@ FILE *system_stream(void *cookie, const char *mode, struct system_stream functio
 
 /* ---- Files ---- */
 
-void system_poll(const struct pollfd *file, const struct timespec *longest, const sigset_t *mask)
-{
-#ifdef HAVE_PPOLL
-    struct pollfd ready = *file;
-    (void)ppoll(&ready, 1, longest, mask);
-#else
-    fd_set in, out;
-    FD_ZERO(&in);
-    FD_ZERO(&out);
-    if (file->fd >= FD_SETSIZE)
-        return;
-    if (file->fd >= 0 && file->events & POLLIN)
-        FD_SET(file->fd, &in);
-    if (file->fd >= 0 && file->events & POLLOUT)
-        FD_SET(file->fd, &out);
-    (void)pselect(file->fd + 1, &in, &out, NULL, longest, mask);
-#endif
-}
-
-bool system_pipe(int ends[2])
-{
-#ifdef HAVE_PIPE2
-    return pipe2(ends, O_CLOEXEC) == 0;
-#else
-    return pipe(ends) == 0 && fcntl(ends[0], F_SETFD, FD_CLOEXEC) == 0 &&
-           fcntl(ends[1], F_SETFD, FD_CLOEXEC) == 0;
-#endif
-}
-
 int system_reserve(int file, off_t from, off_t to)
 {
 #ifdef HAVE_FALLOCATE
@@ -141,15 +112,6 @@ int system_unnamed(const char *folder)
 }
 
 /* ---- Processes ---- */
-
-const char *system_environment(const char *name)
-{
-#ifdef HAVE_SECURE_GETENV
-    return secure_getenv(name);
-#else
-    return getuid() == geteuid() && getgid() == getegid() ? getenv(name) : NULL;
-#endif
-}
 
 void system_end_with_parent(void)
 {

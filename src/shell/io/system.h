@@ -7,12 +7,9 @@
 #ifndef SHELL_SYSTEM_H
 #define SHELL_SYSTEM_H
 
-#include <poll.h>
-#include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <sys/types.h>
-#include <time.h>
 
 /* The functions of a stream. A function that is NULL does nothing. `write` must write all bytes; if it
  * returns less, the stream has an error. */
@@ -25,12 +22,6 @@ struct system_stream {
 /* Opens a stream that calls these functions. Returns NULL and sets errno on failure. */
 FILE *system_stream(void *cookie, const char *mode, struct system_stream functions);
 
-/* Waits as poll(2) does, with the signal mask `mask` during the wait. Does not set `revents`. */
-void system_poll(const struct pollfd *file, const struct timespec *longest, const sigset_t *mask);
-
-/* Makes a pipe, both ends of which are closed in child programs. Returns false on failure. */
-bool system_pipe(int ends[2]);
-
 /* Reserves disk space for the bytes `from` to `to` of a file, which is then at least `to` bytes long. Returns
  * 0, or an error number. After a failure the file may be longer than before. */
 int system_reserve(int file, off_t from, off_t to);
@@ -38,10 +29,6 @@ int system_reserve(int file, off_t from, off_t to);
 /* Opens a new file without a name in a folder. Returns -1 if the system or the file system does not support
  * such files. */
 int system_unnamed(const char *folder);
-
-/* Returns the value of an environment variable that names a folder, or NULL. Where the system allows it,
- * ignores the variable in a program that has more rights than its user. */
-const char *system_environment(const char *name);
 
 /* Makes this process end when its parent ends, if the system allows it. */
 void system_end_with_parent(void);

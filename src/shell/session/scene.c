@@ -113,6 +113,8 @@ bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status)
 {
     const struct domq_train *t = &scene->train;
+    if (status == DOM_OK)
+        return true;
     problem->place = 0;
     /* These statuses can occur with any values of the parameters. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)

@@ -125,7 +125,8 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
  * steeper than the limit in radians. Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
-/* Reports a status of the library other than DOM_OK as a problem. Returns false. */
+/* Returns true if the status is DOM_OK. Reports any other status of the library as a problem, and returns
+ * false. */
 bool problem_status(struct problem *problem, const struct scene *scene, enum dom_status status);
 
 #endif

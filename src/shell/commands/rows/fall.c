@@ -132,19 +132,12 @@ static void engine_say(struct answer *a, const struct row_run *run)
  * known. */
 static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
-    bool people = answer_for_people(a);
-    if (people && !weighed) {
-        answer_leave_out(a, "kinetic");
-        answer_leave_out(a, "barrier");
+    if (answer_for_people(a)) {
+        answer_leave_out(a, weighed ? "margin" : "kinetic barrier margin");
+        answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine computes no barrier */
     }
-    if (people)
-        answer_leave_out(a, "margin");
-    if (people && scene->row.engine) /* the engine computes no barrier */
-        answer_leave_out(a, "energy");
-    if (!scene->row.floor) {
-        answer_leave_out(a, "floor");
-        answer_leave_out(a, "floor_hit");
-    }
+    if (!scene->row.floor)
+        answer_leave_out(a, "floor floor_hit");
     if (!is_slippery(scene))
         answer_leave_out(a, "slid");
 }

@@ -52,6 +52,13 @@ void row_run_free(struct row_run *run)
     free(run->fall);
 }
 
+void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *context)
+{
+    struct scene scene = *(const struct scene *)context;
+    scene.train.r = r;
+    scene_row_fill(&scene, domino, count);
+}
+
 bool row_run_tipped(const struct row_run *run, size_t k)
 {
     return k == 0 && isnan(run->scene.row.push);

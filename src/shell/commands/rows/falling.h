@@ -30,6 +30,10 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
  * tipped until it falls by itself. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
+/* A callback of domq_row_rmax, whose context is a scene. Fills in the row that this scene would have with
+ * another growth r, including the measures that the user has changed. */
+void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
+
 /* ---- Words and numbers ---- */
 
 /* Returns a cell with a number for a narrow column: without an error bound, and in tables with this many
@@ -57,8 +61,8 @@ domq_real fall_share(const struct domq_fall *fall);
 /* Prints which domino has the least energy to spare, if this is known. */
 void weakest_say(struct answer *answer, const struct domq_verdict *verdict);
 
-/* Reports why a computation about the row of the scene failed. `status` is its result, and is not DOM_OK.
- * Returns false. */
+/* Returns true if a computation about the row of the scene ended with DOM_OK. Otherwise reports why it
+ * failed, and returns false. */
 bool row_status(const struct query *query, struct problem *problem, enum dom_status status);
 
 #endif

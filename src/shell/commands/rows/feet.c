@@ -101,9 +101,9 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 {
     struct domq_floor f;
     const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    enum dom_status status = domq_cycle_floor(&query->scene->train, &query->scene->compute, &f);
-    if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+    if (!problem_status(problem, query->scene,
+                        domq_cycle_floor(&query->scene->train, &query->scene->compute, &f)))
+        return false;
     bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
     answer_row(a,
                ROW(cell_narrow(f.motion, 6), cell_bound(f.theta, DOMQ_NAN), cell_count((domq_real)f.domino),

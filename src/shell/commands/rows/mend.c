@@ -102,5 +102,5 @@ bool run_mend(const struct query *query, struct answer *a, struct problem *probl
     if (status == DOM_OK)
         mends_answer(a, list, found, &v, scene.row.count);
     free(scene.domino);
-    return status == DOM_OK || row_status(query, problem, status);
+    return row_status(query, problem, status);
 }

@@ -67,15 +67,6 @@ static const struct column rowmax_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Fills in the row that the scene would have with another growth r, including the measures that the user has
- * changed. */
-static void row_at(domq_real r, struct domq_domino *domino, size_t count, void *context)
-{
-    struct scene scene = *(const struct scene *)context;
-    scene.train.r = r;
-    scene_row_fill(&scene, domino, count);
-}
-
 static bool run_rowmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_row_growth growth;
@@ -89,7 +80,7 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     const domq_real reach = domq_train_reach(&query->scene->train);
     char reason[96];
     enum dom_status status =
-        domq_row_rmax(&scene.row, &scene.compute, reach, row_at, (void *)query->scene, &growth);
+        domq_row_rmax(&scene.row, &scene.compute, reach, row_grow, (void *)query->scene, &growth);
     if (status == DOM_OK)
         status = domq_limit_rmax(&query->scene->train, &query->scene->compute, &limit);
     if (status != DOM_OK)

@@ -48,7 +48,7 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
         status = domq_placement_study(&t.scene.row, &t.scene.compute, &t.placement, study, NULL);
     memcpy(error, t.placement.error, sizeof t.placement.error);
     free(t.scene.domino);
-    return status == DOM_OK || row_status(query, problem, status);
+    return row_status(query, problem, status);
 }
 
 /* ---- placement ---- */
@@ -67,7 +67,7 @@ static bool placement_answer(const struct query *query, struct answer *a, struct
     if (status == DOM_OK || interrupted)
         study_answer(a, &study, interrupted ? partial : NULL);
     free(study.stops);
-    return status == DOM_OK || row_status(query, problem, status);
+    return row_status(query, problem, status);
 }
 
 static bool run_placement(const struct query *query, struct answer *a, struct problem *problem)

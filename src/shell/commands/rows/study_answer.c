@@ -138,10 +138,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
         answer_say(a, "The others stop at domino %s.", text);
     causes_say(a, s);
     if (answer_for_people(a)) /* people read the same numbers in sentences */
-        for (const char *const *key =
-                 (const char *[]){"errors", "costs_most", "without", "stops_there", NULL};
-             *key; key++)
-            answer_leave_out(a, *key);
+        answer_leave_out(a, "errors costs_most without stops_there");
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,
                ROW(cell_real(s->sigma), cell_real(s->heights), cell_count((domq_real)study->rows),

@@ -6,6 +6,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
+#include <string.h>
 
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
@@ -131,34 +132,30 @@ static struct domq_window readable(const struct domq_window *w)
 
 enum { DIGITS = 6, DIGITS_NOW = 4 /* a tape measure cannot be read more precisely */ };
 
-static struct measured length(domq_real value)
+static struct measured length(domq_real value, int digits)
 {
-    return measured(value, "m", DIGITS);
-}
-
-static struct measured length_now(domq_real value)
-{
-    return measured(value, "m", DIGITS_NOW);
+    return measured(value, "m", digits);
 }
 
 static void friction_say(struct answer *a, const struct windows *w)
 {
     const struct domq_window f = readable(w->kind[DOM_WINDOW_FRICTION]);
-    const struct measured now = measured(f.now, "", DIGITS_NOW), low = measured(f.low, "", DIGITS),
-                          high = measured(f.high, "", DIGITS);
-    const char *from = f.low > 0 ? "from " : "", *from_low = f.low > 0 ? low.text : "",
-               *up_to = f.low > 0 ? " up to " : "up to ";
+    const struct measured now = measured(f.now, "", DIGITS_NOW);
+    char range[2 * CELL_TEXT] = "";
+    if (f.low > 0)
+        snprintf(range, sizeof range, "from %s ", measured(f.low, "", DIGITS).text);
+    size_t used = strlen(range);
+    snprintf(range + used, sizeof range - used, "up to %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
         answer_say(
             a, "No other value of the friction between the dominoes saves this row; the friction is %s now.",
             now.text);
     else if (!w->falls)
-        answer_say(a, "With a friction between the dominoes %s%s%s%s all would fall; it is %s now.", from,
-                   from_low, up_to, high.text, now.text);
-    else
-        answer_say(a, "All fall with a friction between the dominoes %s%s%s%s%s; it is %s now.", from,
-                   from_low, up_to, high.text, f.above == DOM_ROW_FALLS ? " (more is not tried)" : "",
+        answer_say(a, "With a friction between the dominoes %s all would fall; it is %s now.", range,
                    now.text);
+    else
+        answer_say(a, "All fall with a friction between the dominoes %s%s; it is %s now.", range,
+                   f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now.text);
 }
 
 /* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
@@ -185,8 +182,8 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
         answer_say(a, "Set domino %zu up %s: its top may be off by %s backwards or %s forwards%s.", k,
-                   w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low).text,
-                   length(l.high).text, all);
+                   w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
+                   length(l.high, DIGITS).text, all);
     else
         answer_say(a, "The top of domino %zu may be off by %s to %s%s; it is off by %s now.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
@@ -228,24 +225,39 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
                after);
 }
 
+static const char *const size_names[] = {
+    [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
+
 /* Writes the command that changes the measure of domino k to the middle of its window. If the row does not
  * fall, the value is a third of the way into the window, as in 'mend', because the smallest change is better.
  */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
-    const char *measure = kind == DOM_WINDOW_GAP ? "gap" : kind == DOM_WINDOW_HEIGHT ? "height" : "thickness";
     const struct domq_window *of = &w->kind[kind][k - 1];
     const domq_real near = of->now < of->low ? of->low : of->high,
                     far = of->now < of->low ? of->high : of->low,
                     value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
-    answer_say(a, "'change %zu %s %s' %s.", k, measure, measured(value, "m", 4).text,
+    answer_say(a, "'change %zu %s %s' %s.", k, size_names[kind], measured(value, "m", 4).text,
                w->falls ? "is in the middle" : "saves the row");
+}
+
+/* Prints the window of the domino whose height or thickness has the least room, if there is one. */
+static void size_say(struct answer *a, const struct windows *w, enum dom_window_of kind, const char *how)
+{
+    const size_t k = w->first[kind];
+    if (k == 0)
+        return;
+    const struct domq_window of = readable(&w->kind[kind][k - 1]);
+    answer_say(a, "Make domino %zu between %s and %s %s: its %s has the least room%s; it is %s now.", k,
+               length(of.low, DIGITS).text, length(of.high, DIGITS).text, how, size_names[kind],
+               w->count > 1 ? " of all" : "", length(of.now, DIGITS_NOW).text);
+    change_say(a, w, kind, k);
 }
 
 static void tolerance_say(struct answer *a, const struct windows *w)
 {
     static const enum dom_window_of sizes[] = {DOM_WINDOW_GAP, DOM_WINDOW_HEIGHT, DOM_WINDOW_THICKNESS};
-    const size_t place = w->first[DOM_WINDOW_PLACE], height = w->first[DOM_WINDOW_HEIGHT];
+    const size_t place = w->first[DOM_WINDOW_PLACE];
     answer_say(a, "\nPlaces are measured from the back of domino 1 to the back of each domino. Each window "
                   "is for one change, with the rest of the row as it is.");
     if (w->scene->row.engine)
@@ -259,26 +271,12 @@ static void tolerance_say(struct answer *a, const struct windows *w)
     if (place) {
         const struct domq_window p = readable(&w->kind[DOM_WINDOW_PLACE][place - 1]);
         answer_say(a, "Place domino %zu between %s and %s: it has the least room of all, and is at %s now.",
-                   place, length(p.low).text, length(p.high).text, length_now(p.now).text);
+                   place, length(p.low, DIGITS).text, length(p.high, DIGITS).text,
+                   length(p.now, DIGITS_NOW).text);
         place_change_say(a, w, place);
     }
-    if (height) {
-        const struct domq_window h = readable(&w->kind[DOM_WINDOW_HEIGHT][height - 1]);
-        answer_say(a,
-                   "Make domino %zu between %s and %s tall: its height has the least room%s; it is %s now.",
-                   height, length(h.low).text, length(h.high).text, w->count > 1 ? " of all" : "",
-                   length_now(h.now).text);
-        change_say(a, w, DOM_WINDOW_HEIGHT, height);
-    }
-    if (w->first[DOM_WINDOW_THICKNESS]) {
-        const size_t k = w->first[DOM_WINDOW_THICKNESS];
-        const struct domq_window t = readable(&w->kind[DOM_WINDOW_THICKNESS][k - 1]);
-        answer_say(
-            a, "Make domino %zu between %s and %s thick: its thickness has the least room%s; it is %s now.",
-            k, length(t.low).text, length(t.high).text, w->count > 1 ? " of all" : "",
-            length_now(t.now).text);
-        change_say(a, w, DOM_WINDOW_THICKNESS, k);
-    }
+    size_say(a, w, DOM_WINDOW_HEIGHT, "tall");
+    size_say(a, w, DOM_WINDOW_THICKNESS, "thick");
     heights_say(a, w);
     lean_say(a, w);
     friction_say(a, w);
@@ -293,11 +291,9 @@ enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
 {
-    static const char *const left_out[] = {"place",     "gap",           "height",        "lean",
-                                           "lean_low",  "lean_high",     "friction_low",  "friction_high",
-                                           "thickness", "thickness_low", "thickness_high"};
-    for (size_t i = 0; answer_for_people(a) && i < sizeof left_out / sizeof *left_out; i++)
-        answer_leave_out(a, left_out[i]);
+    if (answer_for_people(a)) /* people read the other windows in sentences */
+        answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
+                            "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)
         for (int i = 0; i < COLUMN_KINDS; i++) { /* gives both ends of a window the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
@@ -343,5 +339,5 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
     }
     free(w.kind[0]);
     free(scene.domino);
-    return status == DOM_OK || row_status(query, problem, status);
+    return row_status(query, problem, status);
 }
