@@ -34,17 +34,18 @@ static bool may_follow(struct reader *r, const char *at)
 
 /* Reports an error in the expression for the argument `name`, and quotes the word at which the error is.
  * Keeps a problem that has already been reported. Returns false. */
-static bool expression_wrong(struct problem *problem, enum problem_kind kind, const struct text *text,
-                             const char *name, const char *at, const char *message)
+static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
+                       const struct expression_error *error)
 {
     char shown[NAMES_SHOWN], word[NAMES_SHOWN];
     if (problem->kind != PROBLEM_NONE)
         return false;
     if (text)
-        problem->place = text_column(text, at);
-    snprintf(word, sizeof word, "%.*s", (int)strcspn(at, " \t;"), at);
-    return problem_report(problem, kind, *word ? "%s at '%s': %s" : "%s%s: %s", name,
-                          names_shown(word, shown), message);
+        problem->place = text_column(text, error->at);
+    snprintf(word, sizeof word, "%.*s", (int)strcspn(error->at, " \t;"), error->at);
+    return problem_report(problem, error->of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG,
+                          *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word, shown),
+                          error->message);
 }
 
 /* Reports a character that directly follows a value, where there should be a blank or an operator. Returns
@@ -103,29 +104,34 @@ static struct tree *with_parse(struct parse *p, struct tree *value)
 
 /* Resolves the names in the expression of an item. A problem in the body of a function has no column, because
  * the body is not part of the line. */
-static bool item_resolve(struct reader *r, const struct item *item, struct tree *tree)
+static bool item_resolve(struct reader *r, struct expression_error *error, struct tree *tree)
 {
     struct reader inside = *r;
     inside.text = NULL;
     struct resolver resolver = {.state = r->query->state,
                                 .ans = r->query->ans,
                                 .arena = r->arena,
+                                .error = error,
                                 .with = with_parse,
                                 .context = &inside};
-    return resolve(&resolver, tree) || expression_wrong(r->problem, PROBLEM_WRONG, r->text,
-                                                        item->argument->name, resolver.at, resolver.message);
+    return resolve(&resolver, tree);
 }
 
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)
 {
-    struct parse p = {
-        .text = r->at, .arena = r->arena, .no_unit = r->no_unit, .with = with_parse, .context = r};
+    struct expression_error error;
+    struct parse p = {.text = r->at,
+                      .error = &error,
+                      .arena = r->arena,
+                      .no_unit = r->no_unit,
+                      .with = with_parse,
+                      .context = r};
     struct tree *tree = expression_parse(&p);
     *item = (struct item){.argument = a, .value = tree, .at = r->at};
     if (r->offer)
         expression_offer(r, a, &p, tree != NULL);
     if (!tree)
-        return expression_wrong(r->problem, PROBLEM_WRONG, r->text, a->name, p.end, p.message);
+        return item_wrong(r->problem, r->text, a->name, &error);
     bool is_end = isspace((unsigned char)*p.end) || (command_ends(p.end) && *p.end != '#') || *p.end == '>' ||
                   (r->stops && strchr(r->stops, *p.end));
     if (!is_end)
@@ -134,22 +140,23 @@ bool item_parse(struct reader *r, const struct argument *a, struct item *item)
     if (r->last && isalpha((unsigned char)*next) && next > p.end && !may_follow(r, next))
         return false;
     r->at = p.end;
+    if (r->unresolved)
+        return true;
     domq_real number;
-    return r->unresolved ||
-           (item_resolve(r, item, tree) &&
-            (!r->evaluates || item_bind(item, r->text, r->query, NULL, &number, r->problem)));
+    if (!item_resolve(r, &error, tree))
+        return item_wrong(r->problem, r->text, a->name, &error);
+    return !r->evaluates || item_bind(item, r->text, r->query, NULL, &number, r->problem);
 }
 
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem)
 {
     struct quantity q = {.value = item->number};
-    struct evaluation e = {.of_value = false};
+    struct expression_error error;
     if (text && item->at)
         problem->place = text_column(text, item->at);
-    if (item->value && !query_evaluate(query, &e, item->value, &q, problem))
-        return expression_wrong(problem, e.of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG, text,
-                                item->argument->name, e.at, e.message);
+    if (item->value && !query_evaluate(query, item->value, &q, &error, problem))
+        return item_wrong(problem, text, item->argument->name, &error);
     if (quantity)
         *quantity = q;
     *number = q.value;

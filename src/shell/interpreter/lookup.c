@@ -19,9 +19,11 @@ static bool cell_quantity(struct evaluation *e, const struct tree *t, const stru
     const struct cell cell = cells[t->index];
     const char *key = c->columns[t->index].key;
     if (cell.kind == CELL_WORD)
-        return evaluation_fail(e, "%s.%s is the word '%s', not a number", t->name, key, cell.word);
+        return expression_wrong(e->error, t->at, "%s.%s is the word '%s', not a number", t->name, key,
+                                cell.word);
     if (cell.kind == CELL_NONE)
-        return evaluation_no_value(e, "%s.%s does not exist here: '%s' says why", t->name, key, c->name);
+        return expression_no_value(e->error, t->at, "%s.%s does not exist here: '%s' says why", t->name, key,
+                                   c->name);
     *result = t->value;
     result->value *= cell.number;
     return true;
@@ -56,18 +58,13 @@ static bool routine_quantity(struct evaluation *e, const struct tree *t, const s
     struct lookup *lookup = e->context;
     const struct routine *routine = t->refers;
     const struct quantity *outer = lookup->argument;
-    char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
     if (dom_raised(lookup->query->scene->compute.interrupt))
         return problem_status(lookup->problem, lookup->query->scene, DOM_INTERRUPTED);
     lookup->argument = argument;
     bool good = expression_evaluate(e, routine->body, result);
     lookup->argument = outer;
-    e->at = t->at;
-    if (!good && !e->is_named && e->message[0]) {
-        memcpy(inside, e->message, sizeof inside);
-        evaluation_message(e, e->of_value, "in '%s': %.180s", variable_head(routine->function, head), inside);
-    }
-    e->is_named = !good;
+    if (!good)
+        routine_wrong(e->error, t->at, routine->function);
     return good;
 }
 
@@ -135,19 +132,20 @@ static bool symbol_quantity(struct evaluation *e, const struct tree *t, struct q
     for (int i = 0; i < t->count; i++, child = child->next)
         if (!expression_evaluate(e, child, &argument[i]))
             return false;
-    e->at = t->at;
     return t->symbol == SYMBOL_ROUTINE ? routine_quantity(e, t, argument, result)
                                        : command_quantity(e, t, argument, result);
 }
 
-bool query_evaluate(const struct query *query, struct evaluation *e, const struct tree *tree,
-                    struct quantity *result, struct problem *problem)
+bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
+                    struct expression_error *error, struct problem *problem)
 {
     struct lookup lookup = {.query = query, .problem = problem};
-    e->symbol = symbol_quantity;
-    e->context = &lookup;
-    e->angle = query->state->settings.style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1;
-    e->message[0] = '\0';
-    e->is_named = false;
-    return expression_evaluate(e, tree, result);
+    struct evaluation e = {
+        .error = error,
+        .symbol = symbol_quantity,
+        .context = &lookup,
+        .angle = query->state->settings.style.angle == ANGLE_DEG ? QUAD_PI / 180 : 1,
+    };
+    error->message[0] = '\0';
+    return expression_evaluate(&e, tree, result);
 }

@@ -1,24 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/symbols.h"
 #include "session/parameters.h"
-#include <stdarg.h>
 #include <string.h>
 
 /* The maximum height of a tree, and the maximum depth of nested function calls. Each level uses part of the
  * stack, which may be as small as 128 kB. */
 enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 
-/* Sets the message and the position of an error in a tree. Returns -1. */
-static int __attribute__((format(printf, 3, 4)))
-fail(struct resolver *r, const struct tree *t, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(r->message, sizeof r->message, format, arguments);
-    va_end(arguments);
-    r->at = t->at;
-    return -1;
-}
+/* Reports an error in a tree. The value of the macro is -1. */
+#define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
 /* Turns a node into a symbol without arguments. Returns 0, the height of the node's children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
@@ -46,13 +36,27 @@ static int children_resolve(struct resolver *r, struct tree *t)
 
 /* ---- Functions ---- */
 
+void routine_wrong(struct expression_error *error, const char *at, const struct variable *function)
+{
+    char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
+    memcpy(inside, error->message, sizeof inside);
+    if (*inside && !error->names_function)
+        expression_report(error, at, error->of_value, "in '%s': %.180s", variable_head(function, head),
+                          inside);
+    error->at = at;
+    error->names_function = true;
+}
+
 static struct routine *routine_parse(struct resolver *r, const struct tree *t, const struct variable *f)
 {
-    struct parse p = {.text = f->body, .arena = r->arena, .with = r->with, .context = r->context};
+    struct parse p = {
+        .text = f->body, .error = r->error, .arena = r->arena, .with = r->with, .context = r->context};
     struct routine *routine = arena_take(r->arena, sizeof *routine);
     struct tree *body = routine ? expression_parse(&p) : NULL;
+    if (!routine)
+        expression_wrong(r->error, t->at, "out of memory");
     if (!body) {
-        fail(r, t, "%s", routine ? p.message : "out of memory");
+        r->error->at = t->at;
         return NULL;
     }
     const struct variable *outer = r->scope;
@@ -66,13 +70,7 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     routine->is_open = false;
     if (routine->height >= 0)
         return routine;
-    char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
-    if (!r->names_function) {
-        memcpy(inside, r->message, sizeof inside);
-        fail(r, t, "in '%s': %.180s", variable_head(f, head), inside);
-    }
-    r->at = t->at;
-    r->names_function = true;
+    routine_wrong(r->error, t->at, f);
     return NULL;
 }
 
@@ -212,6 +210,5 @@ static int tree_resolve(struct resolver *r, struct tree *t)
 
 bool resolve(struct resolver *r, struct tree *tree)
 {
-    r->message[0] = '\0';
     return tree_resolve(r, tree) >= 0;
 }

@@ -53,25 +53,26 @@ struct resolver {
     const struct state *state;
     const struct ans *ans;
     struct arena *arena;
+    struct expression_error *error;
     /* Parses 'with' in the bodies of functions; see struct parse. */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;                /* for `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    int depth;           /* how many functions contain the function whose body is being resolved */
-    bool names_function; /* after an error: the message already says in which function the error is */
-    const char *at;      /* after an error: the position of the error in the expression */
-    char message[EXPRESSION_MESSAGE];
+    int depth; /* how many functions contain the function whose body is being resolved */
 };
 
-/* Resolves every name of a tree. After an error, sets resolver->message and resolver->at, and returns
- * false. */
+/* Resolves every name of a tree. After an error, sets *resolver->error and returns false. */
 bool resolve(struct resolver *resolver, struct tree *tree);
 
-/* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either
- * evaluation->message or the problem. */
-bool query_evaluate(const struct query *query, struct evaluation *evaluation, const struct tree *tree,
-                    struct quantity *result, struct problem *problem);
+/* After an error in the body of a function, adds to the message in which function the error is. `at` is the
+ * position at which an expression uses the function. */
+void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
+
+/* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either *error or
+ * the problem. */
+bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
+                    struct expression_error *error, struct problem *problem);
 
 /* Copies the query's state to *state, and assigns values to parameters of the copy. Sets *changed to a copy
  * of the query that refers to *state. On failure, sets *problem and returns false. */

@@ -248,21 +248,19 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false after an error, and stores
- * the position of the error in *end. The message is empty if the error is that more text follows the
- * expression. */
-static bool constant_read(const char *text, struct quantity *q, char message[EXPRESSION_MESSAGE],
-                          const char **end)
+/* Evaluates a text that must be a single expression without names. Returns false after an error. The message
+ * is empty if the error is that more text follows the expression. */
+static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};
-    struct evaluation e = {.angle = 1};
-    struct parse p = {.text = text, .arena = &arena};
+    struct evaluation e = {.error = error, .angle = 1};
+    struct parse p = {.text = text, .error = error, .arena = &arena};
     const struct tree *t = expression_parse(&p);
     bool good = t && expression_evaluate(&e, t, q);
-    *end = !t ? p.end : !good ? e.at : skip_blanks(p.end);
-    snprintf(message, EXPRESSION_MESSAGE, "%s", t ? e.message : p.message);
     arena_free(&arena);
-    return good && **end == '\0';
+    if (good)
+        error->at = skip_blanks(p.end);
+    return good && *error->at == '\0';
 }
 
 /* Reads the number in cell k of the current row, and stores it in SI units in csv->value[k], without
@@ -272,16 +270,15 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
     const struct csv_column *c = &csv->kind->column[k];
     char shown[NAMES_SHOWN], is[48];
     struct quantity q = {.value = 0};
-    char message[EXPRESSION_MESSAGE];
-    const char *rest;
-    bool good = constant_read(text->line, &q, message, &rest);
+    struct expression_error error;
+    bool good = constant_read(text->line, &q, &error);
     struct csv_place cell = csv_cell(csv, k).at, at = cell;
-    if (rest > text->line)
-        at.column += text_column(text, rest) - 1;
-    names_shown(rest, shown);
-    if (!good && *message)
-        return csv_wrong(&csv->file, at, *rest ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
-                         message, c->advice);
+    if (error.at > text->line)
+        at.column += text_column(text, error.at) - 1;
+    names_shown(error.at, shown);
+    if (!good && *error.message)
+        return csv_wrong(&csv->file, at, *error.at ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
+                         error.message, c->advice);
     if (!good)
         return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->advice);
     bool bare = quantity_bare(q);

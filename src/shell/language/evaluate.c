@@ -7,13 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-void evaluation_message(struct evaluation *e, bool of_value, const char *format, ...)
+bool expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(e->message, sizeof e->message, format, arguments);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
     va_end(arguments);
-    e->of_value = of_value;
+    error->at = at;
+    error->of_value = of_value;
+    error->names_function = false;
+    return false;
 }
 
 /* Returns true if a result is finite and the exponents of its unit are not too large. Otherwise sets the
@@ -25,10 +28,9 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
                 abs(q->angle) <= EXPONENT_MOST && abs(q->mass) <= EXPONENT_MOST;
     if (isfinite(q->value) && unit)
         return true;
-    e->at = at;
     if (!unit)
-        return evaluation_fail(e, "the unit has an exponent above %d", EXPONENT_MOST);
-    return evaluation_no_value(e, "the value is not a finite number");
+        return expression_wrong(e->error, at, "the unit has an exponent above %d", EXPONENT_MOST);
+    return expression_no_value(e->error, at, "the value is not a finite number");
 }
 
 /* ---- Functions ---- */
@@ -84,17 +86,17 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
 {
     char kind[48];
     const struct function *f = t->function;
-    e->at = t->at;
     bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
-        return evaluation_fail(e, "%s of this is not defined", f->name);
+        return expression_wrong(e->error, t->at, "%s of this is not defined", f->name);
     if (f->kind == HALVES && a[0].value < 0)
-        return evaluation_no_value(e, "%s of this is not defined", f->name);
+        return expression_no_value(e->error, t->at, "%s of this is not defined", f->name);
     if (f->one && f->kind < KEEPS && !number)
-        return evaluation_fail(e, "%s of %s is not defined", f->name,
-                               expression_kind(a[0], kind, sizeof kind));
+        return expression_wrong(e->error, t->at, "%s of %s is not defined", f->name,
+                                expression_kind(a[0], kind, sizeof kind));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
-        return evaluation_fail(e, "%s needs two values of the same kind, such as two lengths", f->name);
+        return expression_wrong(e->error, t->at, "%s needs two values of the same kind, such as two lengths",
+                                f->name);
     *q = f->kind == KEEPS ? a[0]
          : f->kind == HALVES
              ? (struct quantity){0, a[0].length / 2, a[0].time / 2, a[0].angle / 2, a[0].mass / 2}
@@ -113,9 +115,8 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
                         struct quantity by)
 {
     bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
-    e->at = exponent->op_at;
     if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
-        return evaluation_fail(e, "the value before '^' cannot have this exponent");
+        return expression_wrong(e->error, exponent->op_at, "the value before '^' cannot have this exponent");
     int n = whole ? (int)by.value : 0;
     *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
                            n * q->mass};
@@ -157,8 +158,9 @@ static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct qu
     char a[48], b[48];
     bool adds = t->op >= OPERATOR_PLUS;
     if (!make_alike(e, q, &by))
-        return evaluation_fail(e, adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
-                               expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
+        return expression_wrong(e->error, t->op_at,
+                                adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
+                                expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
     if (adds)
         q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
     else
@@ -173,9 +175,8 @@ static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool 
     if (!expression_evaluate(e, t, &q))
         return false;
     *is_true = q.value != 0;
-    e->at = t->at;
-    return quantity_bare(q) || evaluation_fail(e, "%s is not a condition, such as 'r > 1.5'",
-                                               expression_kind(q, kind, sizeof kind));
+    return quantity_bare(q) || expression_wrong(e->error, t->at, "%s is not a condition, such as 'r > 1.5'",
+                                                expression_kind(q, kind, sizeof kind));
 }
 
 /* Evaluates conditions joined by 'and' or 'or', from left to right, until one of them decides the result. */
@@ -200,9 +201,8 @@ static bool apply(struct evaluation *e, const struct tree *t, const struct tree 
     const enum tree_operator op = value->op;
     if (!expression_evaluate(e, value, &by))
         return false;
-    e->at = value->op_at;
     if (op == OPERATOR_OVER && by.value == 0)
-        return evaluation_no_value(e, "division by zero");
+        return expression_no_value(e->error, value->op_at, "division by zero");
     if (op == OPERATOR_TIMES || op == OPERATOR_OVER)
         quantity_multiply(q, by, op == OPERATOR_OVER ? -1 : 1);
     else if (!(op == OPERATOR_POWER ? apply_power(e, value, q, by) : sum_or_compare(e, value, q, by)))
@@ -262,11 +262,9 @@ bool expression_evaluate(struct evaluation *e, const struct tree *t, struct quan
     case TREE_FUNCTION:
         return evaluate_function(e, t, q);
     case TREE_SYMBOL:
-        e->at = t->at;
         return e->symbol(e, t, q) && is_valid(e, t->at, q);
     case TREE_NAME:
         break;
     }
-    e->at = t->at;
-    return evaluation_fail(e, "'%s' has no value in a file", t->name);
+    return expression_wrong(e->error, t->at, "'%s' has no value in a file", t->name);
 }

@@ -62,10 +62,26 @@ struct tree {
     const void *refers;
 };
 
+/* Why an expression cannot be parsed, resolved or evaluated. */
+struct expression_error {
+    const char *at; /* the position of the error in the expression */
+    bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
+    bool names_function; /* the message already names the function of 'let' in which the error occurred */
+    /* "" if the function that failed has reported the error in another way, as a struct problem */
+    char message[EXPRESSION_MESSAGE];
+};
+
+/* Stores an error. Always returns false. */
+bool expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+#define expression_wrong(error, at, ...)    expression_report(error, at, false, __VA_ARGS__)
+#define expression_no_value(error, at, ...) expression_report(error, at, true, __VA_ARGS__)
+
 /* The state of the parser. */
 struct parse {
     const char *text; /* the beginning of the expression */
     const char *end;  /* the end of the expression, or the position of an error */
+    struct expression_error *error;
     struct arena *arena;
     /* single letters that are names instead of units when they follow a blank; may be NULL */
     const char *no_unit;
@@ -76,36 +92,24 @@ struct parse {
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */
     int nodes;         /* the number of nodes so far */
-    char message[EXPRESSION_MESSAGE];
 };
 
-/* Parses the longest expression that begins at parse->text. After an error, sets parse->message and returns
+/* Parses the longest expression that begins at parse->text. After an error, sets *parse->error and returns
  * NULL. */
 struct tree *expression_parse(struct parse *parse);
 
 /* The state of an evaluation. */
 struct evaluation {
-    /* Computes the value of a TREE_SYMBOL. Returns false after an error, with an empty message if this
-     * function has reported the problem itself. */
+    struct expression_error *error;
+    /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context; /* for `symbol` */
     /* the session's unit of angles, in radians; it applies to angles that are given without a unit */
     domq_real angle;
-    const char *at; /* the position of the error, after an error */
-    bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
-    bool is_named;  /* the message already names the function defined by 'let' in which the error occurred */
-    char message[EXPRESSION_MESSAGE];
 };
 
-/* Evaluates a tree. After an error, sets evaluation->message and returns false. */
+/* Evaluates a tree. After an error, sets *evaluation->error and returns false. */
 bool expression_evaluate(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
-
-/* Sets the message of an evaluation. `of_value` says whether the error depends on values. The macros set the
- * message and evaluate to false. */
-void evaluation_message(struct evaluation *evaluation, bool of_value, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-#define evaluation_fail(e, ...)     (evaluation_message(e, false, __VA_ARGS__), false)
-#define evaluation_no_value(e, ...) (evaluation_message(e, true, __VA_ARGS__), false)
 
 /* Returns the built-in function with this name, or NULL. Stores the number of arguments of the function in
  * *arguments. */

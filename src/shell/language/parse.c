@@ -5,21 +5,12 @@
 #include "language/text.h"
 #include <ctype.h>
 #include <errno.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { DEPTH_MAX = 100, NODES_MAX = 1000000, NAME_SIZE = 32 };
 
-/* Sets the message of a syntax error. Returns NULL. */
-static __attribute__((format(printf, 2, 3))) struct tree *parse_fail(struct parse *p, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(p->message, sizeof p->message, format, arguments);
-    va_end(arguments);
-    return NULL;
-}
+/* Reports a syntax error at p->end. The value of the macro is NULL. */
+#define parse_fail(p, ...) (expression_wrong((p)->error, (p)->end, __VA_ARGS__), (struct tree *)NULL)
 
 static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *at)
 {
@@ -332,7 +323,7 @@ static struct tree *parse_chain(struct parse *p, enum level least)
 struct tree *expression_parse(struct parse *p)
 {
     p->end = p->text;
-    p->message[0] = '\0';
+    p->error->message[0] = '\0';
     p->depth = p->nested = p->nodes = 0;
     return parse_chain(p, LEVEL_OR);
 }

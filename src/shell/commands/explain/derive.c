@@ -42,17 +42,17 @@ static bool library_value(struct derivation *d, const char *expression, domq_rea
         return true;
     }
     fill_in(expression, isnan(d->height) ? d->theta : d->height, text, sizeof text);
-    struct parse parse = {.text = text, .arena = &d->arena};
-    struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena};
-    struct evaluation evaluation = {.context = NULL};
+    struct expression_error error;
+    struct parse parse = {.text = text, .error = &error, .arena = &d->arena};
+    struct resolver resolver = {.state = d->state, .ans = &none, .arena = &d->arena, .error = &error};
     struct quantity result;
     struct tree *tree = expression_parse(&parse);
     if (!tree || !resolve(&resolver, tree))
-        return problem_error(d->problem, "%s: %s", expression, tree ? resolver.message : parse.message);
+        return problem_error(d->problem, "%s: %s", expression, error.message);
     *value = DOMQ_NAN;
-    if (query_evaluate(&d->query, &evaluation, tree, &result, d->problem))
+    if (query_evaluate(&d->query, tree, &result, &error, d->problem))
         *value = result.value;
-    else if (!evaluation.message[0])
+    else if (!error.message[0])
         return false;
     return true;
 }
@@ -115,7 +115,8 @@ static bool name_value(struct evaluation *e, const struct tree *t, struct quanti
 
 static domq_real equation_value(struct derivation *d, const struct tree *tree)
 {
-    struct evaluation e = {.symbol = name_value, .context = d, .angle = 1};
+    struct expression_error error;
+    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
     struct quantity result;
     return expression_evaluate(&e, tree, &result) ? result.value : DOMQ_NAN;
 }
@@ -211,10 +212,11 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
         return NULL;
     if (!s->derived->equation)
         return s;
-    struct parse parse = {.text = s->derived->equation, .arena = &d->arena};
+    struct expression_error error;
+    struct parse parse = {.text = s->derived->equation, .error = &error, .arena = &d->arena};
     struct tree *tree = expression_parse(&parse);
     if (!tree) {
-        problem_error(d->problem, "%s: %s", s->derived->equation, parse.message);
+        problem_error(d->problem, "%s: %s", s->derived->equation, error.message);
         return NULL;
     }
     s->tree = tree;
