@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "interpreter/interpret.h"
 #include "io/io.h"
 #include "io/output.h"
 #include "language/text.h"
@@ -68,6 +67,17 @@ static long lines_read(FILE *in)
         add_history(text);
     free(text);
     return lines;
+}
+
+bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size)
+{
+    const char *base = getenv(variable), *home = getenv("HOME");
+    int length = -1;
+    if (base && *base == '/')
+        length = snprintf(path, size, "%s/domino/%s", base, name);
+    else if (home && *home)
+        length = snprintf(path, size, "%s/%s/domino/%s", home, fallback, name);
+    return length > 0 && (size_t)length < size;
 }
 
 void history_load(struct session *session)

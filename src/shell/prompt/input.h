@@ -21,6 +21,13 @@ extern struct session *prompt_session;
 char **complete_word(const char *text, int start, int end);
 
 /*
+ * Writes the path of one of the user's files: $variable/domino/name if the environment variable holds an
+ * absolute path, as the XDG specification demands, and $HOME/fallback/domino/name otherwise. Returns false if
+ * neither variable is set, or if the path does not fit into `size` bytes.
+ */
+bool line_path(const char *variable, const char *fallback, const char *name, char *path, size_t size);
+
+/*
  * Loads the lines of earlier sessions from the file that DOMINO_HISTORY names, or from
  * $XDG_STATE_HOME/domino/history. An empty DOMINO_HISTORY, or a device such as /dev/null, means that no
  * history is kept.
