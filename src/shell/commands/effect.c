@@ -157,16 +157,14 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
         return false;
     answer_leave_out(a, "adds source"); /* for people, effects_say prints these two columns below the table */
     for (int k = 0; k < EFFECT_ENGINE_END; k++) {
-        char setting[EFFECT_SETTING];
-        column_fit(&a->copy[1], effect_setting(query->scene, k, setting));
+        column_fit(&a->copy[1], effect_setting(query->scene, k));
     }
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
-        char setting[EFFECT_SETTING];
         const struct domq_effect *e = effect_at(k);
         double without = price_with(query, k, false), with = price_with(query, k, true);
         if (dom_raised(query->scene->compute.interrupt))
             return problem_status(problem, query->scene, DOM_INTERRUPTED);
-        answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k, setting)),
+        answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k)),
                      cell_word(quickest_method(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
                      cell_brief(with / without),
                      cell_count((domq_real)(scene_has_engine(query->scene) ? query->scene->effect[k].on
@@ -252,13 +250,13 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
     size_t count;
     const struct domq_train *t = &query->scene->train;
     bool is_row = query->scene->effect[DOM_EFFECT_row].on, is_engine = scene_has_engine(query->scene);
-    char on[256] = "", setting[EFFECT_SETTING];
+    char on[256] = "";
     if (!scene_work(query, problem, false, &work, &count))
         return false;
     for (int k = 0, n = 0; k < EFFECT_COUNT; k++)
         if (query->scene->effect[k].on && k != DOM_EFFECT_row)
             n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
-                          effect_setting(query->scene, k, setting));
+                          effect_setting(query->scene, k));
     if (is_row)
         answer_say(a, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
     else

@@ -29,14 +29,14 @@ static const struct first_line {
 
 static void help_list(FILE *out)
 {
-    char usage[USAGE_SIZE], names[256] = "Parameters:";
+    char names[256] = "Parameters:";
     help_say(out, "The first five minutes: type what follows the '>'");
     for (size_t i = 0; i < sizeof first_lines / sizeof *first_lines; i++)
         topic_entry(out, "> ", first_lines[i].line, first_lines[i].does);
     for (const struct command_group *g = command_groups(); g->title; g++) {
         fprintf(out, "\n%s\n", g->title);
         for (const struct command *c = g->commands; c->name; c++)
-            topic_entry(out, "  ", command_usage(c, usage), c->summary);
+            topic_entry(out, "  ", command_usage(c), c->summary);
     }
     putc('\n', out);
     for (const struct parameter *p = session_parameters; p->name; p++) {
@@ -72,7 +72,7 @@ static void help_parameter(struct session *session, const struct topic *t)
 {
     const struct parameter *p = t->parameter;
     const struct effect_state *effect = &session->state.scene.effect[p->which];
-    char range[64], text[WIDE_TEXT], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    char range[64], text[WIDE_TEXT];
     const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* skips "set" or "effect" */
     FILE *out = session->output->out;
     help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
@@ -96,7 +96,7 @@ static void help_parameter(struct session *session, const struct topic *t)
     if (p->effect) {
         help_say(out, "Source: %s", p->effect->source);
         help_say(out, effect->on ? "The effect is on: %s\n" : "The effect is off, and takes no time.\n",
-                 names_shown(effect_setting(&session->state.scene, p->which, setting), shown));
+                 names_shown(effect_setting(&session->state.scene, p->which)));
     }
     help_say(out, "'set %s' changes it, 'reset %s' restores the default.", values, p->name);
 }
@@ -214,14 +214,14 @@ static void help_name(struct session *session, struct answer *a, const char *nam
 static void help_variable(const struct session *session, const struct arguments *given, struct answer *a)
 {
     const struct variable *v = given->variable;
-    char head[VARIABLE_HEAD];
     struct topic topic;
     topic_of_variable(v, &topic);
     if (!answer_for_people(a)) {
         topic_row(a, &topic);
         return;
     }
-    fprintf(session->output->out, "%s = %s\n\n", variable_head(v, head), topic.summary);
+    const char *head = variable_head(v);
+    fprintf(session->output->out, "%s = %s\n\n", head, topic.summary);
     help_say(session->output->out,
              "'let' has defined this %s. '%s = VALUE' changes it, 'reset %s' forgets it.", topic.kind, head,
              v->name);
@@ -266,7 +266,6 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
 {
     const char *word = query->given->word[0];
     bool people = answer_for_people(a);
-    char shown[NAMES_SHOWN];
     int found = 0;
     struct topic topic;
     if (!people)
@@ -294,7 +293,7 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     return found > 0 || problem_error(problem,
                                       "nothing was found about '%s'; try another word, such as 'picture' or "
                                       "'gap', or 'help', which lists all commands",
-                                      names_shown(word, shown));
+                                      names_shown(word));
 }
 
 static const struct column complete_columns[] = {

@@ -13,7 +13,6 @@
 static bool run_source(struct session *session, const struct arguments *given, struct answer *a,
                        struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     const char *name = given->word[0];
     (void)a;
     bool standard = strcmp(name, "-") == 0;
@@ -25,7 +24,7 @@ static bool run_source(struct session *session, const struct arguments *given, s
     if (!in && errno == ECANCELED)
         return problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     if (!in)
-        return problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+        return problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
     long errors = session->errors;
     session->source.depth++;
     line_stream(session, in, standard ? "stdin" : name);
@@ -80,19 +79,18 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
 static bool run_record(struct session *session, const struct arguments *given, struct answer *a,
                        struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     const char *wrong = NULL, *path = given->word[0];
     enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
         return problem_error(problem, "answers go to '%s' here; begin a record before",
-                             names_shown(session->output->path, shown));
+                             names_shown(session->output->path));
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)
         wrong = record_push(&session->output, kind, path, session->state.scene.compute.interrupt);
     else if (before)
         output_pop(before, true);
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
 const struct command script_commands[] = {

@@ -24,13 +24,13 @@ static void change_say(const struct query *query, struct answer *a, const char *
 /* Prints the value that an effect got from the word 'on', because the user did not type this value. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
-    char text[3 * EFFECT_SETTING], setting[EFFECT_SETTING], usage[EFFECT_USAGE];
+    char text[3 * EFFECT_SETTING];
     bool listed = effect_file(query->scene, p->which);
     snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
              before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
-             effect_setting(query->scene, p->which, setting),
+             effect_setting(query->scene, p->which),
              listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
-             effect_usage(p->which, usage));
+             effect_usage(p->which));
     change_say(query, a, text);
 }
 
@@ -57,11 +57,11 @@ static bool height_likely(const struct query *query, struct problem *problem)
 /* Prints that s and r do not change a row whose dominoes come from a file. */
 static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
 {
-    char text[EFFECT_SETTING + 160], setting[EFFECT_SETTING];
+    char text[EFFECT_SETTING + 160];
     snprintf(
         text, sizeof text,
         "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from s and r.",
-        p->name, effect_setting(query->scene, DOM_EFFECT_row, setting));
+        p->name, effect_setting(query->scene, DOM_EFFECT_row));
     change_say(query, a, text);
 }
 
@@ -137,10 +137,10 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
 
 static void variables_save(const struct variables *variables, FILE *out)
 {
-    char head[VARIABLE_HEAD], value[VARIABLE_VALUE];
     for (size_t i = 0; i < variables->count; i++) {
         const struct variable *v = &variables->list[i];
-        fprintf(out, "let %s = %s\n", variable_head(v, head), v->body ? v->body : variable_value(v, value));
+        fprintf(out, "let %s = %s\n", variable_head(v),
+                v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
     }
 }
 
@@ -160,7 +160,6 @@ static char *folder_of(const char *path)
 static bool run_save(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct output *file = NULL;
-    char shown[NAMES_SHOWN];
     const char *path = query->given->word[0];
     const struct parameter *p;
     (void)a;
@@ -178,7 +177,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
     }
     if (query->next && !wrong)
         query->next->scene.listed.saved = true;
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
 static bool run_quit(struct session *session, const struct arguments *given, struct answer *a,

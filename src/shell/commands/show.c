@@ -39,7 +39,7 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
          is_on = p->effect && value != EFFECT_OFF && !effect_file(query->scene, p->which);
     parameter_range(query->state, p, 0, shown->range, sizeof shown->range);
     if (p->effect)
-        effect_setting(query->scene, p->which, shown->value);
+        effect_setting_write(query->scene, p->which, shown->value);
     else
         parameter_text(p, value, (int)query->state->settings.style.digits, shown->value, sizeof shown->value);
     parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
@@ -59,12 +59,12 @@ static void shown_make(const struct query *query, const struct parameter *p, boo
 /* Adds a row for a variable, with its value and unit, or for a function, with its text. */
 static void variable_row(struct answer *a, const struct variable *v)
 {
-    char head[VARIABLE_HEAD], unit[48], value[WIDE_TEXT];
+    char value[WIDE_TEXT];
     struct cell number = cell_unbounded(v->value.value);
     if (answer_for_people(a))
         number = cell_word(quad_text(v->value.value, (int)a->style.digits, value));
-    answer_cells(a, cell_word(variable_head(v, head)), v->body ? cell_word(v->body) : number,
-                 cell_word(expression_unit_text(v->value, unit, sizeof unit)), cell_word(""), cell_word(""),
+    answer_cells(a, cell_word(variable_head(v)), v->body ? cell_word(v->body) : number,
+                 cell_word(expression_unit_text(v->value)), cell_word(""), cell_word(""),
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));
 }
 

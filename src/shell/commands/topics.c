@@ -17,14 +17,13 @@ static void topic_of_command(const struct command *c, struct topic *t)
                         .example = c->example,
                         .see = c->see,
                         .synonyms = c->synonyms};
-    command_usage(c, t->usage);
+    command_usage_write(c, t->usage);
     for (const struct column *k = c->columns; k && k->key; k++)
         used += (size_t)snprintf(t->keys + used, sizeof t->keys - used, "%s%s", used ? " " : "", k->key);
 }
 
 static void topic_of_parameter(const struct parameter *p, struct topic *t)
 {
-    char values[EFFECT_USAGE];
     *t = (struct topic){.parameter = p,
                         .name = p->name,
                         .kind = p->effect ? "effect" : "parameter",
@@ -33,7 +32,7 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
                         .text = parameter_help(p),
                         .synonyms = parameter_synonyms(p)};
     if (p->effect) {
-        snprintf(t->usage, sizeof t->usage, "effect %s", effect_usage(p->which, values));
+        snprintf(t->usage, sizeof t->usage, "effect %s", effect_usage(p->which));
         t->example = effect_example(p->which, t->shown);
     } else
         snprintf(t->usage, sizeof t->usage, "set %s VALUE", p->name);
@@ -41,10 +40,9 @@ static void topic_of_parameter(const struct parameter *p, struct topic *t)
 
 void topic_of_variable(const struct variable *v, struct topic *t)
 {
-    char head[VARIABLE_HEAD];
     *t = (struct topic){.name = v->name, .kind = v->body ? "function" : "variable", .see = "let"};
     t->summary = v->body ? v->body : variable_value(v, t->value);
-    snprintf(t->usage, sizeof t->usage, "let %s = VALUE", variable_head(v, head));
+    snprintf(t->usage, sizeof t->usage, "let %s = VALUE", variable_head(v));
 }
 
 bool topic_at(int k, struct topic *topic)

@@ -39,7 +39,6 @@ static void units_list(struct quantity kind, char *text, size_t size)
 
 static bool conversion_find(struct problem *problem, const char *name, struct conversion *c)
 {
-    char shown[NAMES_SHOWN];
     struct quantity unit = {.value = 1};
     bool percent = strcmp(name, "percent") == 0 || strcmp(name, "%") == 0;
     const char *end = percent ? "" : unit_scan(name, &unit);
@@ -53,17 +52,16 @@ static bool conversion_find(struct problem *problem, const char *name, struct co
     return problem_error(problem,
                          close ? "'%s' is not a unit; did you mean '%s'?"
                                : "'%s' is not a unit; for example 'print 112 m to ft'",
-                         names_shown(name, shown), close);
+                         names_shown(name), close);
 }
 
 bool conversion_parse(struct reader *r, struct question *q)
 {
-    char shown[NAMES_SHOWN];
     struct item *item = &q->item[1];
     if (!reader_takes(r, "to")) {
         const char *word = read_word(r, false);
         return problem_error(r->problem, "'%s' is one argument too many; usage: print VALUE [to U]",
-                             names_shown(word ? word : "", shown));
+                             names_shown(word ? word : ""));
     }
     *item = (struct item){.at = r->at};
     offer_names(r, expression_units, NULL);
@@ -76,7 +74,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
 {
     struct quantity *q = &given->quantity[0];
     const char *name = question->item[1].word;
-    char units[96], is[48], wanted[48];
+    char units[96];
     struct conversion *c = arguments_take(given, sizeof *c, query, problem);
     if (!c)
         return false;
@@ -92,13 +90,12 @@ bool conversion_bind(const struct question *question, const struct query *query,
         *q = (struct quantity){
             .value = query->state->settings.style.angle == ANGLE_DEG ? q->value * (QUAD_PI / 180) : q->value,
             .angle = 1};
-    const char *of = expression_kind(c->unit, wanted, sizeof wanted);
+    const char *of = expression_kind(c->unit);
     return quantity_alike(*q, c->unit) ||
-           problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q, is, sizeof is),
-                         c->name,
-                         quantity_bare(c->unit) ? "for a plain number"
-                         : of == wanted         ? "" /* such as "in m s^-1" */
-                                                : "a unit of ",
+           problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q), c->name,
+                         quantity_bare(c->unit)       ? "for a plain number"
+                         : strncmp(of, "in ", 3) == 0 ? "" /* such as "in m s^-1" */
+                                                      : "a unit of ",
                          quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }
 
@@ -107,17 +104,13 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     (void)problem;
     struct quantity q = query->given->quantity[0];
     const struct conversion *to = query->given->bound;
-    char unit[48], number[WIDE_TEXT];
+    char number[WIDE_TEXT];
     a->is_value = true;
     a->value = q;
-    expression_unit_text(q, unit, sizeof unit);
-    if (to) {
-        q.value /= to->unit.value;
-        snprintf(unit, sizeof unit, "%s", to->name);
-    } else if (quantity_plain(q) && q.angle == 1) {
-        q.value = style_angle(&query->state->settings.style, q.value);
-        snprintf(unit, sizeof unit, "%s", style_angle_unit(&query->state->settings.style));
-    }
+    const bool is_angle = !to && quantity_plain(q) && q.angle == 1;
+    const struct answer_style *style = &query->state->settings.style;
+    const char *unit = to ? to->name : is_angle ? style_angle_unit(style) : expression_unit_text(q);
+    q.value = to ? q.value / to->unit.value : is_angle ? style_angle(style, q.value) : q.value;
     int digits = (int)a->style.digits;
     if (digits < 15 && q.value == quad(floor)(q.value))
         digits = 15; /* show all digits of an integer */
@@ -171,7 +164,7 @@ struct definition {
  * function is called. */
 static bool body_parse(struct reader *r, struct variable *v)
 {
-    char shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    char word[NAMES_SHOWN];
     const char *begin = r->at;
     struct item body;
     r->unresolved = true;
@@ -182,8 +175,7 @@ static bool body_parse(struct reader *r, struct variable *v)
     if (!reader_ends(r)) {
         reader_place(r, r->at);
         snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;"), r->at);
-        return problem_error(r->problem, "the text of the function ends before '%s'",
-                             names_shown(word, shown));
+        return problem_error(r->problem, "the text of the function ends before '%s'", names_shown(word));
     }
     return v->body != NULL;
 }

@@ -132,7 +132,7 @@ int command_principal(const struct command *c)
     return names_exact(command_keys, c, c->principal);
 }
 
-const char *command_usage(const struct command *c, char usage[USAGE_SIZE])
+const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
     int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
     bool inside = false; /* true between the brackets around the values of an effect */
@@ -208,7 +208,6 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {
-    char kind[64], wanted[64];
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
     /* s and d are fractions of the height. If they are entered as lengths, they are divided by the height of
      * the first domino. */
@@ -221,8 +220,8 @@ static bool unit_check(const struct query *query, const struct argument *a, stru
     if (quantity_bare(*q) || quantity_alike(*q, unit))
         return true;
     const char *example = expression_example(unit);
-    return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name,
-                         expression_kind(unit, wanted, sizeof wanted), expression_kind(*q, kind, sizeof kind),
+    return problem_error(problem, "%s is %s, not %s; enter %s%s%s", a->name, expression_kind(unit),
+                         expression_kind(*q),
                          example    ? "one such as '"
                          : is_share ? "it without a unit, or as a length"
                                     : "it without a unit",

@@ -165,9 +165,10 @@ int command_principal(const struct command *command);
  */
 int command_values(const struct command *command, int *fewest);
 
-/* Writes the usage of a command, such as "rmax [S]". */
+/* The usage of a command, such as "rmax [S]", in memory of the block that contains the call. */
 enum { USAGE_SIZE = 96 };
-const char *command_usage(const struct command *command, char usage[USAGE_SIZE]);
+#define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
+const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);
 
 /* Checks that a safe session may run the command. Sets *problem and returns false if the session is safe
  * and the command reads or writes files. */

@@ -213,8 +213,8 @@ static void command_unknown(struct reader *r, const char *name, int k, char mess
     const char *suggested = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
     bool usual;
     const struct parameter *p = parameter_by_synonym(name, &usual);
-    char plain[2 * NAMES_MESSAGE], shown[NAMES_SHOWN];
-    snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name, shown));
+    char plain[2 * NAMES_MESSAGE];
+    snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name));
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);

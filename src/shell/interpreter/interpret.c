@@ -134,8 +134,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 /* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
-    names_shown(path, shown);
+    const char *shown = names_shown(path);
     const struct ending *ending = ending_of(path);
     const bool draws = c->writes == WRITES_PICTURES, charts = c->writes == WRITES_CHARTS || c->picture;
     const char *pictures = charts ? ".svg, .png, .pdf, .tex or .gp" : ".svg, .png, .pdf or .gp";
@@ -182,7 +181,6 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     const struct ending *ending = ending_of(path);
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
@@ -195,7 +193,7 @@ static bool run_into(struct session *session, const struct command *c, const str
         if (!done)
             return false;
     }
-    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path, shown), wrong);
+    return !wrong || problem_error(problem, "cannot write '%s': %s", names_shown(path), wrong);
 }
 
 /* Runs a command that is followed by '>' or '>>' and the path of a file. */

@@ -15,13 +15,13 @@ bool is_value_name(const struct state *state, const char *name)
  * function reports what is wrong with this unit. */
 static bool may_follow(struct reader *r, const char *at)
 {
-    char word[NAMES_SHOWN], shown[NAMES_SHOWN];
+    char word[NAMES_SHOWN];
     if (!name_copy(at, name_length(at), word, sizeof word) || is_value_name(r->query->state, word) ||
         strcmp(word, "to") == 0 || strcmp(word, "with") == 0)
         return true;
     const char *close = names_closest(expression_units, NULL, word);
     reader_place(r, at);
-    names_shown(word, shown);
+    const char *shown = names_shown(word);
     if (strcmp(word, "in") == 0)
         return problem_error(r->problem,
                              "the unit 'in' must follow a number; 'to' converts, as in '4.8 cm to mm'");
@@ -37,24 +37,22 @@ static bool may_follow(struct reader *r, const char *at)
 static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
                        const struct expression_error *error)
 {
-    char shown[NAMES_SHOWN], word[NAMES_SHOWN];
+    char word[NAMES_SHOWN];
     if (problem->kind != PROBLEM_NONE)
         return false;
     if (text)
         problem->place = text_column(text, error->at);
     snprintf(word, sizeof word, "%.*s", (int)strcspn(error->at, " \t;"), error->at);
     return problem_report(problem, error->of_value ? PROBLEM_NO_ANSWER : PROBLEM_WRONG,
-                          *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word, shown),
-                          error->message);
+                          *word ? "%s at '%s': %s" : "%s%s: %s", name, names_shown(word), error->message);
 }
 
 /* Reports a character that directly follows a value, where there should be a blank or an operator. Returns
  * false. */
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
-    char shown[NAMES_SHOWN];
     reader_place(r, end);
-    return problem_error(r->problem, "%s ends before '%s'; %s", name, names_shown(end, shown),
+    return problem_error(r->problem, "%s ends before '%s'; %s", name, names_shown(end),
                          *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
                          : *end == '%' ? "write the fraction as 0.95 or 95/100"
                                        : "an operator or a blank is missing here");
@@ -240,7 +238,7 @@ static void names_all(names_list *list, char all[NAMES_ALL])
 
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
 {
-    char message[NAMES_MESSAGE], shown[NAMES_SHOWN], all[NAMES_ALL];
+    char message[NAMES_MESSAGE], all[NAMES_ALL];
     bool usual;
     offer_names(r, a->choices, NULL);
     *item = (struct item){.at = r->at};
@@ -251,7 +249,7 @@ bool item_parse_choice(struct reader *r, const struct argument *a, struct item *
     item->number = k;
     if (k >= 0)
         return true;
-    names_shown(word, shown);
+    const char *shown = names_shown(word);
     names_all(a->choices, all);
     const struct parameter *suggested =
         a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
@@ -288,7 +286,7 @@ const char *model_names(const void *context, int k)
 
 const struct parameter *parameter_parse(struct reader *r, const char *form)
 {
-    char message[NAMES_MESSAGE], shown[NAMES_SHOWN];
+    char message[NAMES_MESSAGE];
     bool usual;
     reader_place(r, r->at);
     offer_names(r, model_names, NULL);
@@ -300,7 +298,7 @@ const struct parameter *parameter_parse(struct reader *r, const char *form)
         return parameter_find(model_names(NULL, k));
     const struct parameter *setting = parameter_find(word),
                            *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
-    names_shown(word, shown);
+    const char *shown = names_shown(word);
     if (setting)
         problem_error(r->problem,
                       "'%s' is a setting of the calculator; use a parameter of the model or an effect here",

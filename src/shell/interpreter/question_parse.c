@@ -19,9 +19,8 @@ static bool is_path(const struct state *state, const char *word)
 /* Reports an argument that the command does not take. Returns false. */
 static bool too_many(struct reader *r, const char *word, const char *prefix, const char *usage)
 {
-    char shown[NAMES_SHOWN];
-    return problem_error(r->problem, "'%s' is one argument too many; usage: %s%s", names_shown(word, shown),
-                         prefix, usage);
+    return problem_error(r->problem, "'%s' is one argument too many; usage: %s%s", names_shown(word), prefix,
+                         usage);
 }
 
 /* Returns true if value i of an effect may be left out, and `word` stands for one of the next values of the
@@ -43,7 +42,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     const struct parameter *p = q->parameter;
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
     struct item *item = &q->item[i], *first = &q->item[1];
-    char usage[USAGE_SIZE], word[PATH_MAX];
+    char word[PATH_MAX];
     /* The value may follow a '=' or 'to', as in 'set r = 2' and 'set r to 2'. */
     if (i == 1) {
         bool has_to = strncmp(r->at, "to", 2) == 0 && isspace((unsigned char)r->at[2]);
@@ -53,8 +52,8 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     snprintf(word, sizeof word, "%.*s", (int)strcspn(r->at, " \t;>#"), r->at);
     bool is_word = !first->value && parameter_word(p, first->number);
     if (!value || (i > 1 && (first->word || is_word)))
-        return p->effect ? too_many(r, word, "effect ", effect_usage(p->which, usage))
-                         : too_many(r, word, "", command_usage(q->command, usage));
+        return p->effect ? too_many(r, word, "effect ", effect_usage(p->which))
+                         : too_many(r, word, "", command_usage(q->command));
     if (value->or_file)
         offer_kind(r, OFFER_FILE);
     if (value->or_file && is_path(r->query->state, word) && names_exact(parameter_words, p, word) < 0) {
@@ -182,11 +181,10 @@ static bool argument_parse(struct reader *r, struct question *q, int i)
  * that 'assert' can be used instead, and returns true. */
 static bool check_wrong(const struct reader *r, const struct command *c)
 {
-    char usage[USAGE_SIZE];
     if (!c->holds || strncmp(r->at, "--check", strlen("--check")) != 0)
         return false;
     problem_error(r->problem, "commands have no options; 'assert %s' fails unless the statement is true",
-                  command_usage(c, usage));
+                  command_usage(c));
     return true;
 }
 
@@ -209,7 +207,6 @@ static bool with_parse(struct reader *r, struct question *q)
  * problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
-    char usage[USAGE_SIZE];
     reader_place(r, r->at);
     if (*r->at == '|')
         return problem_error(r->problem, "pipes are not supported; 'COMMAND > FILE' writes a file");
@@ -218,12 +215,11 @@ static bool end_check(struct reader *r, const struct command *c)
     if (check_wrong(r, c))
         return false;
     const char *word = read_word(r, false);
-    return too_many(r, word ? word : "", "", command_usage(c, usage));
+    return too_many(r, word ? word : "", "", command_usage(c));
 }
 
 static bool arguments_parse(struct reader *r, struct question *q)
 {
-    char usage[USAGE_SIZE];
     const struct command *c = q->command;
     q->text = r->text;
     for (q->count = 0; q->count < ARGUMENTS_MAX && c->argument[q->count].kind; q->count++) {
@@ -242,7 +238,7 @@ static bool arguments_parse(struct reader *r, struct question *q)
     reader_place(r, r->at);
     const struct argument *missing = q->count < ARGUMENTS_MAX ? &c->argument[q->count] : NULL;
     if (missing && missing->kind && !missing->optional && *r->at != '|')
-        return problem_error(r->problem, "%s is missing; usage: %s", missing->name, command_usage(c, usage));
+        return problem_error(r->problem, "%s is missing; usage: %s", missing->name, command_usage(c));
     return with_parse(r, q) && end_check(r, c);
 }
 
@@ -303,11 +299,11 @@ const char *question_names(const void *context, int k)
 
 const char *question_name(struct reader *r, const char *begin, const char *end)
 {
-    char typed[NAMES_SHOWN], shown[NAMES_SHOWN];
+    char typed[NAMES_SHOWN];
     while (end > begin && isspace((unsigned char)end[-1]))
         end--;
     name_copy(begin, (size_t)(end - begin), typed, sizeof typed);
-    names_shown(typed, shown);
+    const char *shown = names_shown(typed);
     const char *name = reader_copy(r, shown, strlen(shown));
     return name ? name : "";
 }

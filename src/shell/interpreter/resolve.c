@@ -38,11 +38,10 @@ static int children_resolve(struct resolver *r, struct tree *t)
 
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function)
 {
-    char head[VARIABLE_HEAD], inside[EXPRESSION_MESSAGE];
+    char inside[EXPRESSION_MESSAGE];
     memcpy(inside, error->message, sizeof inside);
     if (*inside && !error->names_function)
-        expression_report(error, at, error->of_value, "in '%s': %.180s", variable_head(function, head),
-                          inside);
+        expression_report(error, at, error->of_value, "in '%s': %.180s", variable_head(function), inside);
     error->at = at;
     error->names_function = true;
 }
@@ -76,15 +75,13 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
 
 static int routine_resolve(struct resolver *r, struct tree *t, const struct variable *f)
 {
-    char head[VARIABLE_HEAD];
     struct routine *routine = r->routines;
     if (t->count != f->count)
-        return fail(r, t, "'%s' takes %d value%s", variable_head(f, head), f->count,
-                    f->count == 1 ? "" : "s");
+        return fail(r, t, "'%s' takes %d value%s", variable_head(f), f->count, f->count == 1 ? "" : "s");
     while (routine && routine->function != f)
         routine = routine->next;
     if (routine && routine->is_open)
-        return fail(r, t, "'%s' uses itself", variable_head(f, head));
+        return fail(r, t, "'%s' uses itself", variable_head(f));
     int height = children_resolve(r, t);
     if (height < 0 || (!routine && !(routine = routine_parse(r, t, f))))
         return -1;
@@ -116,7 +113,6 @@ static int column_resolve(struct resolver *r, struct tree *t, const struct comma
 
 static int command_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
-    char usage[USAGE_SIZE];
     int fewest, most = command_values(c, &fewest);
     if (!c->principal)
         return fail(r, t,
@@ -125,9 +121,9 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
                     t->name);
     if (most < 0)
         return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",
-                    command_usage(c, usage));
+                    command_usage(c));
     if (t->count < fewest || t->count > most)
-        return fail(r, t, "'%s' does not take %d value%s", command_usage(c, usage), t->count,
+        return fail(r, t, "'%s' does not take %d value%s", command_usage(c), t->count,
                     t->count == 1 ? "" : "s");
     int index = column_resolve(r, t, c);
     if (index < 0)

@@ -40,11 +40,11 @@ static bool unit_copy(const char *text, char unit[UNIT])
 
 static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv_place at)
 {
-    char unit[UNIT], shown[NAMES_SHOWN];
+    char unit[UNIT];
     const struct csv_column *c = &csv->kind->column[k];
     bool known = unit_copy(text, unit) && c->unit && *c->unit;
     struct quantity q = expression_unit(unit);
-    names_shown(text, shown);
+    const char *shown = names_shown(text);
     if (!known || !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, at, "'%s' is not a unit of %s; its units are: %s", shown, c->name,
                          c->units);
@@ -143,7 +143,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
 {
     const struct csv_kind *kind = csv->kind;
     const struct csv_place at = csv->head.cell[i].at;
-    char name[NAMES_SHOWN], shown[NAMES_SHOWN];
+    char name[NAMES_SHOWN];
     const char *unit = name_split(text, name), *close = NULL;
     bool note = is_among(",note,notes,comment,comments,remark", name);
     const int k = column_find(kind, name);
@@ -157,7 +157,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     size_t used = strlen(csv->unused);
     if (csv->other[i] && !note)
         snprintf(csv->unused + used, sizeof csv->unused - used, "%s'%.40s'", used ? ", " : "",
-                 names_shown(text, shown));
+                 names_shown(text));
     if (csv->other[i])
         return true;
     if (csv->column[k] > 0)
@@ -239,8 +239,8 @@ void csv_close(struct csv_table *csv)
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
-    char shown[NAMES_SHOWN], here[64] = "";
-    names_shown(text, shown);
+    char here[64] = "";
+    const char *shown = names_shown(text);
     if (*c->unit == 'm')
         snprintf(here, sizeof here, ", or '%.40s %s' in the cell", shown, c->usual);
     return csv_wrong(&csv->file, csv_cell(csv, k).at,
@@ -268,14 +268,13 @@ static bool constant_read(const char *text, struct quantity *q, struct expressio
 static bool number_read(struct csv_table *csv, int k, const struct text *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
-    char shown[NAMES_SHOWN], is[48];
     struct quantity q = {.value = 0};
     struct expression_error error;
     bool good = constant_read(text->line, &q, &error);
     struct csv_place cell = csv_cell(csv, k).at, at = cell;
     if (error.at > text->line)
         at.column += text_column(text, error.at) - 1;
-    names_shown(error.at, shown);
+    const char *shown = names_shown(error.at);
     if (!good && *error.message)
         return csv_wrong(&csv->file, at, *error.at ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
                          error.message, c->advice);
@@ -283,8 +282,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
         return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->advice);
     bool bare = quantity_bare(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
-        return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q, is, sizeof is),
-                         c->advice);
+        return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
     domq_real unit = csv->unit[k] > 0 ? csv->unit[k] : *c->unit == '\0' || (c->traits & CSV_BARE);
     if (bare && unit == 0 && q.value != 0)
         return unit_missing(csv, k, text->line);

@@ -84,7 +84,6 @@ const char *expression_names(const void *context, int k)
 static bool function_apply(struct evaluation *e, const struct tree *t, const struct quantity *a,
                            struct quantity *q)
 {
-    char kind[48];
     const struct function *f = t->function;
     bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
@@ -92,8 +91,7 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
     if (f->kind == HALVES && a[0].value < 0)
         return expression_no_value(e->error, t->at, "%s of this is not defined", f->name);
     if (f->one && f->kind < KEEPS && !number)
-        return expression_wrong(e->error, t->at, "%s of %s is not defined", f->name,
-                                expression_kind(a[0], kind, sizeof kind));
+        return expression_wrong(e->error, t->at, "%s of %s is not defined", f->name, expression_kind(a[0]));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
         return expression_wrong(e->error, t->at, "%s needs two values of the same kind, such as two lengths",
                                 f->name);
@@ -155,12 +153,11 @@ static bool compare(enum tree_operator op, domq_real a, domq_real b)
 /* Adds, subtracts or compares two values. */
 static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct quantity *q, struct quantity by)
 {
-    char a[48], b[48];
     bool adds = t->op >= OPERATOR_PLUS;
     if (!make_alike(e, q, &by))
         return expression_wrong(e->error, t->op_at,
                                 adds ? "%s and %s cannot be added" : "%s and %s cannot be compared",
-                                expression_kind(*q, a, sizeof a), expression_kind(by, b, sizeof b));
+                                expression_kind(*q), expression_kind(by));
     if (adds)
         q->value += t->op == OPERATOR_MINUS ? -by.value : by.value;
     else
@@ -171,12 +168,11 @@ static bool sum_or_compare(struct evaluation *e, const struct tree *t, struct qu
 static bool evaluate_condition(struct evaluation *e, const struct tree *t, bool *is_true)
 {
     struct quantity q;
-    char kind[48];
     if (!expression_evaluate(e, t, &q))
         return false;
     *is_true = q.value != 0;
-    return quantity_bare(q) || expression_wrong(e->error, t->at, "%s is not a condition, such as 'r > 1.5'",
-                                                expression_kind(q, kind, sizeof kind));
+    return quantity_bare(q) ||
+           expression_wrong(e->error, t->at, "%s is not a condition, such as 'r > 1.5'", expression_kind(q));
 }
 
 /* Evaluates conditions joined by 'and' or 'or', from left to right, until one of them decides the result. */

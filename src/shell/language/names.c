@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/names.h"
-#include "io/escape.h"
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -60,7 +59,7 @@ int names_find(names_list *list, const void *context, const char *what, const ch
     int found = names_exact(list, context, text), matches = 0;
     if (found >= 0)
         return found;
-    char shown[NAMES_SHOWN], all[NAMES_MESSAGE / 2] = "";
+    char all[NAMES_MESSAGE / 2] = "";
     const char *name;
     for (int k = 0; *text && (name = list(context, k)) != NULL; k++) {
         if (strncmp(name, text, strlen(text)) != 0)
@@ -72,7 +71,7 @@ int names_find(names_list *list, const void *context, const char *what, const ch
     if (matches == 1)
         return found;
     const char *close = names_closest(list, context, text);
-    names_shown(text, shown);
+    const char *shown = names_shown(text);
     if (matches > 1)
         snprintf(message, NAMES_MESSAGE, "'%s' is ambiguous: %s", shown, all);
     else if (close)
@@ -80,9 +79,4 @@ int names_find(names_list *list, const void *context, const char *what, const ch
     else
         snprintf(message, NAMES_MESSAGE, "unknown %s '%s'", what, shown);
     return matches > 1 ? NAMES_SEVERAL : close ? NAMES_CLOSE : NAMES_UNKNOWN;
-}
-
-const char *names_shown(const char *text, char shown[NAMES_SHOWN])
-{
-    return escape_text(text, shown, NAMES_SHOWN);
 }

@@ -4,6 +4,7 @@
 #ifndef SHELL_NAMES_H
 #define SHELL_NAMES_H
 
+#include "io/escape.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -35,8 +36,8 @@ const char *names_closest(names_list *list, const void *context, const char *tex
 
 enum { NAMES_SHOWN = 64 };
 
-/* Copies a text so that it can be shown in a message: it is shortened if necessary, and control characters
- * are escaped. Returns the copy. */
-const char *names_shown(const char *text, char shown[NAMES_SHOWN]);
+/* A copy of a text that can be shown in a message: it is shortened if necessary, and control characters are
+ * escaped. As with all such macros, the copy lives until the end of the block that contains the call. */
+#define names_shown(text) escape_text(text, (char[NAMES_SHOWN]){""}, NAMES_SHOWN)
 
 #endif

@@ -55,8 +55,7 @@ const char *expression_units(const void *context, int k)
 
 /* ---- What a quantity is ---- */
 
-/* Writes the base units of a quantity with their exponents, separated by the text `between`. */
-static const char *unit_write(struct quantity q, const char *between, char *text, size_t size)
+const char *unit_write(struct quantity q, const char *between, char text[UNIT_TEXT])
 {
     static const char *const base[] = {"kg", "m", "s", "rad"};
     const int power[] = {q.mass, q.length, q.time, q.angle};
@@ -64,20 +63,10 @@ static const char *unit_write(struct quantity q, const char *between, char *text
     for (int i = 0; i < 4; i++) {
         size_t used = strlen(text);
         if (power[i] != 0)
-            snprintf(text + used, size - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? between : "",
+            snprintf(text + used, UNIT_TEXT - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? between : "",
                      base[i], power[i]);
     }
     return text;
-}
-
-const char *expression_unit_text(struct quantity q, char *text, size_t size)
-{
-    return unit_write(q, " ", text, size);
-}
-
-const char *expression_unit_typed(struct quantity q, char *text, size_t size)
-{
-    return unit_write(q, "*", text, size);
 }
 
 /* Kinds of quantities, with a name and an example of each kind. If the name is NULL, messages show the unit
@@ -104,13 +93,12 @@ static const struct kind *kind_of(struct quantity q)
     return NULL;
 }
 
-const char *expression_kind(struct quantity q, char *text, size_t size)
+const char *kind_write(struct quantity q, char text[UNIT_TEXT])
 {
-    char unit[48];
     const struct kind *kind = kind_of(q);
     if (kind && kind->name)
         return kind->name;
-    snprintf(text, size, "in %s", expression_unit_text(q, unit, sizeof unit));
+    snprintf(text, UNIT_TEXT, "in %s", expression_unit_text(q));
     return text;
 }
 

@@ -123,7 +123,7 @@ void variables_free(struct variables *variables)
     *variables = (struct variables){.list = NULL};
 }
 
-const char *variable_head(const struct variable *v, char text[VARIABLE_HEAD])
+const char *variable_head_write(const struct variable *v, char text[VARIABLE_HEAD])
 {
     int n = snprintf(text, VARIABLE_HEAD, "%s%s", v->name, v->body ? "(" : "");
     for (int i = 0; i < v->count; i++)
@@ -134,8 +134,8 @@ const char *variable_head(const struct variable *v, char text[VARIABLE_HEAD])
 
 const char *variable_value(const struct variable *v, char text[VARIABLE_VALUE])
 {
-    char number[WIDE_TEXT], unit[VARIABLE_VALUE / 2];
-    expression_unit_typed(v->value, unit, sizeof unit);
+    char number[WIDE_TEXT], unit[UNIT_TEXT];
+    unit_write(v->value, "*", unit);
     snprintf(text, VARIABLE_VALUE, "%s%s%s", quad_exact(v->value.value, number), *unit ? " " : "", unit);
     return text;
 }

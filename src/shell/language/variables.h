@@ -35,11 +35,12 @@ bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
 
-/* Writes the left side of a definition, such as "x" or "f(s, d)". */
+/* The left side of a definition, such as "x" or "f(s, d)", in memory of the block that contains the call. */
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
-const char *variable_head(const struct variable *variable, char text[VARIABLE_HEAD]);
+#define variable_head(variable) variable_head_write(variable, (char[VARIABLE_HEAD]){""})
+const char *variable_head_write(const struct variable *variable, char text[VARIABLE_HEAD]);
 
-/* Writes the value of a variable as an expression, such as "0.048 m". */
+/* Writes the value of a variable as an expression, such as "0.048 m". Returns `text`. */
 enum { VARIABLE_VALUE = 128 };
 const char *variable_value(const struct variable *variable, char text[VARIABLE_VALUE]);
 

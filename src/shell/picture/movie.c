@@ -28,12 +28,11 @@ static const struct movie_kind *kind_of(const char *path)
 
 bool movie_named(const char *path, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     const struct movie_kind *kind = kind_of(path);
     if (!kind)
         return problem_error(problem,
                              "'%s' is not the name of an animation: use the extension .gif, .webm or .mp4",
-                             names_shown(path, shown));
+                             names_shown(path));
     return !kind->ffmpeg || program_exists("ffmpeg") ||
            problem_error(
                problem,
@@ -48,7 +47,7 @@ bool movie_begin(struct movie *m, const char *path, int width, int height, int d
     if (!movie_named(path, problem))
         return false;
     *m = (struct movie){.kind = kind_of(path), .delay = delay};
-    names_shown(path, m->shown);
+    escape_text(path, m->shown, sizeof m->shown);
     const char *wrong = file_push(&m->file, path, false, interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);

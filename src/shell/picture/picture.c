@@ -79,10 +79,9 @@ FILE *temporary_open(struct problem *problem)
 {
     FILE *file = io_temporary(NULL);
     const int error = errno;
-    char shown[NAMES_SHOWN];
     if (!file)
-        problem_error(problem, "cannot make a temporary file in '%s': %s",
-                      names_shown(io_temporary_folder(), shown), strerror(error));
+        problem_error(problem, "cannot make a temporary file in '%s': %s", names_shown(io_temporary_folder()),
+                      strerror(error));
     return file;
 }
 

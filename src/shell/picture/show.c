@@ -71,10 +71,9 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
 
 bool picture_ready(const struct answer *a, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     if (is_filed(a) && a->appended)
         return problem_error(problem, "'%s' can hold only one picture; '>' replaces it",
-                             names_shown(a->path, shown));
+                             names_shown(a->path));
     return !is_filed(a) || ending_of(a->path)->is_script || gnuplot_ready(problem);
 }
 

@@ -62,13 +62,13 @@ static bool run(const char *folder, FILE *tex, FILE *out, const volatile sig_ato
 bool typeset(FILE *tex, FILE *out, const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     static const char *const endings[] = {".tex", ".aux", ".log", ".pdf"};
-    char folder[PATH_TEXT - 32], path[PATH_TEXT], shown[NAMES_SHOWN];
+    char folder[PATH_TEXT - 32], path[PATH_TEXT];
     int length = snprintf(folder, sizeof folder, "%s/domino-XXXXXX", io_temporary_folder());
     errno = ENAMETOOLONG;
     if (length >= (int)sizeof folder || !mkdtemp(folder)) {
         const int error = errno;
         return problem_error(problem, "cannot make a temporary folder in '%s': %s",
-                             names_shown(io_temporary_folder(), shown), strerror(error));
+                             names_shown(io_temporary_folder()), strerror(error));
     }
     bool done = run(folder, tex, out, interrupt, problem);
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)

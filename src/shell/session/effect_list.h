@@ -27,9 +27,10 @@ const char *effect_names(const void *context, int k);
  * true. */
 bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
 
-/* Writes the usage of an effect, such as "friction MU". */
+/* The usage of an effect, such as "friction MU", in memory of the block that contains the call. */
 enum { EFFECT_USAGE = 64 };
-const char *effect_usage(int name, char usage[EFFECT_USAGE]);
+#define effect_usage(name) effect_usage_write(name, (char[EFFECT_USAGE]){""})
+const char *effect_usage_write(int name, char usage[EFFECT_USAGE]);
 
 /* Returns commands that demonstrate an effect. */
 enum { EFFECT_EXAMPLE = 192 };

@@ -20,7 +20,7 @@ static bool usual_from(const struct domq_effect *e, const struct effect_state *s
     return usual;
 }
 
-const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING])
+const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING])
 {
     const struct effect_state *state = &scene->effect[name];
     const struct domq_effect *e = effect_at(name);
@@ -94,12 +94,12 @@ bool scene_row_load(struct scene *scene, const char *name, const struct means *m
 {
     struct listed_row file = {.domino = NULL};
     struct problem in_file = {.kind = PROBLEM_NONE};
-    char needed[256], setting[EFFECT_SETTING], shown[NAMES_SHOWN];
+    char needed[256];
     bool earlier = scene->effect[DOM_EFFECT_row].on;
     if (means->safe)
         problem_error(&in_file,
                       "'effect row %s' reads a file, which a safe session cannot do; use 'effect row N'",
-                      names_shown(name, shown));
+                      names_shown(name));
     else if (row_read(scene, name, means, &file, &in_file)) {
         listed_free(&scene->listed);
         scene->listed = file;
@@ -108,7 +108,7 @@ bool scene_row_load(struct scene *scene, const char *name, const struct means *m
     }
     row_needed(scene, needed, sizeof needed);
     problem_error(problem, earlier ? "%s; the earlier row (%s%s) is now off%s" : "%s", in_file.text,
-                  scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row, setting), needed);
+                  scene->listed.domino ? "" : "N = ", effect_setting(scene, DOM_EFFECT_row), needed);
     row_drop(scene);
     return false;
 }
@@ -163,14 +163,13 @@ void effect_put(struct scene *scene, int name, domq_real value, const domq_real 
 
 bool effects_savable(const struct scene *scene, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     const char *path = scene->listed.domino ? scene->listed.path : "";
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
             return problem_error(problem,
                                  "cannot save: the name of the row's file, '%s', has a control character; "
                                  "rename the file, or enter 'effect row off'",
-                                 names_shown(path, shown));
+                                 names_shown(path));
     return true;
 }
 

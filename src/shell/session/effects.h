@@ -7,10 +7,11 @@
 #include "session/query.h"
 #include "session/row.h"
 
-/* Writes the values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or
- * "off". */
+/* The values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or "off",
+ * in memory of the block that contains the call. */
 enum { EFFECT_SETTING = 256 }; /* room for the longest file name and a NUL byte */
-const char *effect_setting(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
+#define effect_setting(scene, name) effect_setting_write(scene, name, (char[EFFECT_SETTING]){""})
+const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
 
 /* Returns the path of the file that the user gave instead of the effect's first value, or NULL if there is no
  * such file. */

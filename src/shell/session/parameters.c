@@ -70,14 +70,13 @@ bool is_synonym(const char *synonyms, const char *word)
 
 bool parameter_hint(const char *word, char *message, size_t size)
 {
-    char usage[EFFECT_USAGE];
     bool is_usual;
     const struct parameter *p = parameter_by_synonym(word, &is_usual);
     size_t used = strlen(message);
     if (!p)
         return false;
     if (p->effect)
-        snprintf(message + used, size - used, "; did you mean 'effect %s'?", effect_usage(p->which, usage));
+        snprintf(message + used, size - used, "; did you mean 'effect %s'?", effect_usage(p->which));
     else
         snprintf(message + used, size - used, "; did you mean '%s'? '%s = VALUE' gives it a value", p->name,
                  p->name);
@@ -212,7 +211,7 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
 
 void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
-    char value[WIDE_TEXT], unit[64];
+    char value[WIDE_TEXT];
     if (p->effect) {
         effect_save(&state->scene, p->which, folder, out);
         return;
@@ -221,7 +220,7 @@ void parameter_save(const struct state *state, const struct parameter *p, const 
     struct quantity quantity = expression_unit(p->value->unit);
     bool has_unit = parameter_is_number(p) && !quantity_plain(quantity) && !quantity.angle;
     fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
-            has_unit ? expression_unit_typed(quantity, unit, sizeof unit) : "");
+            has_unit ? unit_write(quantity, "*", (char[UNIT_TEXT]){""}) : "");
 }
 
 const char *parameter_word(const struct parameter *p, domq_real value)

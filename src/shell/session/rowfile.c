@@ -25,10 +25,9 @@ static char *path_beside(const struct means *means, const char *name)
 
 bool csv_end(struct csv_table *csv, struct problem *problem)
 {
-    char shown[NAMES_SHOWN];
     bool good = csv && *csv->file.problem.text == '\0';
     if (csv && !good) {
-        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path, shown);
+        const char *path = strlen(csv->path) < 256 ? csv->path : names_shown(csv->path);
         problem_error(problem, "%s:%ld:%d: %s", path, csv->file.problem.at.line, csv->file.problem.at.column,
                       csv->file.problem.text);
     }
@@ -40,13 +39,12 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
                             bool standard, const struct csv_kind *kind, struct problem *problem)
 {
     const volatile sig_atomic_t *interrupt = scene->compute.interrupt;
-    char shown[NAMES_SHOWN];
     standard = standard && strcmp(name, "-") == 0;
     char *path = path_beside(means, name);
     FILE *in = !path ? NULL : standard ? io_stdin(interrupt) : io_read(path, interrupt);
     struct csv_table *csv = in ? csv_open(in, path, kind, terminal_decimal_comma()) : NULL;
     if (!csv)
-        problem_error(problem, "cannot read '%s': %s", names_shown(name, shown), strerror(errno));
+        problem_error(problem, "cannot read '%s': %s", names_shown(name), strerror(errno));
     if (in && !standard)
         fclose(in);
     if (!csv)

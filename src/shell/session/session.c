@@ -104,10 +104,10 @@ static void session_tell(const struct session *session, const struct problem *pr
 /* Writes an error message or a note. */
 static void session_write(struct session *session, const struct problem *problem, bool is_error)
 {
-    char line[2 * PROBLEM_TEXT], text[4 * sizeof line], shown[NAMES_SHOWN];
+    char line[2 * PROBLEM_TEXT], text[4 * sizeof line];
     const char *source = session->source.name;
-    if (source && escape_needed(source))
-        source = names_shown(source, shown); /* control characters could hide the message */
+    /* control characters could hide the message */
+    source = source && escape_needed(source) ? names_shown(source) : source;
     int n = 0;
     /* the answer so far must come before the message if stdout and stderr are the same file */
     output_flush(session->output);

@@ -85,7 +85,7 @@ void undo_keep(struct undo **undo, const struct state *state, struct state *befo
         if (u->count == STEPS)
             steps_drop(u, 0, 1);
         u->step[u->count].state = before;
-        names_shown(copy, u->step[u->count++].text);
+        escape_text(copy, u->step[u->count++].text, NAMES_SHOWN);
         while (u->count > 1 && dominoes_held(u) > HELD_MOST)
             steps_drop(u, 0, 1);
         u->done = u->count;

@@ -39,9 +39,8 @@ static bool is_stray(const struct reader *r)
 /* Reports the next word as unknown or, if `many` is true, as one argument too many. Returns false. */
 static bool wrong_word(struct reader *r, bool many, const char *usage)
 {
-    char shown[NAMES_SHOWN];
     const char *word = read_word(r, false);
-    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : "", shown),
+    return problem_error(r->problem, "'%s' %s; %s", names_shown(word ? word : ""),
                          many ? "is one argument too many" : "is neither a value nor one of the words",
                          usage);
 }
@@ -134,14 +133,13 @@ bool film_parse(struct reader *r, struct question *q)
  * numbers in a range. A rate may be given as 20 or as 20/s. */
 static bool value_check(enum draw_value value, struct quantity quantity, struct problem *problem)
 {
-    char kind[64];
     domq_real number = quantity.value;
     bool plain = quantity_bare(quantity);
     switch (value) {
     case DRAW_TIME:
         return quantity_plain(quantity) || quantity_alike(quantity, (struct quantity){.time = 1}) ||
                problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
-                             expression_kind(quantity, kind, sizeof kind));
+                             expression_kind(quantity));
     case DRAW_SPEED:
         if (plain && number >= (domq_real)0.001 && number <= 1000)
             return true;

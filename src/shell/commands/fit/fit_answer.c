@@ -266,8 +266,7 @@ static const struct parameter *undetermined(const struct fit *f)
 bool fit_make(const struct query *query, struct fit *f, struct problem *problem)
 {
     const struct fit_given *given = query->given->bound;
-    char shown[NAMES_SHOWN];
-    names_shown(query->given->word[1], shown);
+    const char *shown = names_shown(query->given->word[1]);
     *f = (struct fit){.query = query, .unknowns = given->count};
     for (int i = 0; i < given->count; i++) {
         f->unknown[i].parameter = given->parameter[i];

@@ -220,7 +220,6 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
  * constant. */
 static bool scan_check(const struct scan *s, struct problem *problem)
 {
-    char is[64], wanted[64];
     const struct solve *v = s->solve;
     const struct quantity unit = s->probe.unit;
     const domq_real highest = s->most.f + v->value.value, size = quad(fabs)(highest),
@@ -228,9 +227,8 @@ static bool scan_check(const struct scan *s, struct problem *problem)
     if (v->verdict || s->answers == 0)
         return true;
     if (!quantity_bare(v->value) && !quantity_alike(unit, v->value))
-        return problem_error(problem, "%s is %s, and VALUE is %s", v->question->name,
-                             expression_kind(unit, is, sizeof is),
-                             expression_kind(v->value, wanted, sizeof wanted));
+        return problem_error(problem, "%s is %s, and VALUE is %s", v->question->name, expression_kind(unit),
+                             expression_kind(v->value));
     if (s->answers < 2 || s->most.f - s->least.f > (domq_real)1e-12 * size + 10 * tol * size)
         return true;
     return problem_no_answer(

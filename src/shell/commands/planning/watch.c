@@ -69,10 +69,10 @@ static void watch_draw(struct watch *w, FILE *out)
     snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
     (void)chart_fit(&chart); /* a chart without any point is shown as well */
     fputs("\033[H\033[J", out);
-    char unit[48], answer[160];
+    char answer[160];
     if (isfinite(y))
         snprintf(answer, sizeof answer, "%.60s = %.6g %s", w->solve->question->name, y,
-                 expression_unit_text(w->probe.unit, unit, sizeof unit));
+                 expression_unit_text(w->probe.unit));
     else
         snprintf(answer, sizeof answer, "%.120s", w->probe.problem.text);
     fprintf(out, "%s = %.6g: %.*s\n", w->solve->parameter->name, x, width > 24 ? width - 20 : 4, answer);

@@ -111,7 +111,6 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
                *unit = rowfile_kind.column[change->measure].unit;
     const struct quantity wanted = expression_unit(unit);
     const bool is_relative = parsed->has_sign && !parsed->is_set, is_bare = quantity_bare(*value);
-    char kind[64], of[64];
     change->value = value->value;
     change->is_angle =
         change->measure == MEASURE_LEAN && quantity_alike(*value, (struct quantity){.angle = 1});
@@ -122,8 +121,7 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
     }
     if (!is_bare && !change->is_angle && !quantity_alike(*value, wanted))
         return problem_error(problem, "the %s is %s, not %s; enter one such as '%s'", name,
-                             expression_kind(wanted, of, sizeof of),
-                             expression_kind(*value, kind, sizeof kind), expression_example(wanted));
+                             expression_kind(wanted), expression_kind(*value), expression_example(wanted));
     if (is_relative && is_bare)
         return problem_error(
             problem,

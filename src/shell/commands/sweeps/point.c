@@ -31,7 +31,7 @@ static void list_columns(struct sweeper *w)
             unit = q->command->columns[q->key].unit;
         } else {
             question_value(q, w->query, &value, &ignored);
-            unit = expression_unit_text(value, c->unit[n], sizeof c->unit[n]);
+            unit = unit_write(value, " ", c->unit[n]);
         }
         c->answer[n] = (struct column){q->name, unit, "", 0};
     }

@@ -28,7 +28,7 @@ struct sweep_columns {
     /* Names such as "rmax.s" for columns of the answer that have the name of a parameter. */
     char renamed[ASSIGNED_MAX][40];
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
-    char unit[ANSWER_COLUMNS][24];        /* the units of expressions in a list */
+    char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */
 };
 
 /* The data of one worker. All workers use the same grid, question and query, and do not change them. */
