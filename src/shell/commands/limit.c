@@ -3,7 +3,7 @@
 #include "commands/start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
-#include "parallel/workers.h"
+#include "parallel/points.h"
 #include <math.h>
 
 /* Returns argument i, or the fallback if the call has no such argument. */

@@ -9,7 +9,6 @@
 #define SHELL_WORKERS_H
 
 #include "domino_quad.h"
-#include "session/query.h"
 #include <stdio.h>
 
 struct workers {
@@ -50,14 +49,5 @@ struct task_pool {
     bool progress;
     const volatile sig_atomic_t *interrupt;
 };
-
-/*
- * Writes an answer whose rows are computed point by point, in parallel. `workers` holds the number of points
- * of the whole answer and the function that computes a point. Point 0 begins the answer. With --shard, only a
- * part of the points is computed. Returns false with a problem, or with *by_point set to true if a point
- * ended the work.
- */
-bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
-                   struct workers workers, bool *by_point);
 
 #endif

@@ -5,7 +5,7 @@
  * reads the blocks of all parts, adds them up, and prints the answer that 'placement' would have printed.
  */
 #include "commands/rows/rows.h"
-#include "parallel/workers.h"
+#include "parallel/points.h"
 #include "session/errors.h"
 #include "session/rowfile.h"
 #include <stdint.h>

@@ -6,7 +6,7 @@
 #include "commands/sweeps/point.h"
 #include "interpreter/command_read.h"
 #include "language/quad.h"
-#include "parallel/workers.h"
+#include "parallel/points.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef SHELL_POINTS_H
+#define SHELL_POINTS_H
+
+#include "parallel/workers.h"
+#include "session/query.h"
+
+/*
+ * Writes an answer whose rows are computed point by point, in parallel. `workers` holds the number of points
+ * of the whole answer and the function that computes a point. Point 0 begins the answer. With --shard, only a
+ * part of the points is computed. Returns false with a problem, or with *by_point set to true if a point
+ * ended the work.
+ */
+bool points_answer(const struct query *query, struct problem *problem, struct answer *answer,
+                   struct workers workers, bool *by_point);
+
+#endif
