@@ -201,8 +201,8 @@ TEST(one_top_if_concave)
     assert_true(single > TRAINS);
 }
 
-/* Checks that a limit takes only a few passes. A scan of samples would take hundreds. */
-TEST(limits_take_few_passes)
+/* Counts the passes of r_max for s from 0.02 to 0.9, and checks that they are few. */
+static void assert_few_passes(double rho, size_t on_average, size_t at_most)
 {
     struct dom_work work = {.passes = 0};
     size_t limits = 0, most = 0;
@@ -211,11 +211,19 @@ TEST(limits_take_few_passes)
         struct domq_limit limit;
         size_t before = work.passes;
         train.s = (domq_real)k / 100;
+        train.rho = rho;
         train.work = &work;
         assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
         most = work.passes - before > most ? work.passes - before : most;
     }
-    print_message("# passes of r_max for s from 0.02 to 0.9: %zu on average, at most %zu\n",
+    print_message("# passes of r_max with edges of %g: %zu on average, at most %zu\n", rho,
                   work.passes / limits, most);
-    assert_true(work.passes <= 15 * limits && most <= 60);
+    assert_true(work.passes <= on_average * limits && most <= at_most);
+}
+
+/* A scan of samples would take hundreds of passes. */
+TEST(limits_take_few_passes)
+{
+    assert_few_passes(0, 15, 60);
+    assert_few_passes(0.01, 50, 160);
 }

@@ -256,8 +256,11 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
         if (link->i + 1 >= geometry->n || !b.link.leads)
             break;
         if (!link->leads) { /* The follower has detached during this cycle and keeps the tilt theta_f. */
-            rounded_next(&b);
-            state.left = b.link.weight *
+            if (pass == PASS_SHIFT)
+                b = a;
+            else
+                rounded_next(&b);
+            state.left = link->weight * geometry->weight *
                          rolling_rise(geometry, geometry->f, b.link.tilt,
                                       apart_of(geometry->f, b.link.tilt, tilt_angle(geometry->f) - b.theta));
             series_add(&state.dH, state.left);
@@ -273,8 +276,11 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
         if (done && done_J(&state, link) && rolling_done_H1(&state, link, geometry->tol))
             break;
         apart = next;
+        if (pass == PASS_SHIFT)
+            b = a;
+        else
+            rounded_next(&b);
         rounded_next(&a);
-        rounded_next(&b);
     }
     enum dom_status status = rolling_result(geometry, &state, H2, a.link.i + 1, sums);
     sums->pushes = pushes;

@@ -253,30 +253,49 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 
 /* ---- The shape of a train ---- */
 
-/* Returns the right side of the contact equation. It is 0 at theta_inf, where a follower leans as much as its
- * leader. */
-static real far_turn(real theta, void *context)
+/*
+ * Returns theta_inf, where the right side of the contact equation is 0, so that a follower leans as much as
+ * its leader. Up to pi/2 the right side decreases and is concave, so after its first step Newton's method
+ * only moves downwards, until rounding errors stop it.
+ */
+static real rounded_inf(const struct geometry *geometry)
 {
-    const struct geometry *geometry = context;
-    struct tilt t = tilt_make(sin(theta), cos(theta));
-    return geometry->s - geometry->L * t.v +
-           (geometry->rounded.rho - geometry->rounded.rho_1) * unequal(t, theta);
+    const real more = geometry->rounded.rho - geometry->rounded.rho_1;
+    real theta = atan2(sqrt(geometry->s * (geometry->s + 2 * geometry->d)), geometry->d), by = -1;
+    for (int i = 0; i < TURN_STEPS && (i < 2 || by < -2 * REAL_EPSILON * theta); i++) {
+        const struct tilt t = tilt_of(theta);
+        const real left = geometry->s - geometry->L * t.v + more * unequal(t, theta);
+        by = left / (t.x * (geometry->L - more * (1 - theta)));
+        theta = fmin(theta + by, PI / 2);
+    }
+    return theta;
 }
 
-/* Returns the arm of the contact force on the leader, which is 0 where the follower detaches. Returns -1 if
- * there is no contact. */
-static real leader_arm(real theta, void *context)
+/*
+ * Finds the first tilt up to hi at which a follower detaches, where its slope becomes 0. Returns false if no
+ * follower detaches. The slope decreases, so Newton's method for its root starts from the tilt at which sharp
+ * edges detach, and is kept inside a bracket. The slope is NaN where there is no contact.
+ */
+static bool rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
-    const struct geometry *geometry = context;
-    struct rolling rolling = rolling_of(geometry, tilt_make(sin(theta), cos(theta)), theta);
-    return isfinite(rolling.contact.arm) ? rolling.contact.arm : -1;
-}
-
-/* Finds the first tilt up to hi at which a follower detaches; returns false if it never does. */
-static bool rounded_leave(struct geometry *geometry, real hi, real *theta)
-{
-    return leader_arm(hi, geometry) < 0 &&
-           num_root(leader_arm, geometry, 0, hi, 2 * REAL_EPSILON, theta) == NUM_OK;
+    const real L = geometry->L, of_r = 1 / geometry->r, s = geometry->s,
+               v = (of_r - s) * (of_r + s) / (2 * geometry->d * L);
+    real lo = 0, by = 2 * atan(sqrt(v / (2 - v))) - hi;
+    *theta = hi;
+    for (int i = 0; i <= 2 * TURN_STEPS && hi - lo > 2 * REAL_EPSILON * hi; i++) {
+        const struct rolling at = rolling_of(geometry, tilt_of(*theta), *theta);
+        if (i == 0 && at.contact.step >= 0)
+            return false;
+        *(at.contact.step >= 0 ? &lo : &hi) = *theta;
+        by = i == 0 ? by : -at.contact.step / at.curve;
+        *theta += by;
+        /* near the root the error after a step is about the square of that step */
+        if (i > 0 && fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
+            break;
+        if (!(*theta > lo && *theta < hi))
+            *theta = (lo + hi) / 2;
+    }
+    return true;
 }
 
 /* Returns how far a head with rounded edges reaches beyond the next domino; `sharp` is how far it would reach
@@ -306,19 +325,16 @@ static struct tilt rounded_hit(const struct geometry *geometry, real gap)
 static enum dom_status rounded_set(struct geometry *geometry)
 {
     struct rounded *of = &geometry->rounded;
-    real theta_inf = PI / 2, theta_leave;
+    real theta_leave;
     if (geometry->rs > geometry->span * (1 + 2 * REAL_EPSILON))
         return DOM_OUT_OF_REACH;
     of->rho_1 = of->rho / geometry->r;
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    /* No domino turns beyond theta_inf, and far_turn decreases up to pi/2, so far_turn has a single root. */
-    if (num_root(far_turn, geometry, 0, PI / 2, 2 * REAL_EPSILON, &theta_inf) != NUM_OK)
-        return DOM_NOT_CONVERGED;
+    const real theta_inf = rounded_inf(geometry); /* no domino turns beyond this tilt */
     geometry->inf = geometry->f = tilt_of(theta_inf);
-    struct rolling far = rolling_of(geometry, geometry->inf, theta_inf);
-    geometry->decay = geometry->weight * fmax(0, far.contact.step);
+    geometry->decay = geometry->weight * fmax(0, rolling_of(geometry, geometry->inf, theta_inf).contact.step);
     geometry->detaches = rounded_leave(geometry, theta_inf, &theta_leave);
     if (geometry->detaches) {
         geometry->leave = tilt_of(theta_leave);

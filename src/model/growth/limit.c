@@ -63,13 +63,12 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
     *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
     if (dynamics_bounded(&c->geometry))
         return scan_to_negative(c, from, &limit->r_max, &limit->ends);
-    struct edge before, after;
+    struct edge root;
     bool found = false;
-    enum dom_status status = probe_change(c, from, &before, &after, &found);
-    if (status != DOM_OK || !found)
-        return status;
-    limit->ends = DOM_END_BARRIER;
-    return scan_root(c, &before, &after, &limit->r_max);
+    enum dom_status status = probe_change(c, from, &root, &found);
+    if (status == DOM_OK && found)
+        *limit = (struct limit){.r_max = root.r, .ends = DOM_END_BARRIER};
+    return status;
 }
 
 /* Finds the first r >= from at which the margin is not negative. *found is false if there is none. */
@@ -77,13 +76,12 @@ static enum dom_status limit_to_positive(struct margin_context *c, real from, st
 {
     if (dynamics_bounded(&c->geometry))
         return scan_to_positive(c, from, edge, found);
-    struct edge before;
     *edge = (struct edge){from, margin_sign(c, from)};
     *found = c->status == DOM_OK && margin_value(&edge->margin) >= 0;
     if (c->status != DOM_OK || *found)
         return c->status;
     struct edge first = *edge;
-    return probe_change(c, &first, &before, edge, found);
+    return probe_change(c, &first, edge, found);
 }
 
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
@@ -105,10 +103,13 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1 the fuel P has a closed form, and K = P T with T >= 1, so P is a lower bound of K. */
-    first.margin = (struct margin){
-        .kinetic = geometry.law->paper_fuel(&geometry), .barrier = barrier_most(&geometry), .most = true};
-    if (!dynamics_bounded(&geometry) || !(first.margin.kinetic > 2 * first.margin.barrier))
+    /* At r = 1 the fuel P has a closed form, and K = P T. The head's own term in T, which is 1 with sharp
+     * edges, makes a lower bound of K. */
+    const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
+    first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
+                                   .barrier = barrier_most(&geometry),
+                                   .most = true};
+    if (!geometry.dynamics->conservative || !(first.margin.kinetic > 2 * first.margin.barrier))
         first.margin = margin_sign(c, 1);
     if (c->status == DOM_NO_FUEL || (c->status == DOM_OK && margin_value(&first.margin) < 0)) {
         *limit = no_limit;

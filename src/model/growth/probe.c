@@ -24,17 +24,20 @@ static real probe_place(real span, real s, int k)
 #define PROBE_HALVES 7
 
 /*
- * The margin is taken to keep its sign between two samples if it exceeds this multiple of its deviation from
- * a straight line between them. For a parabola, the deviation over an interval is a quarter of the deviation
- * over an interval of twice the length.
+ * The margin is taken to keep its sign between two samples if it exceeds this multiple of f w^2 at both. f is
+ * its second divided difference, from a third sample, and w is the width of the interval. A parabola deviates
+ * from a straight line between the samples by f w^2 / 4.
  */
 #define PROBE_SAFETY 3
 
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    struct edge *before, *after;
-    bool found;
+    /* The first growth found so far at which the sign changes, or infinity. If the margin is positive before,
+     * this is a root. Otherwise this is the growth of `after`, a sample with a margin that is not negative.
+     */
+    real root;
+    struct edge after;
 };
 
 static enum dom_status probe_sample(struct probe *p, real r, struct edge *edge)
@@ -49,60 +52,83 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Finds whether the margin changes its sign between two samples, by taking further samples between them. At
- * `lo` the margin has the sign that p->positive states. Searches the lower half first, so that the first
- * change is found.
+ * Returns a smooth function of the growth that has the sign of the margin, where the sign at the start counts
+ * as plus. A known root is divided out, so that the result changes its sign only at further roots. If only an
+ * upper bound of the barrier is known, takes `barrier`.
  */
-static enum dom_status probe_between(struct probe *p, const struct edge *lo, const struct edge *hi,
-                                     real deviation, int halves)
+static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
-    real at_lo = margin_share(&lo->margin), at_hi = margin_share(&hi->margin);
-    bool kept = probe_kept(p, hi);
-    if (kept && fmin(fabs(at_lo), fabs(at_hi)) > PROBE_SAFETY * deviation)
-        return DOM_OK;
-    if (halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r) {
-        if (!kept) {
-            *p->before = *lo;
-            *p->after = *hi;
-            p->found = true;
-        }
-        return DOM_OK;
-    }
-    struct edge middle;
-    enum dom_status status = probe_sample(p, lo->r + (hi->r - lo->r) / 2, &middle);
-    real at = margin_share(&middle.margin), off = fabs(at - (at_lo + at_hi) / 2);
-    if (status == DOM_OK)
-        status = probe_between(p, lo, &middle, off / 2, halves - 1);
-    if (status == DOM_OK && !p->found)
-        status = probe_between(p, &middle, hi, off / 2, halves - 1);
-    return status;
+    const struct margin *m = &edge->margin;
+    const real margin = m->kinetic - (m->most ? barrier : m->barrier),
+               value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
+    return isfinite(p->root) ? value / (1 - edge->r / p->root) : value;
 }
 
-KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *before,
-                                    struct edge *after, bool *found)
+/*
+ * Returns true if the margin is taken to keep its sign between lo and hi, apart from a sign change at
+ * p->root. If there is no third sample, `third` is lo, and a quarter of the change over the interval replaces
+ * f w^2. Barriers of which only the upper bound is known are taken to be that of hi or of the third sample,
+ * so that they do not bend the margin.
+ */
+static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
+                        const struct edge *hi)
+{
+    const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
+               at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
+               at_third = probe_value(p, third, barrier), width = hi->r - lo->r;
+    real bend = (at_hi - at_lo) / 4;
+    if (third->r != lo->r)
+        bend = (at_hi - at_lo - (at_third - at_lo) / (third->r - lo->r) * width) * width / (hi->r - third->r);
+    return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
+}
+
+/*
+ * Finds the first sign change between two samples that comes before p->root, by taking further samples
+ * between them. At `lo` the margin has the sign of the start. If the sign differs at `hi`, finds a root
+ * between the two, and then looks for an earlier one.
+ */
+static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
+                                     const struct edge *hi, int halves)
+{
+    enum dom_status status = DOM_OK;
+    if (lo->r >= p->root)
+        return DOM_OK;
+    const bool changes = !probe_kept(p, hi) && hi->r < p->root,
+               finest = halves == 0 || hi->r - lo->r <= 64 * REAL_EPSILON * hi->r;
+    if (changes && p->positive)
+        status = scan_root(p->c, lo, hi, &p->root);
+    else if (changes && finest) {
+        p->after = *hi;
+        p->root = hi->r;
+    }
+    if (status != DOM_OK || finest || probe_keeps(p, third, lo, hi))
+        return status;
+    struct edge middle;
+    status = probe_sample(p, lo->r + (hi->r - lo->r) / 2, &middle);
+    if (status == DOM_OK)
+        status = probe_between(p, hi, lo, &middle, halves - 1);
+    return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
+}
+
+KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
+                                    bool *found)
 {
     const real span = c->geometry.span, reach = span / c->s;
-    struct probe p = {.c = c, .positive = margin_value(&from->margin) >= 0, .before = before, .after = after};
+    struct probe p = {
+        .c = c, .positive = margin_value(&from->margin) >= 0, .root = (real)INFINITY, .after = *from};
     struct edge lo = *from, hi = *from;
-    real deviation = 0;
     enum dom_status status = DOM_OK;
-    for (int k = 0; status == DOM_OK && !p.found && hi.r < reach; k++) {
+    for (int k = 0; status == DOM_OK && !isfinite(p.root) && hi.r < reach; k++) {
         real r = probe_place(span, c->s, k);
         if (r <= hi.r)
             continue;
-        const struct edge last = lo;
+        const struct edge third = lo;
         lo = hi;
         status = probe_sample(&p, r, &hi);
-        if (status != DOM_OK)
-            break;
-        /* Deviation of the previous sample from the line through its neighbours; for the first interval, a
-         * quarter of the change over the interval. */
-        real across = hi.r - last.r, part = across > 0 ? (lo.r - last.r) / across : 0;
-        real line = margin_share(&last.margin) * (1 - part) + margin_share(&hi.margin) * part;
-        deviation =
-            part > 0 ? fabs(margin_share(&lo.margin) - line) : fabs(margin_share(&hi.margin) - line) / 4;
-        status = probe_between(&p, &lo, &hi, deviation, PROBE_HALVES);
+        if (status == DOM_OK)
+            status = probe_between(&p, &third, &lo, &hi, PROBE_HALVES);
     }
-    *found = p.found;
+    *found = isfinite(p.root);
+    *change = (struct edge){p.root, p.after.margin};
     return status;
 }
