@@ -35,9 +35,12 @@ LDFLAGS ?= $(if $(DARWIN),,-Wl$(,)-z$(,)relro$(,)-z$(,)now)
 # Results must have the same digits on every machine, so there is no contraction and no -ffast-math. The code never
 # reads errno after a square root, which is a single instruction without errno.
 INCLUDES := -Iinclude -I$(B)/include -Isrc -Isrc/model -Isrc/shell -I$(B)
+# POSIX and the usual extensions of C libraries. Only a file that uses more defines _GNU_SOURCE, because <math.h> is then
+# three times as long.
+STD     := -std=c17 -D_DEFAULT_SOURCE
 # Large data are on the heap, since stacks may be small. 'make WERROR=1' treats warnings as errors.
 STRICT  := $(if $(WERROR),-Werror -Wframe-larger-than=16384)
-C_FLAGS := -std=c17 $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -D_GNU_SOURCE $(INCLUDES) $(CFLAGS) \
+C_FLAGS := $(STD) $(WARN) $(STRICT) -ffp-contract=off -fno-math-errno -fno-asynchronous-unwind-tables $(INCLUDES) $(CFLAGS) \
            "-ffile-prefix-map=$(CURDIR)=." # the same bytes in every folder
 BSD     := $(if $(PORTABLE),-lbsd)
 GSL     := -lgsl -lgslcblas -lm -pthread $(BSD)
@@ -164,9 +167,10 @@ COMMON_OBJ := $(call OBJ,$(COMMON))
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
-# -O1 takes two thirds of the time to compile or less, and makes the shell, which waits for the model, and the kernel in
-# quad, which waits for functions that multiply and add, as fast.
-QUICK := $(B)/objq/src/model/precision/quad.o $(call OBJ,$(SHELL_C))
+# -O1 takes two thirds of the time to compile or less. The shell, which waits for the model, and the kernel in quad, which
+# waits for functions that multiply and add, are as fast with it. Nobody waits for the kernel in float, which only shows
+# what digits cost.
+QUICK := $(B)/objq/src/model/precision/quad.o $(B)/objq/src/model/precision/float.o $(call OBJ,$(SHELL_C))
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -352,7 +356,7 @@ faults: all $(B)/faults/fail_alloc.so
 $(B)/faults/%.so: tests/faults/%.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,LD,$@)
-	$(Q)$(CC) -std=c17 $(WARN) -D_GNU_SOURCE -O2 -fPIC -shared $< -o $@
+	$(Q)$(CC) -std=c17 -D_GNU_SOURCE $(WARN) -O2 -fPIC -shared $< -o $@
 
 # Runs the unit tests, three suites of hard cases, and the sessions that read lines and files and keep rows, under
 # sanitizers; the examples run under valgrind, and every command in the fuzzer. A leak is a failure. Counts the lines of
@@ -432,8 +436,8 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 # promotions is off, because results leave a kernel by an exact conversion to the widest type. gcc checks promotions
 # from float to double.
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
-CLANG_READ := clang -fsyntax-only -std=c17 $(WARN) -Werror -Wno-double-promotion -D_GNU_SOURCE $(INCLUDES)
-MUSL_READ  := musl-gcc -fsyntax-only -std=c17 $(WARN) -Wno-conversion -Werror -D_GNU_SOURCE $(INCLUDES) -idirafter /usr/include -DDOMQ
+CLANG_READ := clang -fsyntax-only $(STD) $(WARN) -Werror -Wno-double-promotion $(INCLUDES)
+MUSL_READ  := musl-gcc -fsyntax-only $(STD) $(WARN) -Wno-conversion -Werror $(INCLUDES) -idirafter /usr/include -DDOMQ
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
@@ -444,9 +448,9 @@ lint: $(HEADERS) | $(FIRST)
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
 	printf '%s\n' $(filter-out $(NARROW),$(MODEL)) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
-	  'clang-tidy --quiet "$$@" -- -std=c17 -D_GNU_SOURCE -DDOMQ $(INCLUDES)' clang-tidy
+	  'clang-tidy --quiet "$$@" -- $(STD) -DDOMQ $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
-	cppcheck --quiet -j $$(nproc) --std=c11 -D_GNU_SOURCE --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
 	$(MAKE) --no-print-directory abi KEEP=
 	tests/layers $(STRICT_B)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The format for people: tables that fit into the width of the terminal and use the letters that it can
  * show. */
+#define _GNU_SOURCE /* fputs_unlocked */
 #include "answer/answer.h"
 #include "answer/wrap.h"
 #include "io/escape.h"

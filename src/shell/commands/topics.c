@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* strcasestr */
 #include "commands/topics.h"
 #include "answer/wrap.h"
 #include "io/terminal.h"

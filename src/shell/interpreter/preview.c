@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* asprintf */
 #include "interpreter/preview.h"
 #include "interpreter/question.h"
 #include <stdlib.h>

@@ -7,6 +7,7 @@
  * or in whose folder no file can be created, is locked and overwritten in place, since a rename would change
  * more than its contents.
  */
+#define _GNU_SOURCE /* asprintf, mkostemp */
 #include "domino_quad.h"
 #include "io/io.h"
 #include "io/output.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* fputs_unlocked */
 #include "language/csv.h"
 #include "io/escape.h"
 #include "language/text.h"

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* strfromd */
 #include "language/quad.h"
 #include <ctype.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The prompt. Readline is used through its callback interface, and pselect waits for a key. Signals are
  * blocked except during this wait and while a command runs, so that no signal is missed. */
+#define _GNU_SOURCE /* asprintf */
 #include "interpreter/command.h"
 #include "interpreter/interpret.h"
 #include "io/terminal.h"
