@@ -55,18 +55,13 @@ void answer_leave_out(struct answer *a, const char *keys)
     }
 }
 
-void answer_unit(struct answer *a, const char *key, const char *unit)
+void answer_describe(struct answer *a, const char *key, const char *unit, const char *meaning)
 {
     for (struct column *c = answer_columns(a, a->columns); c->key; c++)
-        if (strcmp(c->key, key) == 0)
-            c->unit = unit;
-}
-
-void answer_means(struct answer *a, const char *key, const char *meaning)
-{
-    for (struct column *c = answer_columns(a, a->columns); c->key; c++)
-        if (strcmp(c->key, key) == 0)
-            c->meaning = meaning;
+        if (strcmp(c->key, key) == 0) {
+            c->unit = unit ? unit : c->unit;
+            c->meaning = meaning ? meaning : c->meaning;
+        }
 }
 
 void answer_largest(struct answer *a, const char *key, domq_real number)

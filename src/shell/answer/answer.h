@@ -128,11 +128,8 @@ struct column *answer_columns(struct answer *answer, const struct column *column
  * each of them. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
-/* Changes the explanation of a column in this answer. */
-void answer_means(struct answer *answer, const char *key, const char *meaning);
-
-/* Changes the unit of a column in this answer. */
-void answer_unit(struct answer *answer, const char *key, const char *unit);
+/* Changes the unit or the explanation of a column in this answer. NULL keeps what the column has. */
+void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
 /*
  * Announces a number that a column will contain, if the answer has this column. In a table of rows, the unit

@@ -13,16 +13,6 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return quad_text(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns the number of significant digits of an exact number, but at most `all`. For 0.4 this is 1. */
-static int exact_digits(domq_real number, int all)
-{
-    char text[WIDE_TEXT];
-    int digits = all < 15 ? all : 15;
-    while (digits < all && quad_read(quad_text(number, digits, text), NULL) != number)
-        digits++;
-    return digits;
-}
-
 /* Returns how many digits of a number to print, but at most `all`. Rounding to this many digits adds little
  * to the error bound. */
 static int bound_digits(struct cell cell, int all)
@@ -44,8 +34,10 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
     bool with_bound = bounds && isfinite(cell.error) && cell.digits == 0;
     if (!with_bound)
         return quad_text(cell.number, cell.digits ? cell.digits : digits, text);
-    digits = cell.error != 0 ? bound_digits(cell, digits) : exact_digits(cell.number, digits);
-    quad_text(cell.number, digits, number);
+    if (cell.error == 0)
+        quad_exact(cell.number, digits, number);
+    else
+        quad_text(cell.number, bound_digits(cell, digits), number);
     domq_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));

@@ -37,7 +37,7 @@ domq_real measure_number(struct measure measure, domq_real value)
     char text[2 * WIDE_TEXT];
     if (measure.power == 0 || !isfinite(value))
         return value;
-    quad_exact(value, text);
+    quad_exact(value, WIDE_DIGITS, text);
     char *exponent = strchr(text, 'e');
     int power = measure.power + (exponent ? atoi(exponent + 1) : 0);
     char *end = exponent ? exponent : text + strlen(text);

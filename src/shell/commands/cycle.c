@@ -35,11 +35,12 @@ static bool run_thetac(const struct query *query, struct answer *a, struct probl
     if (!problem_status(problem, query->scene, domq_angles_find(&query->scene->train, &compute, &angles)))
         return false;
     if (query->scene->train.rho != 0) {
-        answer_means(
-            a, "theta_c",
+        answer_describe(
+            a, "theta_c", NULL,
             "tilt at which the head hits the next domino: rho theta_c + (1 - 2 rho) sin theta_c = r s");
-        answer_means(a, "theta_u", "tilt at which a single domino with its rounded foot just tips over");
-        answer_means(a, "theta_inf", "followers far behind come to rest");
+        answer_describe(a, "theta_u", NULL,
+                        "tilt at which a single domino with its rounded foot just tips over");
+        answer_describe(a, "theta_inf", NULL, "followers far behind come to rest");
     }
     return answer_cells(a, CELL_OF(angles, theta_c), CELL_OF(angles, theta_u), CELL_OF(angles, theta_inf),
                         CELL_OF(angles, theta_f), CELL_OF(angles, theta_leave), cell_flag(angles.detaches));

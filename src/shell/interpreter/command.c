@@ -73,7 +73,8 @@ static bool topic_has(const char *topic, const char *word)
 {
     const struct command *c = command_find(topic);
     const struct parameter *p = parameter_find(topic);
-    return (c && is_synonym(c->synonyms, word)) || (p && is_synonym(parameter_synonyms(p), word)) ||
+    return (c && names_index(c->synonyms, ' ', word) >= 0) ||
+           (p && names_index(parameter_synonyms(p), ' ', word) >= 0) ||
            (p && !p->effect && names_exact(parameter_words, p, word) >= 0);
 }
 

@@ -201,7 +201,7 @@ static const char *synonym_command(const char *word)
 {
     const char *name;
     for (int k = 0; strlen(word) > 2 && (name = command_names(NULL, k)) != NULL; k++)
-        if (is_synonym(command_find(name)->synonyms, word))
+        if (names_index(command_find(name)->synonyms, ' ', word) >= 0)
             return name;
     return NULL;
 }

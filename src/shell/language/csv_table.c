@@ -83,18 +83,6 @@ static const char *column_names(const void *context, int k)
     return k < kind->columns ? kind->column[k].name : NULL;
 }
 
-/* Returns true if the name is in a list such as "spacing,distance". */
-static bool is_among(const char *list, const char *name)
-{
-    size_t length = strlen(name);
-    for (const char *next; list; list = next ? next + 1 : NULL) {
-        next = strchr(list, ',');
-        if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == '\0'))
-            return true;
-    }
-    return false;
-}
-
 /* Splits the heading of a column into a name and a unit. The unit follows a bracket or a comma, or is the
  * last word. Copies the name in lower case, and returns a pointer to the unit. */
 static const char *name_split(const char *text, char name[NAMES_SHOWN])
@@ -119,7 +107,7 @@ static int column_find(const struct csv_kind *kind, const char *name)
 {
     int k = 0;
     while (k < kind->columns && strcmp(kind->column[k].name, name) != 0 &&
-           !is_among(kind->column[k].synonyms, name))
+           names_index(kind->column[k].synonyms, ',', name) < 0)
         k++;
     return k;
 }
@@ -145,7 +133,7 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
     const struct csv_place at = csv->head.cell[i].at;
     char name[NAMES_SHOWN];
     const char *unit = name_split(text, name), *close = NULL;
-    bool note = is_among(",note,notes,comment,comments,remark", name);
+    bool note = names_index(",note,notes,comment,comments,remark", ',', name) >= 0;
     const int k = column_find(kind, name);
     csv->other[i] = k == kind->columns;
     if (isdigit((unsigned char)*text) || *text == '.')

@@ -13,6 +13,18 @@ int names_exact(names_list *list, const void *context, const char *text)
     return -1;
 }
 
+int names_index(const char *list, char separator, const char *name)
+{
+    const size_t length = strlen(name);
+    int index = 0;
+    for (const char *next; list; list = next ? next + 1 : NULL, index++) {
+        next = strchr(list, separator);
+        if (strncmp(list, name, length) == 0 && (list[length] == separator || list[length] == '\0'))
+            return index;
+    }
+    return -1;
+}
+
 /* Returns the edit distance of two words: the number of insertions, deletions, replacements and swaps of
  * neighbouring letters. If a word has more than 32 letters, the result is 32. */
 static size_t distance(const char *a, const char *b)

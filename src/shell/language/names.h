@@ -14,6 +14,10 @@ typedef const char *names_list(const void *context, int k);
 /* Returns the index of the name that equals the text, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
 
+/* Returns the index of a name in a text such as "gap separation spacing", in which the character `separator`
+ * stands between the names, or -1. The text may be NULL. */
+int names_index(const char *list, char separator, const char *name);
+
 enum { NAMES_MESSAGE = 256 };
 
 /* The results of names_find if there is no match. All of them are negative. */

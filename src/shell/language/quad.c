@@ -77,11 +77,10 @@ domq_real quad_read(const char *text, char **end)
 #endif
 }
 
-const char *quad_exact(domq_real value, char text[WIDE_TEXT])
+const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT])
 {
-    int digits = 15;
-    quad_text(value, digits, text);
-    while (digits < WIDE_DIGITS && quad_read(text, NULL) != value)
-        quad_text(value, ++digits, text);
+    int digits = most < 15 ? most : 15;
+    while (quad_read(quad_text(value, digits, text), NULL) != value && digits < most)
+        digits++;
     return text;
 }

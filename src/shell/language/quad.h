@@ -52,8 +52,8 @@ struct quad_shown {
 struct quad_shown quad_shown(domq_real value);
 
 /* Writes a number with enough digits for an exact round trip: 15 significant digits, or more if necessary,
- * without trailing zeros. Returns `text`. */
-const char *quad_exact(domq_real value, char text[WIDE_TEXT]);
+ * but not more than `most`, without trailing zeros. Returns `text`. */
+const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT]);
 
 /* Reads a number as strtod does. Sets errno to ERANGE if the number is out of range. */
 domq_real quad_read(const char *text, char **end);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/variables.h"
 #include "language/quad.h"
-#include <stdatomic.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +8,7 @@
 
 /* The text of a function. Copies of variables share it, since each step of undo holds all variables. */
 struct body {
-    atomic_size_t users;
+    size_t users;
     char text[];
 };
 
@@ -25,13 +24,13 @@ static char *body_make(const char *text)
     struct body *body = malloc(sizeof *body + size);
     if (!body)
         return NULL;
-    atomic_init(&body->users, 1);
+    body->users = 1;
     return memcpy(body->text, text, size);
 }
 
 static void body_drop(char *text)
 {
-    if (text && atomic_fetch_sub(&body_of(text)->users, 1) == 1)
+    if (text && --body_of(text)->users == 0)
         free(body_of(text));
 }
 
@@ -48,29 +47,23 @@ const struct variable *variable_find(const struct variables *variables, const ch
     return find(variables, name);
 }
 
-/* Adds a variable, or replaces the variable with the same name. Takes ownership of the body, and releases it
- * on failure. */
-static bool put(struct variables *variables, struct variable variable)
+bool variable_put(struct variables *variables, const struct variable *variable)
 {
-    struct variable *at = find(variables, variable.name);
+    struct variable copy = *variable, *at = find(variables, variable->name);
+    if (copy.body && !(copy.body = body_make(copy.body)))
+        return false;
     if (!at) {
         struct variable *more = realloc(variables->list, (variables->count + 1) * sizeof *more);
         if (!more) {
-            body_drop(variable.body);
+            body_drop(copy.body);
             return false;
         }
         variables->list = more;
         at = &more[variables->count++];
     } else
         body_drop(at->body);
-    *at = variable;
+    *at = copy;
     return true;
-}
-
-bool variable_put(struct variables *variables, const struct variable *variable)
-{
-    struct variable copy = *variable;
-    return (!copy.body || (copy.body = body_make(copy.body))) && put(variables, copy);
 }
 
 void variable_drop(struct variables *variables, const char *name)
@@ -84,15 +77,15 @@ void variable_drop(struct variables *variables, const char *name)
 
 bool variables_copy(struct variables *to, const struct variables *from)
 {
-    *to = (struct variables){.list = NULL};
-    for (size_t i = 0; i < from->count; i++) {
-        if (from->list[i].body)
-            atomic_fetch_add(&body_of(from->list[i].body)->users, 1);
-        if (!put(to, from->list[i])) {
-            variables_free(to);
-            return false;
-        }
-    }
+    const size_t size = from->count * sizeof *from->list;
+    *to = (struct variables){.list = size ? malloc(size) : NULL};
+    if (!to->list)
+        return size == 0;
+    memcpy(to->list, from->list, size);
+    to->count = from->count;
+    for (size_t i = 0; i < to->count; i++)
+        if (to->list[i].body)
+            body_of(to->list[i].body)->users++;
     return true;
 }
 
@@ -136,6 +129,7 @@ const char *variable_value(const struct variable *v, char text[VARIABLE_VALUE])
 {
     char number[WIDE_TEXT], unit[UNIT_TEXT];
     unit_write(v->value, "*", unit);
-    snprintf(text, VARIABLE_VALUE, "%s%s%s", quad_exact(v->value.value, number), *unit ? " " : "", unit);
+    snprintf(text, VARIABLE_VALUE, "%s%s%s", quad_exact(v->value.value, WIDE_DIGITS, number),
+             *unit ? " " : "", unit);
     return text;
 }

@@ -198,7 +198,7 @@ void effect_save(const struct scene *scene, int name, const char *folder, FILE *
         if (!usual_from(e, state, i))
             fprintf(out, " %s",
                     e->argument[i].words ? e->argument[i].words[(int)state->value[i]]
-                                         : quad_exact(state->value[i], number));
+                                         : quad_exact(state->value[i], WIDE_DIGITS, number));
     putc('\n', out);
     if (name == DOM_EFFECT_row)
         row_changes_save(&scene->listed, out);

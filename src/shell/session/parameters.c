@@ -34,26 +34,12 @@ const struct parameter *parameter_find(const char *name)
     return p->name ? p : NULL;
 }
 
-/* Returns the index of a word in a list of words separated by blanks, or -1. */
-static int index_in(const char *list, const char *word)
-{
-    const size_t length = strlen(word);
-    int index = 0;
-    for (const char *c = list; c && *c; index++) {
-        size_t n = strcspn(c, " ");
-        if (n == length && strncmp(c, word, n) == 0)
-            return index;
-        c += n + strspn(c + n, " ");
-    }
-    return -1;
-}
-
 const struct parameter *parameter_by_synonym(const char *word, bool *is_usual)
 {
     const struct parameter *found = NULL;
     int first = -1;
     for (const struct parameter *p = session_parameters; p->name && *word; p++) {
-        int index = index_in(parameter_synonyms(p), word);
+        int index = names_index(parameter_synonyms(p), ' ', word);
         if (index >= 0 && (!found || index < first)) {
             found = p;
             first = index;
@@ -61,11 +47,6 @@ const struct parameter *parameter_by_synonym(const char *word, bool *is_usual)
     }
     *is_usual = first == 0;
     return found;
-}
-
-bool is_synonym(const char *synonyms, const char *word)
-{
-    return *word && index_in(synonyms, word) >= 0;
 }
 
 bool parameter_hint(const char *word, char *message, size_t size)
@@ -249,7 +230,7 @@ void parameter_text(const struct parameter *p, domq_real value, int digits, char
     digits = p->value->whole && digits < 15 ? 15 : digits; /* show every digit of a whole number */
     snprintf(text, size, "%s",
              word                    ? word
-             : digits >= WIDE_DIGITS ? quad_exact(value, number)
+             : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, number)
                                      : quad_text(value, digits < 15 ? digits : 15, number));
 }
 

@@ -24,9 +24,6 @@ const struct parameter *parameter_find(const char *name);
  */
 const struct parameter *parameter_by_synonym(const char *word, bool *is_usual);
 
-/* Returns true if the word is in a list of synonyms. The list may be NULL. */
-bool is_synonym(const char *synonyms, const char *word);
-
 /* If the word is a synonym of a parameter, appends a suggestion to a message, such as "; did you mean 's'? 's
  * = VALUE' gives it a value", and returns true. Otherwise returns false. */
 bool parameter_hint(const char *word, char *message, size_t size);

@@ -88,7 +88,7 @@ void row_changes_save(const struct listed_row *row, FILE *out)
              * add. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
-                    quad_exact(m == MEASURE_MASS ? 100 * value : value, number),
+                    quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),
                     m == MEASURE_LEAN   ? "rad"
                     : m == MEASURE_MASS ? "%"
                                         : "m");

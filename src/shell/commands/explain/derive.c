@@ -14,7 +14,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
 {
     char digits[WIDE_TEXT];
     size_t n = 0;
-    quad_exact(number, digits);
+    quad_exact(number, WIDE_DIGITS, digits);
     for (; *text && n + 1 < size; text++)
         n += (size_t)(*text == '@' ? snprintf(filled + n, size - n, "(%s)", digits)
                                    : snprintf(filled + n, size - n, "%c", *text));

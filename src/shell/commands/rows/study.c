@@ -238,10 +238,10 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
     const int digits = interrupted ? 4 : 0;
     if (*error_unit((int)call->kind) != 'm')
         for (int i = 1; i < 4; i++)
-            answer_unit(a, budget_columns[i].key, error_unit((int)call->kind));
+            answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
     if (call->kind != DOM_ERROR_gap)
-        answer_means(a, "sigma",
-                     "the size of the error, or the factor of all errors, with which this share falls");
+        answer_describe(a, "sigma", NULL,
+                        "the size of the error, or the factor of all errors, with which this share falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
