@@ -3,8 +3,8 @@
 #ifndef SHELL_PARAMETERS_H
 #define SHELL_PARAMETERS_H
 
+#include "session/parameter_list.h"
 #include "session/query.h"
-#include "session/registry.h"
 
 /* ---- Descriptions ---- */
 

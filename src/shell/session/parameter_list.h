@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The registry: one table of all parameters. They are the parameters of the model, the settings of the
- * calculator, and the effects, whose default is off. The commands set, effect, show, reset, save, sweep, help
- * and apropos and the completion all work from this table. Code that only one parameter needs is a hook in
- * the parameter's entry.
+ * The list of all parameters: those of the model, the settings of the calculator, and the effects, whose
+ * default is off. The commands set, effect, show, reset, save, sweep, help and apropos and the completion all
+ * work from this list. Code that only one parameter needs is a hook in the parameter's entry.
  */
-#ifndef SHELL_REGISTRY_H
-#define SHELL_REGISTRY_H
+#ifndef SHELL_PARAMETER_LIST_H
+#define SHELL_PARAMETER_LIST_H
 
 #include "session/effects.h"
 

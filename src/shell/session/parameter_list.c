@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "session/registry.h"
+#include "session/parameter_list.h"
 #include "answer/format.h"
 #include "language/quad.h"
 #include "session/engine.h"
@@ -101,68 +101,68 @@ enum { FORMATS(FORMAT_NUMBER) };
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
 /* The first members of an entry: the offset of the value in the state, and its description. */
-#define ROW(name_, member, unit_, meaning_, ...) \
+#define ENTRY(name_, member, unit_, meaning_, ...) \
     .name = name_, .offset = offsetof(struct state, member), \
     .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
 #define NUMBER(of, name_, default_, lowest_, highest_, unit_, meaning_) \
-    {ROW(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
+    {ENTRY(#name_, of.name_, unit_, meaning_, .usual = (domq_real)(default_), .lowest = (domq_real)(lowest_), \
          .highest = (domq_real)(highest_)), MORE_##name_},
 #define TRAIN_NUMBER(...) NUMBER(scene.train, __VA_ARGS__)
 #define COMPUTE_NUMBER(...) NUMBER(scene.compute, __VA_ARGS__)
 #define SCALE_NUMBER(...) NUMBER(scene.scale, __VA_ARGS__)
 #define DYNAMICS(name, member, status) EFFECT(name)
-#define EFFECT(name) EFFECT_ROW(name, domq_effects[DOM_EFFECT_##name], DOM_EFFECT_##name)
-#define ENGINE_EFFECT(name) EFFECT_ROW(name, engine_effect_##name, EFFECT_##name)
-#define ERROR_EFFECT(name) EFFECT_ROW(error_##name, error_effect_##name, EFFECT_error_##name)
-#define EFFECT_ROW(name_, of, number) \
+#define EFFECT(name) EFFECT_ENTRY(name, domq_effects[DOM_EFFECT_##name], DOM_EFFECT_##name)
+#define ENGINE_EFFECT(name) EFFECT_ENTRY(name, engine_effect_##name, EFFECT_##name)
+#define ERROR_EFFECT(name) EFFECT_ENTRY(error_##name, error_effect_##name, EFFECT_error_##name)
+#define EFFECT_ENTRY(name_, of, number) \
     {.name = #name_, .value = of.argument, .effect = &of, .which = number, .words = WORD_LIST({"off", EFFECT_OFF}, {"on", EFFECT_ON})},
 
 const struct parameter session_parameters[] = {
     DOMQ_TRAIN_PARAMETERS(TRAIN_NUMBER)
     DOMQ_COMPUTE_PARAMETERS(COMPUTE_NUMBER)
     DOMQ_SCALE_PARAMETERS(SCALE_NUMBER)
-    {ROW("mass", scene.mass, "kg", "mass of the first domino; if it is 0, energies are in m g h/2", .highest = 1e9),
+    {ENTRY("mass", scene.mass, "kg", "mass of the first domino; if it is 0, energies are in m g h/2", .highest = 1e9),
      .synonyms = "weight kilogram energy joule"},
-    {ROW("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as it is tall; 0 if not known",
+    {ENTRY("density", scene.density, "kg/m^3", "density of the first domino, a solid block half as wide as it is tall; 0 if not known",
          .highest = 1e9),
      .synonyms = "wood weight material"},
-    {ROW("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
+    {ENTRY("fuel", scene.train.fuel, "", "how the fuel is computed: by the energy balance, or by the paper's closed form (25; c7)", .usual = DOM_FUEL_EXACT),
      .synonyms = "energy paper",
      .words = WORD_LIST({"exact", DOM_FUEL_EXACT}, {"paper", DOM_FUEL_PAPER}), .words_only = true,
      .check = fuel_check},
-    {ROW("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
+    {ENTRY("precision", scene.compute.precision, "", "arithmetic of the answers; quad is " QUAD_TYPE, .usual = DOM_DOUBLE),
      .synonyms = "accuracy digits float double quad",
      .words = WORD_LIST({"float", DOM_FLOAT}, {"double", DOM_DOUBLE}, {"quad", DOM_QUAD}), .words_only = true,
      .help = precision_help, .moves = "tol", .check = precision_check, .before = precision_before},
-    {ROW("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
+    {ENTRY("method", scene.method, "", "how rows are computed: by the model, or by a rigid-body engine", .usual = METHOD_MODEL),
      .synonyms = "engine chipmunk simulation second opinion compare check",
      .words = WORD_LIST({"model", METHOD_MODEL}, {"engine", METHOD_ENGINE}), .words_only = true,
      .help = method_help},
-    {ROW("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
+    {ENTRY("seed", scene.seed, "", "seed of the random numbers: the same seed gives the same random rows", .highest = (domq_real)4294967295.0,
          .usual = SEED_DEFAULT, .whole = true),
      .synonyms = "random chance"},
-    {ROW("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
+    {ENTRY("threads", settings.threads, "", "number of threads for curves, sweeps and studies; 0 means one for each processor",
          .highest = 256, .whole = true),
      .synonyms = "parallel cores processors cpu fast", .setting = true},
-    {ROW("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
+    {ENTRY("output", settings.style.output, "", "format in which answers are printed", .usual = 0),
      .synonyms = "format csv json spreadsheet",
      .words = (const struct word[]){FORMATS(FORMAT_WORD){NULL, 0}}, .words_only = true, .setting = true},
-    {ROW("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
+    {ENTRY("header", settings.style.header, "", "whether csv begins with the names of its columns", .usual = 1),
      .synonyms = "csv columns names first line",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("digits", settings.style.digits, "", "significant digits in tables; csv and json always have all digits", .lowest = 1,
+    {ENTRY("digits", settings.style.digits, "", "significant digits in tables; csv and json always have all digits", .lowest = 1,
          .highest = WIDE_DIGITS, .usual = DIGITS_DEFAULT, .whole = true),
      .synonyms = "decimals accuracy", .setting = true},
-    {ROW("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
+    {ENTRY("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ROW("errors", settings.style.errors, "", "whether each number is followed by a bound of its error", .usual = 0),
+    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by a bound of its error", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
-    {ROW("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
+    {ENTRY("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),
      .synonyms = "seconds speed fast",
      .words = SWITCH, .words_only = true, .setting = true},
-    {ROW("hints", settings.hints, "", "whether the prompt suggests how to continue a line", .usual = 1),
+    {ENTRY("hints", settings.hints, "", "whether the prompt suggests how to continue a line", .usual = 1),
      .synonyms = "suggestion grey prompt history usage",
      .words = SWITCH, .words_only = true, .setting = true, .help = hints_help},
     DOM_DYNAMICS(DYNAMICS)
