@@ -207,14 +207,17 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 {
     static const char *const methods[] = {
         [DOM_METHOD_OURS] = "ours", [DOM_METHOD_PAPER] = "paper", [DOM_METHOD_GSL] = "GSL"};
-    bool good = row->status == DOM_OK;
-    struct cell none = cell_real(DOMQ_NAN);
-    answer_cells(a, cell_word(methods[row->method]), cell_word(domq_arithmetic(row->precision)->name),
-                 cell_brief(row->tol), good ? cell_brief((double)row->error) : none,
-                 good ? cell_count((domq_real)row->work.longest) : none,
-                 good ? cell_count((domq_real)row->work.passes) : none,
-                 good ? cell_brief(1e6 * row->seconds) : none,
-                 good ? cell_brief(row->seconds / cost->cheapest) : none);
+    struct cell cells[] = {cell_word(methods[row->method]),
+                           cell_word(domq_arithmetic(row->precision)->name),
+                           cell_brief(row->tol),
+                           cell_brief((double)row->error),
+                           cell_count((domq_real)row->work.longest),
+                           cell_count((domq_real)row->work.passes),
+                           cell_brief(1e6 * row->seconds),
+                           cell_brief(row->seconds / cost->cheapest)};
+    for (int i = 3; i < 8 && row->status != DOM_OK; i++)
+        cells[i] = cell_real(DOMQ_NAN);
+    answer_row(a, cells, NULL);
 }
 
 /*

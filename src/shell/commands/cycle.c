@@ -246,16 +246,12 @@ static bool run_barrier(const struct query *query, struct answer *a, struct prob
     enum dom_status status = domq_barrier_find(&query->scene->train, &compute, &b);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
-    const char *verdict = status == DOM_OK      ? "goes on"
-                          : status == DOM_STOPS ? "stops"
-                          : status == DOM_LOCKS ? "locks"
-                                                : "no fuel";
     answer_holds(a, status == DOM_OK);
     verdict_train_say(query, a, status, &b);
     answer_say(a, "%s", "");
     return answer_row(a,
                       ROW(CELL_OF(b, theta_m), CELL_OF(b, barrier), CELL_OF(b, kinetic), CELL_OF(b, margin),
-                          cell_word(verdict)),
+                          verdict_cell(status)),
                       why);
 }
 

@@ -91,9 +91,7 @@ static double price_with(const struct query *query, int name, bool on)
 {
     struct scene scene = *query->scene; /* the copy borrows the row */
     errors_off(&scene);
-    if (name == DOM_EFFECT_placement)
-        effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
-    if (name >= DOM_EFFECT_COUNT)
+    if (name == DOM_EFFECT_placement || name >= DOM_EFFECT_COUNT)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
@@ -153,12 +151,12 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct dom_work work = {0};
     size_t dominoes;
     struct domq_error error[DOM_ERROR_COUNT];
+    char setting[EFFECT_SETTING];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
     answer_leave_out(a, "adds source"); /* for people, effects_say prints these two columns below the table */
-    for (int k = 0; k < EFFECT_ENGINE_END; k++) {
+    for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
-    }
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
         const struct domq_effect *e = effect_at(k);
         double without = price_with(query, k, false), with = price_with(query, k, true);

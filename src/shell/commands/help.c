@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands help, apropos and complete. The texts of help come from the tables of commands and parameters.
- */
+/* The commands help, apropos, complete and version. The texts of help come from the tables of commands and
+ * parameters. */
 #include "answer/format.h"
 #include "commands/tables.h"
 #include "commands/topics.h"
@@ -8,7 +8,10 @@
 #include "language/quad.h"
 #include "prompt/input.h"
 #include "session/session.h"
+#include <gsl/gsl_version.h>
+#include <readline/readline.h>
 #include <string.h>
+#include <sys/utsname.h>
 
 /* The introduction that 'help' prints first: lines to type, in this order, and what each of them does. */
 static const struct first_line {
@@ -317,6 +320,42 @@ static bool run_complete(struct session *session, const struct arguments *given,
     answer_columns(a, complete_columns);
     complete_line(session, given->count ? given->word[0] : "", !session->means.safe, print_candidate, a);
     return true;
+}
+
+/* ---- version ---- */
+
+#if defined __clang__
+#define COMPILER "clang " __clang_version__
+#elif defined __GNUC__
+#define COMPILER "gcc " __VERSION__
+#else
+#define COMPILER ""
+#endif
+
+static const struct column version_columns[] = {
+    {"version", "", "the version of this program and of its library", 0},
+    {"system", "", "the operating system and the machine", 0},
+    {"compiler", "", "the compiler of this program", 0},
+    {"quad", "", "the C type that quad precision uses", 0},
+    {"quad_bits", "", "the bits of its significand; 0 if there is no quad precision", 0},
+    {"gsl", "", "the version of the GNU Scientific Library", 0},
+    {"readline", "", "the version of GNU Readline", 0},
+    {NULL, NULL, NULL, 0},
+};
+
+static bool run_version(const struct query *query, struct answer *a, struct problem *problem)
+{
+    const struct domq_arithmetic *quad = domq_arithmetic(DOM_QUAD);
+    struct utsname name = {.sysname = ""};
+    char system[sizeof name.sysname + sizeof name.machine];
+    (void)query;
+    (void)problem;
+    (void)uname(&name);
+    snprintf(system, sizeof system, "%s %s", name.sysname, name.machine);
+    answer_say(a, "domino %s\n", dom_version());
+    return answer_cells(a, cell_word(dom_version()), cell_word(system), cell_word(COMPILER),
+                        cell_word(quad->type), cell_count(quad->bits), cell_word(gsl_version),
+                        cell_word(rl_library_version));
 }
 
 const struct command help_commands[] = {

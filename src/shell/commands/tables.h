@@ -22,12 +22,12 @@ extern const struct command cycle_commands[], walk_commands[], limit_commands[],
 bool run_set(const struct query *query, struct answer *a, struct problem *problem);
 
 /* Commands that are defined in separate files. */
-extern const struct column cycle_columns[], count_columns[], why_columns[], animate_columns[],
-    version_columns[];
-bool run_cycle(const struct query *query, struct answer *a, struct problem *problem);
+extern const struct column count_columns[], why_columns[], animate_columns[];
 bool run_count(const struct query *query, struct answer *a, struct problem *problem);
 bool run_why(const struct query *query, struct answer *a, struct problem *problem);
-bool run_version(const struct query *query, struct answer *a, struct problem *problem);
+
+/* Returns a word for the verdict about a train: "goes on", "stops", "locks" or "no fuel". */
+struct cell verdict_cell(enum dom_status verdict);
 
 /* Prints whether the train keeps falling, and how much energy it has relative to the energy that it needs. */
 void verdict_train_say(const struct query *query, struct answer *answer, enum dom_status verdict,
@@ -57,8 +57,5 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
 /* Converts a train to double precision. A proof for the result holds for all parameters that round to these
  * doubles. */
 struct dom_train proof_train(const struct domq_train *train);
-
-/* Lists, in the form that names.h expects, the ways to space the rows in the table of 'cycle'. */
-const char *cycle_by(const void *context, int k);
 
 #endif

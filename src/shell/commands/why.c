@@ -16,6 +16,14 @@ const struct column why_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
+struct cell verdict_cell(enum dom_status verdict)
+{
+    return cell_word(verdict == DOM_OK      ? "goes on"
+                     : verdict == DOM_STOPS ? "stops"
+                     : verdict == DOM_LOCKS ? "locks"
+                                            : "no fuel");
+}
+
 void verdict_train_say(const struct query *query, struct answer *a, enum dom_status verdict,
                        const struct domq_barrier *b)
 {
@@ -137,12 +145,9 @@ bool run_why(const struct query *query, struct answer *a, struct problem *proble
         advice_say(query, a, verdict == DOM_OK, &limit);
     }
     walk_columns_in(query, a);
-    answer_cells(a,
-                 cell_word(verdict == DOM_OK      ? "goes on"
-                           : verdict == DOM_STOPS ? "stops"
-                                                  : "no fuel"),
-                 CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0), CELL_TIMES(b, kinetic, u.energy),
-                 CELL_TIMES(b, barrier, u.energy), CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max));
+    answer_cells(a, verdict_cell(verdict), CELL_TIMES(l, fuel, u.energy), CELL_OF(l, J0),
+                 CELL_TIMES(b, kinetic, u.energy), CELL_TIMES(b, barrier, u.energy),
+                 CELL_TIMES(b, margin, u.energy), CELL_OF(limit, r_max));
     answer_say(a, "%s", "");
     symbols_say(query, a, verdict, &b, &limit);
     if (people && domq_cycle_least_force(train, &query->scene->compute, &contact) == DOM_OK)

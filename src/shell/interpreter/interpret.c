@@ -60,7 +60,7 @@ static bool run_command(struct session *session, const struct command *c, const 
      * it. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
-    struct output *output = session->output, *end = output_end(output);
+    struct output *output = session->output, *end = *output_find(&output, OUTPUT_END);
     bool is_not_row = c->train && session->state.scene.effect[DOM_EFFECT_row].on;
     struct answer answer = {
         .out = output->out,
@@ -117,12 +117,13 @@ static bool run_paged(struct session *session, const struct command *c, const st
     if (!has_pages && !(session->source.prompt_width && c->columns && !is_picture(c) && !c->runs))
         return run_command(session, c, query, problem);
     const volatile sig_atomic_t *interrupt = session->state.scene.compute.interrupt;
-    int error = output_end(session->output)->error;
+    struct output *end = *output_find(&session->output, OUTPUT_END);
+    int error = end->error;
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
         /* If the user closed the pager before the end of the answer, this is not a write error. */
-        output_end(session->output)->error = error;
+        end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
     }
@@ -283,7 +284,7 @@ static void run_command_at(struct session *session, struct reader *line)
     session->command = NULL;
     line->at = r.at;
     /* The user must see this answer while the next one is being computed. */
-    fflush(output_base(session->output)->out);
+    fflush((*output_find(&session->output, OUTPUT_BASE))->out);
 }
 
 /* ---- Lines ---- */

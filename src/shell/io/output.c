@@ -31,23 +31,9 @@ void output_flush(struct output *o)
     io_stdout_flush();
 }
 
-struct output **output_find(struct output **top, enum output_kind kind)
+struct output **output_find(struct output **top, unsigned kinds)
 {
-    while (*top && (*top)->kind != kind)
+    while (*top && !((*top)->kind & kinds))
         top = &(*top)->below;
     return *top ? top : NULL;
-}
-
-struct output *output_end(struct output *o)
-{
-    while (o->kind != OUTPUT_FILE && o->kind != OUTPUT_STANDARD)
-        o = o->below;
-    return o;
-}
-
-struct output *output_base(struct output *o)
-{
-    while (o->kind == OUTPUT_FILE || o->kind == OUTPUT_PAGER)
-        o = o->below;
-    return o;
 }

@@ -16,7 +16,13 @@ struct format;
 enum { OUTPUT_HEAD = 1024 };
 
 struct output {
-    enum output_kind { OUTPUT_STANDARD, OUTPUT_LOG, OUTPUT_TEE, OUTPUT_FILE, OUTPUT_PAGER } kind;
+    enum output_kind {
+        OUTPUT_STANDARD = 1,
+        OUTPUT_LOG = 2,
+        OUTPUT_TEE = 4,
+        OUTPUT_FILE = 8,
+        OUTPUT_PAGER = 16
+    } kind;
     struct output *below; /* NULL at the bottom */
     FILE *out;            /* receives the answers */
     FILE *messages;       /* receives errors and notes: stderr, or memory while a pager runs */
@@ -30,8 +36,7 @@ struct output {
      * Returns NULL, or the reason why the text could not be written. */
     const char *(*pop)(struct output *output, bool keep);
 
-    /* The members below describe the text. They are used at the level where the text ends up (see
-     * output_end). */
+    /* The members below describe the text. They are used at the level where the text ends up, OUTPUT_END. */
     char head[OUTPUT_HEAD]; /* the last line of column names, or "" */
     bool answered;          /* an answer was written, so the next one needs a blank line above it */
     int error;              /* errno of the first answer that could not be written, or 0 */
@@ -46,14 +51,13 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* Returns the pointer that points to the highest level of this kind, or NULL. */
-struct output **output_find(struct output **top, enum output_kind kind);
+/* The level at which text ends up is a file or standard output. The levels below all files and pagers are
+ * standard output, and the log and tee above it. */
+enum { OUTPUT_END = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE };
 
-/* Returns the level at which text that is written to this level ends up: a file, or standard output. */
-struct output *output_end(struct output *output);
-
-/* Returns the highest level below all files and pagers: standard output, or the log or tee above it. */
-struct output *output_base(struct output *output);
+/* Returns the pointer that points to the highest level of one of these kinds. Returns NULL if there is none.
+ */
+struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */
 

@@ -89,12 +89,12 @@ static void session_caret(const struct session *session, int column)
 
 /* Writes an error into the output of a script, among its answers, if the output format can represent
  * errors. */
-static void session_tell(const struct session *session, const struct problem *problem)
+static void session_tell(struct session *session, const struct problem *problem)
 {
     const struct format *format = format_at(session->state.settings.style.output);
     const struct failure failure = {problem->command, problem->text, session->source.name,
                                     session->source.line, problem->column};
-    struct output *output = output_base(session->output);
+    struct output *output = *output_find(&session->output, OUTPUT_BASE);
     if (!format->failed || !session->source.name)
         return;
     format->failed(output->out, &failure);

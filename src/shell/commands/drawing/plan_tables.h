@@ -4,7 +4,7 @@
 #define SHELL_PLAN_TABLES_H
 
 #include "commands/drawing/falling_row.h"
-#include "commands/rows/windows.h"
+#include "commands/rows/rows.h"
 #include "picture/guide.h"
 
 /* A row that falls, and what a builder must know about it. */

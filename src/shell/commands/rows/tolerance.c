@@ -2,7 +2,6 @@
 /* The command tolerance, which finds how far each domino of a row may differ from its place, its size and its
  * upright position while all dominoes still fall. */
 #include "commands/rows/rows.h"
-#include "commands/rows/windows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
 #include <stdlib.h>
