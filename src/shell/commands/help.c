@@ -274,10 +274,9 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     if (!people)
         topic_rows_begin(a);
     /* Topics about the word come before those that only mention it in their details. */
-    for (int details = 0; details < 2; details++)
+    for (int rank = 1; rank <= 2; rank++)
         for (int k = 0; topic_at(k, &topic); k++) {
-            bool is_about = topic_mentions(&topic, word);
-            if (details ? is_about || !topic_details_mention(&topic, word) : !is_about)
+            if (topic_mentions(&topic, word) != rank)
                 continue;
             found++;
             if (!people) {

@@ -67,22 +67,17 @@ static bool mentions(const char *text, const char *word)
     return text && strcasestr(text, word);
 }
 
-bool topic_mentions(const struct topic *t, const char *word)
+int topic_mentions(const struct topic *t, const char *word)
 {
-    bool found = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
+    bool is_about = mentions(t->name, word) || mentions(t->summary, word) || mentions(t->synonyms, word);
+    bool in_details = mentions(t->text, word) || (t->command && mentions(t->equation, word));
     const struct word *w = t->parameter && !t->parameter->effect ? t->parameter->words : NULL;
-    for (; w && w->name && !found; w++)
-        found = mentions(w->name, word);
-    return found;
-}
-
-bool topic_details_mention(const struct topic *t, const char *word)
-{
     const struct column *k = t->command ? t->command->columns : NULL;
-    bool found = mentions(t->text, word) || (t->command && mentions(t->equation, word));
-    for (; k && k->key && !found; k++)
-        found = mentions(k->key, word) || mentions(k->meaning, word);
-    return found;
+    for (; w && w->name; w++)
+        is_about = is_about || mentions(w->name, word);
+    for (; k && k->key; k++)
+        in_details = in_details || mentions(k->key, word) || mentions(k->meaning, word);
+    return is_about ? 1 : in_details ? 2 : 0;
 }
 
 /* ---- For programs ---- */

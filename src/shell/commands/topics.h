@@ -21,11 +21,10 @@ bool topic_at(int k, struct topic *topic);
 /* Fills in the topic for a variable or function that was defined with 'let'. */
 void topic_of_variable(const struct variable *variable, struct topic *topic);
 
-/* topic_mentions returns true if the word occurs in the name, the summary or the synonyms of a topic, or in
- * the words for a parameter's values. topic_details_mention returns true if the word occurs in the help text,
- * the equations or the columns. Both ignore case. */
-bool topic_mentions(const struct topic *topic, const char *word);
-bool topic_details_mention(const struct topic *topic, const char *word);
+/* Returns 1 if the word occurs in the name, the summary or the synonyms of a topic, or in the words for a
+ * parameter's values. Returns 2 if it occurs only in the help text, the equations or the columns, and 0 if it
+ * occurs nowhere. Ignores case. */
+int topic_mentions(const struct topic *topic, const char *word);
 
 /* Print topics for programs: topic_rows_begin sets the columns, and then topic_row prints one topic. */
 void topic_rows_begin(struct answer *answer);
