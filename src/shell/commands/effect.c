@@ -151,7 +151,6 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct dom_work work = {0};
     size_t dominoes;
     struct domq_error error[DOM_ERROR_COUNT];
-    char setting[EFFECT_SETTING];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
     answer_leave_out(a, "adds source"); /* for people, effects_say prints these two columns below the table */
