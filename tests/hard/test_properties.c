@@ -1,9 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Properties that do not depend on digits, such as conservation, self-similarity, order and continuity, and
- * results that need no sweep. Where two results are compared, the library's own error bounds are the
- * tolerance.
- */
+/* How r_max depends on the train, best separations to all digits, and numbers of dominoes in many bits. */
 #include "../unit/support.h"
 #include "growth.h"
 #include "library.h"
@@ -16,18 +12,6 @@ static const enum dom_precision precisions[] = {DOM_FLOAT, DOM_DOUBLE, DOM_QUAD}
 static domq_real rounded(double x, enum dom_precision precision)
 {
     return precision == DOM_FLOAT ? (domq_real)(float)x : (domq_real)x;
-}
-
-/* Returns a random input away from the limits of the ranges, which the sweeps cover. */
-static struct ref_input random_input(uint64_t *seed, enum dom_precision precision)
-{
-    struct ref_input input = {.s = rounded(random_log(seed, 0.01, 1), precision),
-                              .d = rounded(random_log(seed, 1e-3, 0.5), precision),
-                              .q = rounded(1 + 4 * random_unit(seed), precision),
-                              .paper = random_unit(seed) < 0.5};
-    input.r = rounded(pow(0.999 / (double)input.s, random_unit(seed)), precision);
-    input.r = input.r < 1 ? 1 : input.r;
-    return input;
 }
 
 static domq_real magnitude(domq_real x)
@@ -49,99 +33,6 @@ static void close_(const char *what, const struct ref_input *in, domq_real got, 
     _fail(file, line);
 }
 
-/* ---- Along a cycle ---- */
-
-/* Checks J w + H - H(0) = K (21; c3). */
-TEST(energy_is_conserved)
-{
-    FOR_PRECISIONS(p)
-    {
-        uint64_t seed = 11;
-        int cycles = 0;
-        for (int k = 0; k < 400; k++) {
-            struct ref_input input = random_input(&seed, *p);
-            struct asked train = library_train(&input, *p);
-            struct answers a;
-            library_nothing(&a);
-            library_ask(&train, 0, REF_THETA_C, &a);
-            input.tilt = rounded((double)a.value[REF_THETA_C] * random_unit(&seed), *p);
-            library_ask(&train, input.tilt, REF_OMEGASQ, &a);
-            if (a.status[REF_OMEGASQ] != DOM_OK)
-                continue;
-            library_ask(&train, input.tilt, REF_DH, &a);
-            library_ask(&train, 0, REF_KINETIC, &a);
-            domq_real J = a.value[REF_J], w = a.value[REF_OMEGASQ];
-            domq_real bound =
-                J * a.error[REF_OMEGASQ] + w * a.error[REF_J] + a.error[REF_DH] + a.error[REF_KINETIC];
-            assert_close("J w + dH and K", &input, J * w + a.value[REF_DH], a.value[REF_KINETIC], bound);
-            cycles++;
-        }
-        assert_true(cycles > 100);
-    }
-}
-
-struct walk {
-    struct domq_link before;
-    domq_real theta_f;
-    size_t links;
-    bool ordered;
-};
-
-static bool in_order(const struct domq_link *link, void *context)
-{
-    struct walk *walk = context;
-    if (walk->links++ > 0)
-        walk->ordered &= link->theta >= walk->before.theta && link->slope <= walk->before.slope &&
-                         link->slope >= 0 && link->weight <= walk->before.weight &&
-                         link->theta <= walk->theta_f * (1 + (domq_real)1e-15);
-    walk->before = *link;
-    return true;
-}
-
-/* Checks that every domino leans further than its leader, turns more slowly and weighs less, up to
- * theta_f. */
-TEST(dominoes_are_in_order)
-{
-    uint64_t seed = 13;
-    size_t links = 0;
-    for (int k = 0; k < 400; k++) {
-        struct ref_input input = random_input(&seed, DOM_DOUBLE);
-        struct asked train = library_train(&input, DOM_DOUBLE);
-        struct answers a;
-        library_nothing(&a);
-        library_ask(&train, 0, REF_THETA_C, &a);
-        input.tilt = (domq_real)((double)a.value[REF_THETA_C] * random_unit(&seed));
-        struct walk walk = {.ordered = true, .theta_f = a.value[REF_THETA_F]};
-        /* If the head has passed the tilt at which its follower has theta_f, no follower leans further than
-         * the head. */
-        assert_status(ask_chain_walk(&train, input.tilt, in_order, &walk), DOM_OK);
-        assert_close("order", &input, walk.ordered, 1, 0);
-        links += walk.links;
-    }
-    assert_true(links > 4000);
-}
-
-/* ---- Fuel ---- */
-
-/* Checks that the second equality of (25; c7), a telescoping sum, is true for r = 1. */
-TEST(fuels_are_equal_for_equal_dominoes)
-{
-    FOR_PRECISIONS(p)
-    {
-        uint64_t seed = 14;
-        for (int k = 0; k < 200; k++) {
-            struct ref_input input = random_input(&seed, *p);
-            input.r = 1;
-            struct asked train = library_train(&input, *p);
-            struct answers a;
-            library_nothing(&a);
-            library_ask(&train, 0, REF_FUEL_EXACT, &a);
-            assert_close("fuels", &input, a.value[REF_FUEL_EXACT], a.value[REF_FUEL_PAPER],
-                         a.error[REF_FUEL_EXACT] + a.error[REF_FUEL_PAPER]);
-        }
-    }
-}
-
 /* ---- Limits of growth ---- */
 
 static domq_real growth_of(double s, double q, double d, enum ref_quantity quantity, struct answers *a)
@@ -152,34 +43,6 @@ static domq_real growth_of(double s, double q, double d, enum ref_quantity quant
     library_ask(&train, 0, quantity, a);
     assert_status(a->status[quantity], DOM_OK);
     return a->value[quantity];
-}
-
-/*
- * Checks that a train at its limit is a chain of marginal pairs, if domino 1 detaches before the head reaches
- * its highest point.
- */
-TEST(pairs_are_trains_where_only_two_touch)
-{
-    int alike = 0;
-    for (double q = 2; q <= 10; q += 0.5)
-        for (double s = 0.45; s < 0.7; s += 0.005) {
-            const double d = 0.12;
-            struct answers train, pair, angles;
-            struct ref_input input = {.s = (domq_real)s, .d = (domq_real)d, .q = (domq_real)q};
-            input.r = growth_of(s, q, d, REF_R_MAX, &train);
-            growth_of(s, q, d, REF_PAIR, &pair);
-            if (train.ends != DOM_END_BARRIER)
-                continue;
-            struct asked at = library_train(&input, DOM_DOUBLE);
-            library_nothing(&angles);
-            library_ask(&at, 0, REF_THETA_C, &angles);
-            if (!(angles.value[REF_THETA_LEAVE] < angles.value[REF_THETA_U]))
-                continue;
-            assert_close("r_max of train and pair", &input, train.value[REF_R_MAX], pair.value[REF_PAIR],
-                         train.error[REF_R_MAX] + pair.error[REF_PAIR]);
-            alike++;
-        }
-    assert_true(alike > 20);
 }
 
 /*

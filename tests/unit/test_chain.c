@@ -117,59 +117,6 @@ TEST(the_far_tail_is_within_its_bound)
     assert_true((orders & 1 << FAR_FIRST) && (orders & 1 << FAR_ORDER) && (orders & 1));
 }
 
-/* Checks that a chain that is used twice, and two chains in one pass, give the same results as separate
- * passes. */
-TEST(shared_passes_are_the_same)
-{
-    uint64_t seed = 32;
-    int both = 0;
-    for (int i = 0; i < TRAINS; i++) {
-        struct tilt head;
-        struct geometry geometry = random_geometry(&seed, 1e-13, &head);
-        struct sums fall, at_c, e, up, near, down = {0};
-        assert_status(geometry.law->change(&geometry, geometry.c, PASS_SHIFT, &fall, NULL), DOM_OK);
-        assert_status(geometry.law->change(&geometry, geometry.c, PASS_PLAIN, &at_c, &e), DOM_OK);
-        assert_same("dH at theta_c", &geometry, fall.dH, at_c.dH, fabs(at_c.dH) + 1e13 * e.dH, 1e-13);
-        assert_same("J at theta_c", &geometry, fall.J, at_c.J, at_c.J, 1e-12);
-        if (geometry.detaches)
-            continue;
-        assert_status(chain_second_derivative(&geometry, upright, head, &up), DOM_OK);
-        assert_status(geometry.law->both(&geometry, head, &near, &down), DOM_OK);
-        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &at_c, &e), DOM_OK);
-        assert_same("dH of both", &geometry, near.dH, up.dH, fabs(up.dH) + 1e13 * e.dH, 2e-13);
-        assert_same("H1 of both", &geometry, near.H1, up.H1, fabs(up.H1) + 1e13 * e.H1, 2e-13);
-        assert_same("H2 of both", &geometry, near.H2, up.H2, fabs(up.H2), 1e-9);
-        assert_same("fall of both", &geometry, down.dH, fall.dH, fabs(fall.dH), 1e-11);
-        both++;
-    }
-    assert_true(both > TRAINS / 10);
-}
-
-/* Checks that H2 is the derivative of H1, to the accuracy of a difference quotient. */
-TEST(H2_is_the_slope_of_H1)
-{
-    uint64_t seed = 33;
-    int compared = 0;
-    for (int i = 0; i < TRAINS; i++) {
-        struct tilt head;
-        struct geometry geometry = random_geometry(&seed, 1e-15, &head);
-        double theta = tilt_angle(head), h = 1e-5 * fmin(theta, tilt_angle(geometry.c) - theta);
-        struct sums at, below, above;
-        struct tilt lo = tilt_make(sin(theta - h), cos(theta - h)),
-                    hi = tilt_make(sin(theta + h), cos(theta + h));
-        assert_status(chain_second_derivative(&geometry, upright, head, &at), DOM_OK);
-        assert_status(geometry.law->sum(&geometry, lo, &below), DOM_OK);
-        assert_status(geometry.law->sum(&geometry, hi, &above), DOM_OK);
-        if (below.n != above.n && geometry.detaches) /* H'' jumps, since a domino detaches in between */
-            continue;
-        double noise = 1e-15 * (fabs(at.H1) + geometry.reach) / h;
-        assert_same("H2", &geometry, at.H2, (above.H1 - below.H1) / (2 * h), fabs(at.H2) + noise / 1e-4,
-                    1e-4);
-        compared++;
-    }
-    assert_true(compared > TRAINS * 9 / 10);
-}
-
 /* Checks that H is concave up to theta_u if barrier_single says that there is one top, and that no barrier is
  * higher than that of a single domino. */
 TEST(one_top_if_concave)

@@ -62,54 +62,7 @@ TEST(dips_of_the_margin)
 
 /* ---- Bounds ---- */
 
-/* Checks that there are no error bounds with friction. */
-TEST(no_bounds_with_friction)
-{
-    struct asked t = asked_default();
-    struct domq_launch launch, launch_error;
-    struct domq_barrier barrier, barrier_error;
-    struct domq_state at, at_error;
-    domq_real value, error = 0;
-    t.mu = 0.2;
-    assert_status(ask_launch_find(&t, &launch, &launch_error), DOM_OK);
-    assert_true(isnan((double)launch_error.kinetic) && launch.kinetic > 0);
-    assert_status(ask_barrier_find(&t, &barrier, &barrier_error), DOM_OK);
-    assert_true(isnan((double)barrier_error.margin) && barrier.margin > 0);
-    assert_status(ask_cycle_state(&t, 0.1, &at, &at_error), DOM_OK);
-    assert_true(isnan((double)at_error.kinetic) && at.kinetic > 0);
-    assert_status(ask_cycle_omegasq(&t, 0.1, &value, &error), DOM_OK);
-    assert_true(isnan((double)error) && value > 0);
-    t.r = 1.62; /* the train stops */
-    error = 0;
-    assert_status(ask_cycle_stop(&t, &value, &error), DOM_OK);
-    assert_true(isnan((double)error) && value > 0);
-}
-
 /* ---- Refusals ---- */
-
-/* Checks that the methods for comparison give no error bounds, and do not answer every question. */
-TEST(methods_refuse)
-{
-    static const enum dom_method methods[] = {DOM_METHOD_GSL, DOM_METHOD_PAPER};
-    for (size_t i = 0; i < 2; i++) {
-        struct asked t = asked_default();
-        struct domq_barrier barrier, barrier_error;
-        struct domq_limit limit, limit_error;
-        struct domq_best best;
-        domq_real duration, error;
-        t.method = methods[i];
-        t.tol = 1e-3;
-        assert_status(ask_barrier_find(&t, &barrier, &barrier_error), DOM_NO_METHOD);
-        assert_status(ask_limit_rmax(&t, &limit, &limit_error), DOM_NO_METHOD);
-        assert_status(ask_cycle_duration(&t, &duration, &error), DOM_NO_METHOD);
-        assert_status(ask_limit_best(&t, &best, NULL), DOM_NO_METHOD);
-        t.r = 1.7;
-        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
-        assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_STOPS);
-        t.mu = 0.1;
-        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_NO_METHOD);
-    }
-}
 
 /* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */
 TEST(methods_at_the_ends)
@@ -146,26 +99,6 @@ TEST(methods_at_the_ends)
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_TOO_LONG);
 }
 
-TEST(no_such_precision)
-{
-    struct asked t = asked_default();
-    struct domq_scale scale = domq_scale_default();
-    struct domq_domino domino[3];
-    struct asked_row row = {.domino = domino, .count = 3, .g = 9.81, .push = 5, .tol = 1e-9};
-    struct domq_verdict verdict;
-    struct domq_count count;
-    struct domq_angles angles;
-    ask_row_of_train(&t, &scale, 1, domino, 3);
-    row.precision = t.precision = (enum dom_precision)(DOM_QUAD + 1);
-    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_PRECISION);
-    assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_BAD_PRECISION);
-    assert_status(ask_count_find(row.precision, 1, 2, 1.5, &count, NULL), DOM_BAD_PRECISION);
-    t = asked_default();
-    t.method = (enum dom_method)(DOM_METHOD_PAPER + 1);
-    assert_status(ask_angles_find(&t, &angles, NULL), DOM_BAD_METHOD);
-    assert_string_equal(dom_status_text((enum dom_status)(DOM_INTERRUPTED + 1)), "unknown status");
-}
-
 /* Checks that a number outside an enumeration has a text or NULL, and that no table is read beyond its
  * end. */
 TEST(numbers_without_a_text)
@@ -182,15 +115,6 @@ TEST(numbers_without_a_text)
     assert_string_equal(dom_event_text(DOM_EVENT_HIT), "hit");
     assert_string_equal(dom_row_end_text(DOM_ROW_FALLS), "all fall");
     assert_string_equal(domq_effect(DOM_EFFECT_floor)->name, "floor");
-}
-
-TEST(counts_of_equal_dominoes)
-{
-    struct domq_count count, error = {.dominoes = 1, .exact = 1, .last = 1};
-    assert_status(ask_count_find(DOM_DOUBLE, 1, 1, 1, &count, &error), DOM_OK);
-    assert_true(count.dominoes == 0 && count.last == 1 && error.dominoes == 0 && error.last == 0);
-    assert_status(ask_count_find(DOM_DOUBLE, 1, 2, 1, &count, &error), DOM_OK);
-    assert_true(isinf((double)count.dominoes) && isnan((double)count.last));
 }
 
 /* Checks that an interrupt gives DOM_INTERRUPTED, and that nothing is written. */

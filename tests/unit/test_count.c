@@ -48,19 +48,6 @@ TEST(heights_near_a_power)
     assert_true(above > 5000 && meet > 2000);
 }
 
-/* Checks that 30 dominoes lead from 1 m to 2^30 m, and that 31 are needed for 0.01 mm more, in double and,
- * typed with more digits, in quad. */
-TEST(a_bit_more_than_a_power)
-{
-    struct domq_count count;
-    assert_status(ask_count_find(DOM_DOUBLE, 1, 1073741824.00001, 2, &count, NULL), DOM_OK);
-    assert_true(count.dominoes == 31 && count.last == 2147483648.0);
-    assert_status(ask_count_find(DOM_DOUBLE, 1, 1073741824, 2, &count, NULL), DOM_OK);
-    assert_true(count.dominoes == 30);
-    assert_status(ask_count_find(DOM_QUAD, 1, 1073741824 * (1 + (domq_real)1e-30), 2, &count, NULL), DOM_OK);
-    assert_true(domq_arithmetic(DOM_QUAD)->bits < 113 || count.dominoes == 31);
-}
-
 TEST(known_numbers)
 {
     static const struct {

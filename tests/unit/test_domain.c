@@ -3,40 +3,6 @@
  * statuses. */
 #include "support.h"
 
-TEST(head_must_reach_the_next)
-{
-    struct asked train = asked_default();
-    struct domq_angles angles = {.theta_c = -1};
-    train.s = 0.7;
-    assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
-    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OUT_OF_REACH);
-    assert_true(angles.theta_c == -1);
-    /* For every s, the rounded 1/s counts as the reach, and a number one unit larger does not. */
-    for (double s = 0.011; s < 1; s += 0.007) {
-        train.s = s;
-        train.r = 1 / s;
-        assert_status(ask_train_check(&train), DOM_OK);
-        train.r = (1 / s) * (1 + 4e-16);
-        assert_status(ask_train_check(&train), DOM_OUT_OF_REACH);
-    }
-}
-
-/* Checks two limits: more than two million dominoes that matter, and energies below the range of doubles. */
-TEST(beyond_the_arithmetic)
-{
-    struct asked train = asked_default();
-    struct domq_energy energy;
-    train.s = 1e-6;
-    train.d = 1e-12;
-    train.r = 1;
-    assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_TOO_LONG);
-    train = asked_default();
-    train.s = 1e-6;
-    train.r = 1e6;
-    train.q = 60;
-    assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_UNDERFLOW);
-}
-
 /* Checks a thick train, and one just below the separation at which a fall releases energy. */
 TEST(no_cycle_without_fuel)
 {

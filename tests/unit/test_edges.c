@@ -55,21 +55,6 @@ TEST(thin_dominoes_with_friction)
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
 }
 
-/* Checks every tolerance for a follower that hardly moves but has friction, and for a small remaining C. */
-TEST(small_tolerances)
-{
-    struct asked t =
-        friction_train(0.67106465029064566, 1.0144483424738877, 0.40982392700389025, 3, 0.081970815071836109);
-    struct domq_barrier finest, barrier;
-    t.tol = 1e-15;
-    assert_status(ask_barrier_find(&t, &finest, NULL), DOM_OK);
-    for (double tol = 1e-14; tol < 0.01; tol *= 10) {
-        t.tol = tol;
-        assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_OK);
-        assert_near("margin", barrier.margin, (double)finest.margin, fmax(tol, 1e-13));
-    }
-}
-
 enum { ROOM = 40 };
 
 static void alike(struct run *seen, size_t count)
@@ -79,28 +64,6 @@ static void alike(struct run *seen, size_t count)
             (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
     seen->row = (struct asked_row){
         .domino = seen->domino, .count = count, .g = 9.81, .push = 5, .tol = 1e-12, .precision = DOM_DOUBLE};
-}
-
-/*
- * Checks r s = 1, where the followers detach in the collision and carry no energy away. The motion is the
- * same as for an r s just below 1, up to changes of the order sqrt(1 - r s) = 1e-7.
- */
-TEST(reached_with_the_last_tip)
-{
-    static struct run at, before;
-    alike(&at, 6);
-    alike(&before, 6);
-    at.domino[3].gap = 0.048L;
-    at.domino[3].height = 0.048L;
-    before.domino[3].gap = 0.048L * (1 - 1e-14L);
-    at.domino[2].height = at.domino[3].gap;
-    assert_status(run_whole(&at), DOM_OK);
-    assert_status(run_whole(&before), DOM_OK);
-    for (int k = 0; k < 6; k++) {
-        assert_near("barrier", at.fall[k].barrier, (double)before.fall[k].barrier, 1e-4);
-        assert_near("duration", at.fall[k].duration, (double)before.fall[k].duration, 1e-4);
-        assert_true(at.fall[k].friction_work == 0);
-    }
 }
 
 /* Checks dominoes that touch, so that they hit each other at once. Without friction nothing locks. */
@@ -119,33 +82,6 @@ TEST(touching)
         assert_near("seconds", at.verdict.seconds, (double)near.verdict.seconds, 1e-8);
         assert_near("spare", at.verdict.spare, (double)near.verdict.spare, 1e-8);
     }
-}
-
-/*
- * Checks that a row of a train converges to the train even if followers detach during the motion. With
- * friction, the smallest margin is an energy at the launch in that case.
- */
-TEST(dominoes_detach_on_the_way)
-{
-    struct asked t = friction_train(0.852282146, 1.10181018, 0.398492985, 4, 0.0390409911);
-    struct domq_scale scale = domq_scale_default();
-    struct domq_barrier barrier;
-    static struct run seen;
-    ask_row_of_train(&t, &scale, 1, seen.domino, ROOM);
-    seen.row = (struct asked_row){.domino = seen.domino,
-                                  .count = ROOM,
-                                  .g = scale.g,
-                                  .push = 30,
-                                  .mu = t.mu,
-                                  .tol = 1e-12,
-                                  .precision = DOM_DOUBLE};
-    assert_status(run_whole(&seen), DOM_OK);
-    assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_OK);
-    const struct domq_fall *f = &seen.fall[ROOM - 2];
-    domq_real unit = seen.domino[ROOM - 2].mass * scale.g * seen.domino[ROOM - 2].height / 2;
-    assert_near("kinetic", f->kinetic / unit, (double)barrier.kinetic, 1e-9);
-    assert_near("barrier", f->barrier / unit, (double)barrier.barrier, 1e-8);
-    assert_near("theta_m", f->theta_m, (double)barrier.theta_m, 1e-8);
 }
 
 /*
@@ -303,24 +239,6 @@ TEST(budgets)
     assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.5, &budget), DOM_STOPS);
 }
 
-/* Checks that gaps are normally distributed with the given sigma, in rows for which the share that falls is
- * known. */
-TEST(errors_are_normal)
-{
-    static struct run seen;
-    struct domq_study study;
-    struct domq_placement p = {.error[DOM_ERROR_gap].size = 0.001, .seed = 9, .rows = 20000};
-    alike(&seen, 2);
-    /* The domino misses the next one if the gap exceeds its height, which is one standard deviation away. */
-    seen.domino[1].gap = 0.047;
-    seen.row.push = 12;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    double share = (double)study.fall / 20000, expected = 0.5 * erfc(-1 / sqrt(2));
-    /* Four standard deviations of the share. */
-    assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / 20000));
-    assert_true(study.low < share && share < study.high);
-}
-
 /* ---- Loose tolerances, and results close to 0, for which a shortcut was once wrong ---- */
 
 /* Checks that the tolerance is relative to the fuel, and not to the terms that cancel in it, so that the
@@ -335,19 +253,6 @@ TEST(nearly_no_fuel)
     train = train_of(0.0012625496548142601, 1, 0.085573654891847373, 4, 0.1);
     assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
     assert_int_equal(limit.ends, DOM_END_NONE);
-}
-
-TEST(rubbing_limits_keep_their_tolerance)
-{
-    struct asked train = train_of(0.019955912492509168, 1, 0.081093509197390626, 0.084354154235885, 1e-6);
-    struct domq_limit limit;
-    train.mu = 0.19177475568455454;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
-    assert_near("r_max, mu 0.19", limit.r_max, 31.211167857490278, 1e-6);
-    train = train_of(0.85285114301754439, 1, 0.084052372155600644, 4, 1e-12);
-    train.mu = 0.12244818425305021;
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
-    assert_near("r_max, mu 0.12", limit.r_max, 1.1718802774146955, 1e-12);
 }
 
 /* Checks the durations of thin dominoes, whose slowness has a narrow peak at 0. Two levels of an integration
@@ -365,22 +270,6 @@ TEST(durations_of_thin_dominoes)
     assert_near("duration", duration, 13.0849188, 1e-8);
 }
 
-/* Checks that the time for a short distance is its length divided by omega(0), however far away the top
- * is. */
-TEST(times_of_short_ways)
-{
-    for (double theta = 1e-3; theta > 1e-18; theta /= 10) {
-        struct asked train =
-            train_of(0.060450113348942083, 1.309076436736778, 0.071010571508516099, 3, 1e-12);
-        struct domq_state at;
-        struct domq_launch launch;
-        assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, theta, &at, NULL), DOM_OK);
-        double omega = sqrt((double)launch.omegasq);
-        assert_near("time", at.time * omega / theta, 1, 1e-11 + 100 * theta);
-    }
-}
-
 TEST(the_reason_is_the_first)
 {
     struct asked train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
@@ -395,27 +284,6 @@ static enum dom_status backwards(size_t count, dom_task *task, void *context, vo
     for (size_t i = count; i > *left_out; i--)
         task(i - 1, context);
     return DOM_OK;
-}
-
-/* Checks that counts do not depend on the order of the batches, and that a study in which some batches were
- * left out has the counts of the others. */
-TEST(any_order)
-{
-    static struct run seen;
-    struct domq_study study, other;
-    size_t stops[10], others[10], left_out = 0;
-    struct domq_placement p = {
-        .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 100};
-    alike(&seen, 10);
-    assert_status(ask_placement_study(&seen.row, &p, &study, stops), DOM_OK);
-    p.parallel = backwards;
-    p.pool = &left_out;
-    assert_status(ask_placement_study(&seen.row, &p, &other, others), DOM_OK);
-    assert_memory_equal(stops, others, sizeof stops);
-    assert_true(study.fall == other.fall && study.unknown == other.unknown && study.low == other.low);
-    left_out = 1;
-    assert_status(ask_placement_study(&seen.row, &p, &other, others), DOM_INTERRUPTED);
-    assert_true(other.rows < study.rows && other.fall <= study.fall);
 }
 
 /* Checks that studies of parts add up: how many rows fall, at which dominoes they stop, how many the model
@@ -463,46 +331,4 @@ TEST(studies_add_up)
     assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
     assert_true(whole.fall == 50 && whole.high == 1);
     assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
-}
-
-/* Checks that heights are normally distributed, as gaps are, and that a taller domino is heavier in
- * proportion. */
-TEST(heights_are_normal)
-{
-    enum { ROWS = 20000 };
-    static struct run seen;
-    struct domq_study study;
-    struct domq_placement p = {.error[DOM_ERROR_height].size = 0.01, .seed = 9, .rows = ROWS};
-    alike(&seen, 2);
-    /* The first domino misses the next one if it is shorter than the gap, which is one standard deviation
-     * away. */
-    seen.domino[1].gap = seen.domino[0].height * (domq_real)0.99;
-    seen.row.push = 12;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    double share = (double)study.fall / ROWS, expected = 0.5 * erfc(-1 / sqrt(2));
-    assert_true(fabs(share - expected) < 4 * sqrt(expected * (1 - expected) / ROWS));
-    /* The same row with normal numbers from another generator (Box and Muller). The push is strong enough for
-     * about half of the rows. */
-    uint64_t seed = 10;
-    size_t falls = 0;
-    p.error[DOM_ERROR_height].size = 0.6;
-    alike(&seen, 2);
-    seen.row.push = 6;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    for (int i = 0; i < ROWS; i++) {
-        alike(&seen, 2);
-        seen.row.push = 6;
-        seen.row.tol = 1e-9;
-        for (int k = 0; k < 2; k++) {
-            double z = sqrt(-2 * log(1 - random_unit(&seed))) * cos(2 * acos(-1.0) * random_unit(&seed));
-            double grown = fmax(1 + 0.6 * z, 0.01);
-            seen.domino[k].height *= grown;
-            seen.domino[k].mass *= grown;
-        }
-        assert_status(run_whole(&seen), DOM_OK);
-        falls += seen.verdict.end == DOM_ROW_FALLS;
-    }
-    print_message("# %zu and %zu of %d fall\n", study.fall, falls, ROWS);
-    assert_true(study.fall > ROWS / 10 && study.fall < ROWS * 9 / 10);
-    assert_true(fabs((double)study.fall - (double)falls) < 4 * sqrt(0.5 * ROWS));
 }

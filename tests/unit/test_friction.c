@@ -72,22 +72,6 @@ TEST(digits)
     assert_int_equal(rows, 26);
 }
 
-/* Compares equal dominoes with van Leeuwen 2010, to the printed digits. */
-TEST(front_speeds)
-{
-    static const double speed[][2] = {{0, 1.28427}, {0.1, 1.11545}, {0.2, 0.98392}, {0.5, 0.71678}};
-    for (size_t i = 0; i < 4; i++) {
-        struct asked train = friction_train(13.0 / 48, 1, speed[i][0]);
-        struct domq_scale scale = domq_scale_default();
-        domq_real duration;
-        train.d = 7.0 / 48;
-        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
-        double v = ask_scale_speed(&scale, &train, duration);
-        if (!(fabs(v - speed[i][1]) <= 0.5e-5))
-            fail_train("speed", &train, v, speed[i][1]);
-    }
-}
-
 /* ---- Without friction ---- */
 
 enum { ANSWERS = 6 };
@@ -116,46 +100,6 @@ static const double some_trains[][4] = {
     {0.6, 1.3, 3.5, 0.1},
     {0.3, 1.4, 3, 0.05},
 };
-
-/*
- * Checks that (X(mu) - X(0)) / mu tends to a constant as mu decreases by factors of 10: each change is ten
- * times smaller than the previous one. In quad, with tol = 1e-24, the noise of the last quotient is 1e-16 of
- * X, and its last change is about 1e-8. r_max takes long, so only three trains are checked for it, with tol =
- * 1e-20.
- */
-TEST(no_friction_is_the_limit)
-{
-    if (domq_arithmetic(DOM_QUAD)->bits < 100)
-        skip();
-    for (size_t i = 0; i < sizeof some_trains / sizeof *some_trains; i++) {
-        bool limits = i == 0;
-        struct asked train = friction_train(some_trains[i][0], some_trains[i][1], 0);
-        train.q = some_trains[i][2];
-        train.d = some_trains[i][3];
-        train.precision = DOM_QUAD;
-        train.tol = (domq_real)1e-12 * (domq_real)1e-12;
-        domq_real free[ANSWERS], x[ANSWERS], slope[8][ANSWERS];
-        double noise = 1e-22;
-        answers_of(&train, 0.09, limits, free);
-        for (int k = 0; k < 7; k++) {
-            train.mu = 1 / (domq_real)pow(10, k + 2);
-            answers_of(&train, 0.09, limits && k < 4, x);
-            for (int j = 0; j < ANSWERS; j++) {
-                slope[k][j] = (x[j] - free[j]) / train.mu;
-                double size = fabs((double)slope[k][j]), known = noise * fabs((double)free[j]) / train.mu;
-                if (j == 5 && !(limits && k < 4))
-                    continue;
-                assert_true(size > 0 && isfinite(size));
-                if (k < 2)
-                    continue;
-                double before = fabs((double)(slope[k - 1][j] - slope[k - 2][j])),
-                       step = fabs((double)(slope[k][j] - slope[k - 1][j]));
-                if (!(step < 0.2 * before + known))
-                    fail_train("steps of the quotient", &train, step, before / 10);
-            }
-        }
-    }
-}
 
 /* Checks that mu = 0 and mu = -0.0 give equal results without running code of friction, and that runs of this
  * code are counted. */
@@ -367,43 +311,6 @@ TEST(tolerance_is_kept)
     assert_true(checked > 100);
 }
 
-/* Checks that there is an answer with friction for the smallest tolerance, 1e-15, although no series can be
- * more accurate than its rounding errors. */
-TEST(smallest_tolerance)
-{
-    struct asked train = friction_train(0.4, 1.3, 0.1);
-    struct domq_launch launch, finest;
-    assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
-    train.tol = domq_arithmetic(DOM_DOUBLE)->tol_floor;
-    assert_status(ask_launch_find(&train, &finest, NULL), DOM_OK);
-    assert_near("kinetic", finest.kinetic, launch.kinetic, 1e-12);
-}
-
-/* Checks that J(0) is complete. It needs more dominoes than the sums with S_i, whose terms decrease
- * faster. */
-TEST(inertia_is_whole)
-{
-    uint64_t seed = 55;
-    for (int i = 0; i < 200; i++) {
-        struct asked train = random_friction_train(&seed, 5e-3, 3);
-        struct domq_launch launch;
-        struct domq_energy energy;
-        if (i == 0)
-            train = (struct asked){.s = 0.0047592330111727848,
-                                   .r = 1,
-                                   .d = 0.027113735159934968,
-                                   .q = 1.225919849330257,
-                                   .mu = 2.6927332462871445,
-                                   .tol = 1e-12,
-                                   .precision = DOM_DOUBLE};
-        if (ask_launch_find(&train, &launch, NULL) != DOM_OK)
-            continue;
-        assert_status(ask_energy_find(&train, 0, &energy, NULL), DOM_OK);
-        if (!(fabs((double)(launch.J0 / energy.J0) - 1) <= 2e-12))
-            fail_train("J(0)", &train, launch.J0, energy.J0);
-    }
-}
-
 /* ---- Verdicts ---- */
 
 TEST(refusals)
@@ -448,53 +355,6 @@ TEST(refusals)
     assert_status(limit.why, DOM_LOCKS);
 }
 
-/* Checks trains with small separations in which friction uses up all fuel, also in ask_limit_rmax. */
-TEST(friction_takes_the_fuel)
-{
-    struct asked train = friction_train(0.01, 1, 1);
-    struct domq_launch launch;
-    struct domq_barrier barrier;
-    struct domq_limit limit;
-    assert_status(ask_launch_find(&train, &launch, NULL), DOM_NO_FUEL);
-    assert_true(isnan((double)launch.omegasq) && !(launch.fuel > 0));
-    assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_NO_FUEL);
-    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
-    assert_int_equal(limit.ends, DOM_END_NONE);
-    assert_status(limit.why, DOM_NO_FUEL);
-}
-
-/*
- * Checks random trains: DOM_OK never comes with NaN, only meaningful statuses occur, and all functions give
- * the same verdict.
- */
-TEST(anywhere)
-{
-    uint64_t seed = 56;
-    int met[64] = {0};
-    for (int i = 0; i < 2000; i++) {
-        struct asked train = random_friction_train(&seed, i % 10 ? 1e-2 : 1e-3, 3);
-        struct domq_launch launch;
-        struct domq_barrier b;
-        enum dom_status begins = ask_launch_find(&train, &launch, NULL);
-        enum dom_status status = ask_barrier_find(&train, &b, NULL);
-        met[status]++;
-        if (begins != (status == DOM_STOPS ? DOM_OK : status))
-            fail_train(dom_status_text(begins), &train, begins, status);
-        if (status == DOM_LOCKS)
-            continue;
-        assert_true(status == DOM_OK || status == DOM_STOPS || status == DOM_NO_FUEL);
-        assert_true(isfinite((double)launch.fuel) && launch.J0 >= 1 &&
-                    isfinite((double)launch.velocity_ratio));
-        assert_true(isfinite((double)b.barrier) && b.barrier >= 0 && b.theta_m >= 0);
-        assert_int_equal(isfinite((double)b.margin), status != DOM_NO_FUEL);
-        if (status != DOM_NO_FUEL)
-            assert_int_equal(b.margin >= 0, status == DOM_OK);
-    }
-    print_message("# %d go on, %d stop, %d without fuel, %d lock\n", met[DOM_OK], met[DOM_STOPS],
-                  met[DOM_NO_FUEL], met[DOM_LOCKS]);
-    assert_true(met[DOM_OK] > 100 && met[DOM_STOPS] > 100 && met[DOM_LOCKS] > 5);
-}
-
 /* Checks that r_max decreases with mu and is never the reach, and that trains keep falling just below r_max
  * and stop just above, at a distance of 1e-6. */
 TEST(growth_falls_with_friction)
@@ -526,21 +386,6 @@ TEST(growth_falls_with_friction)
         }
     }
     assert_true(met > 60 && none > 5);
-}
-
-/* Checks that there is a verdict within 1e-9 of r_max, where the margin is tiny, as without friction. */
-TEST(verdicts_at_the_limit)
-{
-    for (int i = 0; i < 4; i++) {
-        struct asked train = friction_train(0.2 + 0.1 * i, 1, 0.1 * i);
-        struct domq_limit limit;
-        struct domq_barrier barrier;
-        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
-        train.r = limit.r_max * (1 - (domq_real)1e-9);
-        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_OK);
-        train.r = limit.r_max * (1 + (domq_real)1e-9);
-        assert_status(ask_barrier_find(&train, &barrier, NULL), DOM_STOPS);
-    }
 }
 
 /* ---- The floor ---- */

@@ -51,19 +51,6 @@ TEST(numbers_read_as_by_the_c_library)
     assert_true(equal > 100000);
 }
 
-TEST(whole_numbers_are_written_as_by_the_c_library)
-{
-    char text[WIDE_TEXT], plain[WIDE_TEXT];
-    for (int k = 0; k < 200000; k++) {
-        int digits = 1 + (int)bits(20);
-        double value = (double)bits(1u << 24) * (double)bits(1u << 24) / (double)(1u << bits(30));
-        value = k % 3 == 0 ? -value : k % 3 == 1 ? floor(value) : value;
-        snprintf(plain, sizeof plain, "%.*g", digits, value);
-        assert_string_equal(quad_text((domq_real)value, digits, text), plain);
-    }
-    assert_string_equal(quad_text((domq_real)-0.0, 6, text), "-0");
-}
-
 /* Checks that a text of ASCII characters has as many columns as characters, also after a Greek letter, which
  * takes the general path. */
 TEST(a_line_in_ascii_has_the_columns_of_its_letters)

@@ -29,25 +29,6 @@ static bool falls_pushed(const struct run *run, double push)
     return row_end(&other) == DOM_ROW_FALLS;
 }
 
-/* Checks a gap wider than the height of the domino before it. A gap as wide as this height mends the row, and
- * so do narrower gaps down to one at which the row stops again. */
-TEST(a_gap_too_wide)
-{
-    static struct run run;
-    make_row(&run, 5, 0.3, 1, 0);
-    run.row.push = 8;
-    run.domino[3].gap = 0.06;
-    assert_int_equal(row_end(&run), DOM_ROW_MISSES);
-    assert_int_equal(mend(&run), 1);
-    assert_int_equal(mends[0].domino, 4);
-    assert_true(mends[0].gap == run.domino[3].gap);
-    assert_near("to", mends[0].to, 0.048, 1e-12);
-    assert_true(mends[0].until < 0.047 && falls_with(&run, 4, mends[0].until));
-    for (int part = 1; part < 8; part++)
-        assert_true(falls_with(&run, 4, mends[0].until + (mends[0].to - mends[0].until) * part / 8));
-    assert_true(mends[0].until == 0 || !falls_with(&run, 4, (double)mends[0].until - 2e-8));
-}
-
 /* Checks that a row that falls needs no change, and that a single domino has no gap. */
 TEST(nothing_to_mend)
 {

@@ -167,25 +167,6 @@ TEST(ends)
     }
 }
 
-/* Checks a stop by Newton's second law: close to the stop, the remaining distance is half the deceleration
- * times t^2. */
-TEST(comes_to_rest)
-{
-    static struct run run;
-    static struct seen seen;
-    make_row(&run, 6, 0.4, 2.1, 0);
-    domq_real times[3] = {(domq_real)INFINITY};
-    assert_status(watch(&run, times, 1, &seen), DOM_OK);
-    assert_int_equal(run.verdict.end, DOM_ROW_STOPS);
-    double end = seen.time[0], rest = seen.tilt[0][run.verdict.domino - 1];
-    times[0] = end - 2e-3;
-    times[1] = end - 1e-3;
-    assert_status(watch(&run, times, 2, &seen), DOM_OK);
-    size_t head = run.verdict.domino - 1;
-    assert_near("ratio of ways", (rest - seen.tilt[0][head]) / (rest - seen.tilt[1][head]), 4, 0.05);
-    assert_near("omega", seen.omega[1][head], 2 * (rest - seen.tilt[1][head]) / 1e-3, 0.02);
-}
-
 TEST(tips_before_the_first_hit)
 {
     static struct run run;
@@ -224,23 +205,4 @@ TEST(refuses)
     assert_int_equal(seen.count, 0);
     run.row.count = 0;
     assert_status(watch(&run, back, 1, &seen), DOM_BAD_COUNT);
-}
-
-/* Checks float to its accuracy, and quad. */
-TEST(in_all_precisions)
-{
-    static struct run run;
-    static struct seen wide, narrow;
-    const domq_real times[] = {0.05, 0.2, (domq_real)INFINITY};
-    static const enum dom_precision precisions[] = {DOM_FLOAT, DOM_QUAD};
-    make_row(&run, 10, 0.4, 1.3, 0.1);
-    assert_status(watch(&run, times, 3, &narrow), DOM_OK);
-    for (int p = 0; p < 2; p++) {
-        run.row.precision = precisions[p];
-        run.row.tol = p == 0 ? (domq_real)1e-5 : (domq_real)1e-20;
-        assert_status(watch(&run, times, 3, &wide), DOM_OK);
-        for (size_t k = 0; k < 3; k++)
-            for (size_t j = 0; j < 10; j++)
-                assert_true(fabs(wide.tilt[k][j] - narrow.tilt[k][j]) < (p == 0 ? 1e-3 : 1e-9));
-    }
 }

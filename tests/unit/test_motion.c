@@ -123,16 +123,6 @@ TEST(ledger_closes)
         assert_true(checked[k] > 50);
 }
 
-/* Checks that with the paper's fuel the energies do not balance, because this fuel adds energy. */
-TEST(ledger_of_the_paper_is_open)
-{
-    struct asked train = asked_default();
-    struct domq_state s;
-    train.fuel = DOM_FUEL_PAPER;
-    assert_status(ask_cycle_state(&train, 0.3, &s, NULL), DOM_OK);
-    assert_true(s.kinetic > 1.05 * (double)(s.before - s.lost - s.climbed));
-}
-
 /* Checks that the acceleration is half the derivative of omegasq, by a central difference. */
 TEST(acceleration_is_the_slope_of_omega)
 {
@@ -242,70 +232,4 @@ TEST(tilt_inverts_time)
             assert_near("duration", duration, whole, 1e-9);
     }
     assert_true(checked > 50);
-}
-
-/*
- * Checks that d time / d theta is 1 / omega, by a central difference, with friction and without. Just before
- * a stop, where omega goes to 0 like a square root, the remaining time is twice the distance divided by
- * omega.
- */
-TEST(time_is_the_sum_of_slowness)
-{
-    uint64_t seed = 47;
-    int passed = 0, stopped = 0, friction_work = 0;
-    for (int i = 0; i < 800; i++) {
-        struct asked train;
-        struct domq_event events[DOM_EVENTS_MAX];
-        struct domq_state s, below, above;
-        int n;
-        if (!next_with_effects(&seed, i % 2, &train, events, &n))
-            continue;
-        double end = (double)events[n - 1].theta, theta = (0.1 + 0.8 * random_unit(&seed)) * end,
-               h = 1e-4 * end;
-        if (near_event(events, n, theta, 5 * h))
-            continue;
-        assert_status(ask_cycle_state(&train, theta - h, &below, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, theta, &s, NULL), DOM_OK);
-        assert_status(ask_cycle_state(&train, theta + h, &above, NULL), DOM_OK);
-        assert_near("slowness", (above.time - below.time) / (2 * h), 1 / sqrt((double)s.omegasq), 1e-4);
-        passed++;
-        if (events[n - 1].kind != DOM_EVENT_STOP)
-            continue;
-        assert_status(ask_cycle_state(&train, end - h, &s, NULL), DOM_OK);
-        assert_near("the rest", events[n - 1].time - s.time, 2 * h / sqrt((double)s.omegasq), 1e-3);
-        stopped++;
-        friction_work += train.mu > 0;
-    }
-    print_message("# %d tilts, %d stops, %d with friction\n", passed, stopped, friction_work);
-    assert_true(passed > 60 && stopped > 15 && friction_work > 5);
-}
-
-/* Compares double with quad for trains that stop just below the top. */
-TEST(stops_to_the_digit)
-{
-    const double r[] = {1.7, 1.65, 1.64425};
-    for (int i = 0; i < 3; i++) {
-        struct asked train = asked_default();
-        struct domq_event events[DOM_EVENTS_MAX], finer[DOM_EVENTS_MAX];
-        int n, m;
-        train.r = r[i];
-        assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
-        train.precision = DOM_QUAD;
-        train.tol = 1e-25;
-        assert_status(ask_cycle_events(&train, finer, &m), DOM_STOPS);
-        assert_int_equal(n, m);
-        assert_near("where", events[n - 1].theta, finer[n - 1].theta, 1e-12);
-        assert_near("when", events[n - 1].time, finer[n - 1].time, 1e-11);
-    }
-    struct asked none = asked_default();
-    struct domq_event events[DOM_EVENTS_MAX];
-    struct domq_state s;
-    int n = 7;
-    none.s = 0.001;
-    assert_status(ask_cycle_events(&none, events, &n), DOM_NO_FUEL);
-    assert_int_equal(n, 0);
-    none.s = 0.4;
-    none.r = 1.7;
-    assert_status(ask_cycle_state(&none, 0.1, &s, NULL), DOM_STOPS);
-    assert_status(ask_cycle_state(&none, 1, &s, NULL), DOM_BAD_TILT);
 }

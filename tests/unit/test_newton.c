@@ -48,58 +48,6 @@ static bool falls(const struct run *run, struct newton *n)
     return n->result.all_fall;
 }
 
-/*
- * Checks that the row falls just below the largest growth of the train and stops just above it. The push is
- * so strong, and the row so long, that the limits of the row and the train agree to 1e-10. The integrator has
- * a tolerance of 1e-13 in each step.
- */
-TEST(largest_growths)
-{
-    static const double some[][4] = {/* s, q, mu, degrees */
-                                     {0.3, 3, 0, 0},   {0.4, 3, 0, 0},   {0.4, 4, 0, 0},   {0.5, 3, 0, 0},
-                                     {0.5, 4, 0, 0},   {0.3, 3, 0.2, 0}, {0.4, 3, 0.2, 0}, {0.4, 4, 0.2, 0},
-                                     {0.5, 4, 0.2, 0}, {0.6, 3, 0.2, 0}, {0.6, 4, 0.4, 0}, {0.3, 3, 0, -1},
-                                     {0.4, 3, 0, 2},   {0.3, 3, 0.2, 1}};
-    static struct run run;
-    static struct newton n;
-    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        struct asked train = train_of(some[i][0], some[i][1], some[i][2], some[i][3]);
-        struct domq_limit limit;
-        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
-        assert_int_equal(limit.ends, DOM_END_BARRIER);
-        for (int side = -1; side <= 1; side += 2) {
-            boxes_of(&run, &train, (double)limit.r_max * (1 + side * 1e-9), 12, 32);
-            if (falls(&run, &n) != (side < 0))
-                fail_msg("s %g, q %g, mu %g, %g deg: a row %s by 1e-9 %s r_max %.12g", some[i][0], some[i][1],
-                         some[i][2], some[i][3], side < 0 ? "stops" : "falls", side < 0 ? "below" : "above",
-                         (double)limit.r_max);
-        }
-    }
-}
-
-/* Checks the duration of the last cycle but one, by which the effect of the push has vanished. */
-TEST(durations)
-{
-    static const double some[][4] = {/* s, r, q, mu */
-                                     {0.6, 1, 3, 0},     {0.3, 1.4, 3, 0},  {0.4, 1.5, 4, 0},
-                                     {0.5, 1.9, 3, 0},   {0.5, 1, 3, 0.2},  {0.6, 1, 4, 0.4},
-                                     {0.3, 1.4, 4, 0.2}, {0.4, 1.5, 3, 0.4}};
-    static struct run run;
-    static struct newton n;
-    for (size_t i = 0; i < sizeof some / sizeof *some; i++) {
-        struct asked train = train_of(some[i][0], some[i][2], some[i][3], 0);
-        domq_real duration;
-        size_t count = some[i][1] > 1 ? 24 : ROW_MOST;
-        train.r = some[i][1];
-        assert_status(ask_cycle_duration(&train, &duration, NULL), DOM_OK);
-        boxes_of(&run, &train, some[i][1], count, 1.5);
-        assert_true(falls(&run, &n));
-        struct domq_scale scale = {.h = run.domino[count - 2].height, .g = 1};
-        double tau = (double)domq_scale_tau(&scale, &(struct domq_train){.d = stature});
-        assert_near("duration", (n.hit[count - 1].time - n.hit[count - 2].time) / tau, duration, 1e-11);
-    }
-}
-
 TEST(uneven_rows)
 {
     static const double scene[][5] = {/* r, degrees, mu, walls, push */

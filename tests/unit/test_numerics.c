@@ -167,51 +167,6 @@ static double bent(double x, void *c)
     return sqrt(x) - 0.1;
 }
 
-TEST(roots_against_gsl)
-{
-    const struct {
-        num_function *f;
-        double lo, hi, x;
-    } problems[] = {
-        {cubic, 0, 10, cbrt(2)},
-        {cubic, -100, 100, cbrt(2)},
-        {root_of_sine, 3, 4, 3.141592653589793},
-        {root_of_sine, 2, 4.5, 3.141592653589793},
-        {steep, -1, 1, log(2) / 20},
-        {bent, 0, 4, 0.01},
-    };
-    size_t ours = 0, theirs = 0;
-    for (size_t i = 0; i < sizeof problems / sizeof *problems; i++) {
-        ours += root_calls(problems[i].f, problems[i].lo, problems[i].hi, problems[i].x, false);
-        theirs += root_calls(problems[i].f, problems[i].lo, problems[i].hi, problems[i].x, true);
-    }
-    print_message("# evaluations for the list of roots: ours %zu, GSL's Brent %zu\n", ours, theirs);
-    assert_true(ours <= theirs);
-}
-
-TEST(integrals_against_gsl)
-{
-    size_t ours = 0, theirs = 0;
-    gsl_integration_workspace *space = gsl_integration_workspace_alloc(1000);
-    for (double margin = 1e-4; margin > 1e-20; margin /= 100) {
-        struct counted c = {.f = near_stop, .context = &margin};
-        gsl_function function = {count_call, &c};
-        double value = DOMQ_NAN, error;
-        assert_int_equal(num_integral(count_call, &c, 0, 1, 1e-12, &value, NULL), NUM_OK);
-        assert_near("ours", value, asinh(1 / sqrt(margin)), 1e-12);
-        ours += c.calls;
-        c.calls = 0;
-        assert_int_equal(
-            gsl_integration_qag(&function, 0, 1, 0, 1e-12, 1000, GSL_INTEG_GAUSS21, space, &value, &error),
-            GSL_SUCCESS);
-        assert_near("GSL's", value, asinh(1 / sqrt(margin)), 1e-12);
-        theirs += c.calls;
-    }
-    gsl_integration_workspace_free(space);
-    print_message("# evaluations for the list of near-stops: ours %zu, GSL's qag %zu\n", ours, theirs);
-    assert_true(ours <= theirs);
-}
-
 struct peak {
     double width, at;
     size_t calls;
@@ -334,30 +289,6 @@ TEST(linear_everywhere)
                 fail_msg("problem %zu: v(%g) = %.17g, expected %.17g", i, x, v, linear_v(&l, x));
         }
     }
-}
-
-TEST(linear_against_gsl)
-{
-    static struct num_linear solution;
-    size_t ours = 0, theirs = 0;
-    for (size_t i = 0; i < sizeof linears / sizeof *linears; i++) {
-        struct linear l = linears[i], m = linears[i];
-        double ln_G, v, x = 0, w = 0, expected = linear_G(&l, 1) * linear_v(&l, 1);
-        solution.panels = 0;
-        assert_int_equal(num_linear_solve(linear_rate, &l, 0, 1, 1e-12, &solution), NUM_OK);
-        num_linear_at(&solution, 1, &ln_G, &v);
-        assert_near("ours", exp(ln_G) * v, expected, 1e-11);
-        gsl_odeiv2_system system = {linear_step, NULL, 1, &m};
-        gsl_odeiv2_driver *driver =
-            gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 1e-6, 0, 1e-13);
-        assert_int_equal(gsl_odeiv2_driver_apply(driver, &x, 1, &w), GSL_SUCCESS);
-        gsl_odeiv2_driver_free(driver);
-        assert_near("GSL's", w, expected, 1e-11);
-        ours += l.calls;
-        theirs += m.calls;
-    }
-    print_message("# evaluations for the linear equations: ours %zu, GSL's rk8pd %zu\n", ours, theirs);
-    assert_true(ours <= theirs);
 }
 
 static bool linear_nan(double x, void *context, struct num_rate *rate)

@@ -47,24 +47,6 @@ TEST(edges_become_sharp)
     }
 }
 
-TEST(precisions_agree)
-{
-    for (int k = 0; k < 2; k++) {
-        struct asked train = train_of(0.3, 0.01, k ? 0.1 : 0);
-        train.r = 1.25;
-        domq_real in_double, in_quad, in_float;
-        assert_status(ask_cycle_duration(&train, &in_double, NULL), DOM_OK);
-        train.precision = DOM_FLOAT;
-        train.tol = domq_arithmetic(DOM_FLOAT)->tol_default;
-        assert_status(ask_cycle_duration(&train, &in_float, NULL), DOM_OK);
-        train.precision = DOM_QUAD;
-        train.tol = 1e-18;
-        assert_status(ask_cycle_duration(&train, &in_quad, NULL), DOM_OK);
-        assert_near("double", (double)(in_double - in_quad), 0, 1e-11);
-        assert_near("float", (double)(in_float - in_quad), 0, 1e-3);
-    }
-}
-
 /* Checks that theta_1 solves the contact equation up to rounding errors, for radii up to d/2, in each
  * precision. */
 TEST(contacts)

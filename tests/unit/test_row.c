@@ -197,35 +197,6 @@ static double potential(const struct run *run, size_t k, size_t moving, double t
     }
 }
 
-/* Checks, in rows in which no domino detaches, that the energy of a head minus friction and the increase of
- * the potential energy is the energy before the next hit. */
-TEST(energy_is_kept)
-{
-    static struct run run;
-    uint64_t seed = 62;
-    int checked = 0;
-    for (int i = 0; i < 400; i++) {
-        random_row(&run, &seed, i % 4);
-        assert_status(run_whole(&run), DOM_OK);
-        for (size_t k = 0; k + 1 < run.falls; k++) {
-            const struct domq_fall *f = &run.fall[k], *next = f + 1;
-            if (next->moving != f->moving + 1)
-                continue;
-            double rises = potential(&run, k, f->moving, f->theta) - potential(&run, k, f->moving, 0);
-            double open = (double)(f->kinetic - f->friction_work - next->kinetic - next->lost) - rises;
-            double size = (double)f->kinetic + fabs(rises);
-            if (!(fabs(open) <= 1e-12 * size) || next->lost < 0 || f->friction_work < -1e-12 * size)
-                fail_msg("domino %zu: open %g of %g, lost %g, friction_work %g", k + 1, open, size,
-                         (double)next->lost, (double)f->friction_work);
-            assert_near("the margin", f->kinetic - f->barrier, f->margin, 1e-9);
-            if (run.row.mu == 0)
-                assert_true(fabs((double)f->friction_work) <= 1e-12 * size);
-            checked++;
-        }
-    }
-    assert_true(checked > 1000);
-}
-
 /* ---- Verdicts ---- */
 
 static void check_end(struct run *run, enum dom_row_end end, size_t domino)
@@ -283,45 +254,6 @@ TEST(ends)
     assert_true(run.verdict.weakest == 1 && run.verdict.seconds == run.fall[0].duration);
     run.row.push = DOMQ_NAN;
     check_end(&run, DOM_ROW_FALLS, 1);
-}
-
-/* Checks that one domino turns over with (1/2) I omega^2 = m g (sqrt(h^2 + d^2) - h) / 2, by bisection to
- * twenty bits. */
-TEST(push_just_enough)
-{
-    static struct run run;
-    make_row(&run, 1, 0.4, 1, 0);
-    double edge = push_over(run.domino), lo = 0, hi = 10 * edge;
-    while (hi - lo > 4e-16 * hi) {
-        double middle = (lo + hi) / 2;
-        if (middle <= lo || middle >= hi)
-            break;
-        run.row.push = middle;
-        assert_status(run_whole(&run), DOM_OK);
-        *(run.verdict.end == DOM_ROW_FALLS ? &hi : &lo) = middle;
-    }
-    assert_near("push", hi, edge, 1e-13); /* kinetic and barrier have about ten rounding errors each */
-    run.row.push = 0;
-    check_end(&run, DOM_ROW_STOPS, 1);
-    assert_near("short by", run.verdict.short_by,
-                (double)run.domino[0].mass * g * (hypot(0.048, 0.007) - 0.048) / 2, 1e-13);
-}
-
-/*
- * Checks a weak push, whose motion ends at (1/2) I omega^2 = m g d theta / 2, without friction and with
- * friction, which has no effect on a single domino.
- */
-TEST(rests_after_a_slight_push)
-{
-    static struct run run;
-    for (int mu = 0; mu < 2; mu++)
-        for (double push = 1e-4; push > 1e-9; push /= 10) {
-            make_row(&run, 1, 0.4, 1, mu);
-            run.row.push = push;
-            check_end(&run, DOM_ROW_STOPS, 1);
-            double h = run.domino[0].height, d = run.domino[0].thickness;
-            assert_near("rest", run.fall[0].theta, push * push * (h * h + d * d) / (3 * g * d), 1e-8);
-        }
 }
 
 static bool twice(const struct domq_fall *fall, void *context)
@@ -447,41 +379,6 @@ TEST(verdict_sums_up)
                     v.short_by == run.verdict.short_by && v.weakest == weakest && v.spare == least &&
                     isnan((double)v.seconds));
     }
-}
-
-/*
- * Checks that the energy that a head needs does not depend on the speed of the head, even if a domino
- * detaches during the motion. Energy that is needed after that moment is converted to energy at the launch.
- */
-TEST(barriers_do_not_depend_on_the_push)
-{
-    static struct run slow, fast;
-    uint64_t seed = 66;
-    int checked = 0, behind = 0;
-    for (int i = 0; i < 1000; i++) {
-        random_row(&slow, &seed, i % 4);
-        if (i % 4 == 0) { /* near the reach the top is beyond the tilt at which the follower detaches */
-            double s = 0.3 + 0.5 * random_unit(&seed);
-            make_row(&slow, 5, s, (1 - random_log(&seed, 1e-4, 0.1)) / s, slow.row.mu / 20);
-        }
-        slow.row.push = (2 + 8 * random_unit(&seed)) * push_over(slow.domino);
-        fast = slow;
-        fast.row.push *= 1.2;
-        assert_status(run_whole(&slow), DOM_OK);
-        assert_status(run_whole(&fast), DOM_OK);
-        for (size_t k = 0; k < slow.falls && k < fast.falls; k++) {
-            const struct domq_fall *a = &slow.fall[k], *b = &fast.fall[k];
-            if (a->margin < 0) /* the run ends at a stop */
-                break;
-            if (!(fabs((double)(a->barrier - b->barrier)) <= 1e-10 * (double)b->kinetic))
-                fail_msg("domino %zu of row %d: %.17g and %.17g", k + 1, i, (double)a->barrier,
-                         (double)b->barrier);
-            checked++;
-            behind += k + 1 < slow.falls && slow.fall[k + 1].moving <= a->moving;
-        }
-    }
-    print_message("# %d heads, %d with a drop\n", checked, behind);
-    assert_true(checked > 1000 && behind > 20);
 }
 
 /* Checks that a domino of almost no weight does not end a sum, since the dominoes after it are heavy. */

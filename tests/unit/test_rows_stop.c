@@ -56,23 +56,6 @@ static double highest_energy_change(const struct run *run, size_t k, size_t movi
     return top;
 }
 
-/* Checks two rows for which the missing energy was once wrong. With a weaker push more energy is missing. */
-TEST(short_of_the_highest)
-{
-    static double size[][3] = {{0.1, 0.03, 0}, {0.13, 0.08, 0.098}, {0.3, 0.02, 0.1}};
-    static const double known[][3] = {{30, 0.361154, 0.596591}, {37, 0.524509, 0.433236}};
-    static struct run run;
-    for (int i = 0; i < 2; i++) {
-        blocks_row(&run, size, 3, known[i][0], 0);
-        assert_status(run_whole(&run), DOM_OK);
-        assert_true(run.verdict.end == DOM_ROW_STOPS && run.verdict.domino == 2);
-        assert_near("kinetic", run.fall[1].kinetic, known[i][1], 1e-6);
-        assert_near("barrier", run.fall[1].barrier, 0.957745, 1e-6);
-        assert_near("short by", run.verdict.short_by, known[i][2], 1e-6);
-        assert_near("the margin", run.verdict.short_by, -run.fall[1].margin, 0);
-    }
-}
-
 static void random_row(struct run *run, uint64_t *seed, double push, double mu)
 {
     double size[MOST][3];

@@ -29,29 +29,6 @@ TEST(largest_growths)
     }
 }
 
-/* Checks that a slope of 1e-300 gives exactly the results of a level floor. */
-TEST(level_is_the_limit)
-{
-    static const double mu[] = {0, 0.2};
-    for (int k = 0; k < 2; k++)
-        for (double s = 0.15; s < 0.8; s += 0.15) {
-            struct asked level = train_of(s, 0, mu[k]), slight = level;
-            slight.alpha = 1e-300;
-            struct domq_limit a = {.r_max = 0}, b = {.r_max = 0};
-            struct domq_floor at_a = {0}, at_b = {0};
-            domq_real of_a = 0, of_b = 0;
-            level.r = slight.r = 1.1;
-            assert_status(ask_limit_rmax(&level, &a, NULL), DOM_OK);
-            assert_status(ask_limit_rmax(&slight, &b, NULL), DOM_OK);
-            assert_true(a.r_max == b.r_max && a.ends == b.ends);
-            assert_int_equal(ask_cycle_duration(&level, &of_a, NULL),
-                             ask_cycle_duration(&slight, &of_b, NULL));
-            assert_true(of_a == of_b);
-            assert_int_equal(ask_cycle_floor(&level, &at_a), ask_cycle_floor(&slight, &at_b));
-            assert_true(at_a.motion == at_b.motion && at_a.hit == at_b.hit);
-        }
-}
-
 static bool floor_seen(const struct domq_fall *fall, void *context)
 {
     if (fall->domino == 1)

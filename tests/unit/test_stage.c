@@ -274,28 +274,6 @@ TEST(the_head_hits_at_the_end)
     assert_int_equal(hits, SOME + RANDOM);
 }
 
-/* Checks that the head has no contact once the first follower has detached, and that the followers are at
- * theta_f. */
-TEST(what_has_detached_lies)
-{
-    struct asked train = asked_default();
-    struct domq_angles angles;
-    struct stage stage;
-    train.s = 0.54;
-    train.r = 1.84;
-    train.q = 3;
-    assert_status(ask_angles_find(&train, &angles, NULL), DOM_OK);
-    assert_true(angles.detaches && angles.theta_leave < 1);
-    assert_status(asked_stage(&train, 1, &stage), DOM_OK);
-    assert_false(stage.domino[1].touched);
-    assert_true(stage.count > 4);
-    for (size_t i = 2; i < stage.count; i++) {
-        assert_false(stage.domino[i].touched);
-        assert_near("theta_f", stage.domino[i].theta, (double)angles.theta_f, 4 * DBL_EPSILON);
-    }
-    stage_free(&stage);
-}
-
 struct forces {
     size_t count;
     double force[DOMINOES], of_own[DOMINOES];
@@ -307,42 +285,4 @@ static bool force_seen(const struct domq_force *force, void *context)
     forces->force[forces->count] = (double)force->force;
     forces->of_own[forces->count++] = (double)force->of_own;
     return forces->count < DOMINOES;
-}
-
-/* Checks that every contact is drawn with the force that the library computes, and that there is no force
- * without a contact. */
-TEST(forces_press_where_dominoes_touch)
-{
-    static struct view v;
-    static struct forces forces;
-    int pressed = 0, alone = 0;
-    for (int k = 0; view_next(&v, k); k++) {
-        enum dom_status status = asked_forces(&v.train, v.theta, &v.stage);
-        forces.count = 0;
-        assert_status(ask_cycle_forces(&v.train, v.theta, force_seen, &forces), status);
-        for (int i = 1; i < (int)v.stage.count; i++) {
-            const struct drawn *own = &v.stage.domino[i];
-            if (status != DOM_OK || !own->touched || (size_t)i > forces.count || isnan(forces.force[i - 1])) {
-                assert_true(isnan(own->force) && isnan(own->of_own));
-                alone++;
-                continue;
-            }
-            assert_true(own->force == forces.force[i - 1] && own->of_own == forces.of_own[i - 1]);
-            assert_true(own->force > 0 && own->of_own > 0);
-            pressed++;
-        }
-    }
-    print_message("# %d contacts with a force, %d dominoes without\n", pressed, alone);
-    assert_true(pressed > 1000 && alone > 1000);
-}
-
-TEST(no_stage_beyond_the_cycle)
-{
-    struct asked train = asked_default();
-    struct stage stage;
-    assert_status(asked_stage(&train, 0.7, &stage), DOM_BAD_TILT);
-    stage_free(&stage);
-    train.r = 3;
-    assert_status(asked_stage(&train, 0, &stage), DOM_OUT_OF_REACH);
-    stage_free(&stage);
 }

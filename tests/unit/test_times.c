@@ -137,30 +137,6 @@ TEST(stops_have_times)
     assert_true(stops > 200 && at_reach > 50 && friction_work > 80);
 }
 
-/* Compares slight motions with friction, which end at once, in float and double with quad. */
-TEST(slight_motions)
-{
-    struct asked train = asked_default();
-    train.q = 3;
-    train.s = 0.15;
-    train.d = 0.3;
-    train.mu = 0.3;
-    train.r = 5.51465;
-    struct asked fine = in_quad(train);
-    struct domq_event events[DOM_EVENTS_MAX], expected[DOM_EVENTS_MAX];
-    int n, m;
-    assert_status(ask_cycle_events(&fine, expected, &m), DOM_STOPS);
-    for (int p = DOM_FLOAT; p <= DOM_DOUBLE; p++) {
-        train.precision = (enum dom_precision)p;
-        train.tol = domq_arithmetic(train.precision)->tol_default;
-        assert_status(ask_cycle_events(&train, events, &n), DOM_STOPS);
-        assert_int_equal(n, m);
-        /* The energy is a difference of numbers 1e5 times as large. */
-        assert_near("stop", (double)events[n - 1].theta, (double)expected[n - 1].theta, 1e5 * train.tol);
-        assert_near("time", (double)events[n - 1].time, (double)expected[n - 1].time, 1e5 * train.tol);
-    }
-}
-
 /* Returns the growth at which the top moves away from theta = 0, by halving. */
 static double vanishing(struct asked train)
 {
@@ -206,19 +182,6 @@ TEST(tops_that_vanish)
     }
     print_message("# %d tops, %d below 1e-6\n", checked, small);
     assert_true(checked > 200 && small > 50);
-}
-
-TEST(top_of_one_train)
-{
-    struct asked train = asked_default();
-    train.s = 0.76688250642638167;
-    train.r = 1.1153537532838222;
-    train.d = 0.41408462686236253;
-    struct asked fine = in_quad(train);
-    struct domq_barrier b, error, expected;
-    assert_status(ask_barrier_find(&train, &b, &error), DOM_OK);
-    assert_status(ask_barrier_find(&fine, &expected, NULL), DOM_OK);
-    assert_true(fabs((double)(b.theta_m - expected.theta_m)) <= error.theta_m && error.theta_m < 1e-13);
 }
 
 /* Checks that all functions about a cycle give the expected verdict: DOM_OK, DOM_STOPS, or another status. */

@@ -109,36 +109,6 @@ TEST(trains_move_as_without)
                 (0.4 + 7.0 / 48) * 1.5 * 0.048 / (9 * (double)tau * sqrt((double)found.inertia)), 1e-13);
 }
 
-/* Checks that the error bounds are those without walls. */
-TEST(bounds_are_kept)
-{
-    struct asked solid = asked_default(), box = solid;
-    struct domq_launch a, b, of_a, of_b;
-    box.walls = 0.02;
-    assert_status(ask_launch_find(&solid, &a, &of_a), DOM_OK);
-    assert_status(ask_launch_find(&box, &b, &of_b), DOM_OK);
-    assert_true(a.kinetic == b.kinetic && a.error.kinetic == b.error.kinetic);
-}
-
-/* Checks the friction needed in the collision, |1/2 - f (1 + d^2) / (3 a)| / (d/2) at the struck domino,
- * which is the head and needs the most. */
-TEST(struck_box)
-{
-    for (double walls = 0; walls < 0.073; walls += 0.01) {
-        struct asked train = asked_default();
-        struct domq_floor floor;
-        struct domq_box found = {.inertia = 1};
-        const double d = (double)train.d, a = sqrt(1 - 0.16);
-        train.r = 1;
-        train.walls = walls;
-        if (walls > 0)
-            assert_status(domq_box_find(1, d, 0.5, walls, &found), DOM_OK);
-        assert_status(ask_cycle_floor(&train, &floor), DOM_OK);
-        assert_near("hit", (double)floor.hit,
-                    fabs(0.5 - (double)found.inertia * (1 + d * d) / (3 * a)) / (d / 2), 1e-9);
-    }
-}
-
 enum { COUNT = 12 };
 
 /* Checks that a row of equal boxes takes longer by the factor of tau, and has the energies of solid

@@ -187,19 +187,6 @@ TEST(places_on_a_tape_measure)
     }
 }
 
-/* Checks that the widest gap is as wide as the domino before it is tall, since a wider gap is out of
- * reach. */
-TEST(the_reach_ends_it)
-{
-    static struct run run;
-    make_row(&run, 3, 0.3, 1, 0);
-    run.row.push = 30;
-    assert_int_equal(row_end(&run), DOM_ROW_FALLS);
-    find(&run);
-    assert_near("the widest", windows[0].high, run.domino[0].height, 1e-6);
-    assert_int_equal(windows[0].above, DOM_ROW_MISSES);
-}
-
 /* Returns the number of passes that the windows of all gaps take in a row with `count` dominoes. */
 static double work_of(size_t count)
 {
