@@ -261,8 +261,6 @@ $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthrea
 $(B)/unit/test_corners $(B)/unit/test_workers: $(call OBJ,$(addprefix src/shell/,parallel/workers.c io/io.c io/stream.c io/system.c io/terminal.c))
 # Unit tests of the shell: numbers.
 $(B)/unit/test_digits: $(call OBJ,$(addprefix src/shell/,language/quad.c answer/cell.c))
-# Quotes and comments in a line.
-$(B)/unit/test_text: $(call OBJ,src/shell/language/text.c)
 # The reader of csv files.
 $(B)/unit/test_csv: $(call OBJ,src/shell/io/escape.c $(wildcard src/shell/language/*.c))
 # Completion and other functions that need the tables of commands.

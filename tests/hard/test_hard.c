@@ -55,14 +55,24 @@ static struct verdict judge(const struct hard_case *c, struct ref *ref, enum ref
     return v;
 }
 
-static struct verdict judge_any(const struct hard_case *c, const struct ref_input *input, struct ref *ref,
-                                enum ref_quantity quantity, int digits2, domq_real got)
+/* Judges a limit of growth, which is 1/s or a growth at which the margin is 0. */
+static struct verdict judge_growth(const struct ref_input *input, enum ref_quantity quantity, int digits2,
+                                   const struct answers *answers)
 {
-    if (quantity == REF_R_MAX || quantity == REF_PAIR) {
-        struct verdict growth = {.want = (double)got};
-        growth.error = fabs(growth_error(input, quantity == REF_PAIR, digits2, got, &growth.scale));
-        return growth;
-    }
+    const domq_real got = answers->value[quantity], reach = 1 / input->s;
+    struct verdict v = {.want = (double)got, .scale = (double)got};
+    v.error = fabs(answers->ends == DOM_END_REACH
+                       ? (double)(got - reach)
+                       : growth_error(input, quantity == REF_PAIR, digits2, got, &v.scale));
+    return v;
+}
+
+static struct verdict judge_any(const struct hard_case *c, const struct ref_input *input, struct ref *ref,
+                                enum ref_quantity quantity, int digits2, const struct answers *answers)
+{
+    const domq_real got = answers->value[quantity];
+    if (quantity == REF_R_MAX || quantity == REF_PAIR)
+        return judge_growth(input, quantity, digits2, answers);
     if (quantity != REF_STOP)
         return judge(c, ref, quantity, got);
     struct ref_input at = *input;
@@ -94,7 +104,7 @@ static long check_case(int number, void *context)
         const enum ref_quantity quantity = c->check[k];
         library_ask(&train, input.tilt, quantity, &answers);
         const domq_real got = answers.value[quantity];
-        const struct verdict v = judge_any(c, &input, ref, quantity, digits2, got);
+        const struct verdict v = judge_any(c, &input, ref, quantity, digits2, &answers);
         const double unit = v.scale * library_unit(precision), allowed = c->units > 0 ? c->units : 16;
         if (v.error <= allowed * unit)
             continue;

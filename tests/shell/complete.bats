@@ -126,21 +126,6 @@ END
     done
 }
 
-@test "complete: nothing is offered twice" {
-    while IFS='|' read -r line word; do
-        offered=$("$DOMINO" -e "complete $line")
-        same "'$line' offers $word once" 1 "$(grep -cx "$word" <<<"$offered")"
-        same "'$line'" '(nothing)' "$(sort <<<"$offered" | uniq -d)"
-    done <<'END'
-|barrier
-help |barrier
-set |output
-print |sqrt(
-help fu|fuel
-print |pi
-END
-}
-
 @test "complete: keys after a dot" {
     same 'rmax.' 'rmax.s rmax.r_max rmax.r_max_exact rmax.r_max_paper' "$(completed 'print rmax.' | sed 's/ rmax\.ends_by//')"
     same 'barrier.m' 'barrier.margin' "$(completed 'print barrier.m')"

@@ -14,63 +14,6 @@ evenly() { # COUNT
         END { if (bad || NR != count) { print NR " steps, not even"; exit 1 } }'
 }
 
-# Prints a table of known values without its header.
-reference() { tail -n +2 "$BATS_TEST_DIRNAME/../reference/$1.csv" | tr -d '\r'; }
-
-@test "reference/points.csv: angles, energies, fuels, launch, barrier, speed and duration of a cycle" {
-    rows=0
-    # shellcheck disable=SC2034 # some are read by ${!name}
-    while IFS=, read -r name s r q d theta theta_c theta_f theta_leave theta_1 _ slope _ J0 J dH \
-        fuel_paper fuel_exact launch_paper launch_exact theta_m barrier omega_paper omega_exact \
-        duration_paper duration_exact; do
-        for fuel in exact paper; do
-            json "set s $s; set r $r; set q $q; set d $d; set fuel $fuel
-                thetac; theta1 $theta; energy $theta; fuel; launch; barrier; omega $theta; duration
-                " >answers
-            fuel_in_use=fuel_$fuel launch=launch_$fuel omega=omega_$fuel duration=duration_$fuel
-            while read -r key expected; do
-                # Where a train stops, the table has the negative values of (21; c3) and (24; c6), which
-                # are no squares of a speed.
-                [[ $key == omega*sq && $expected == -* ]] && expected=''
-                # The table has no value for durations that take long in 40 digits.
-                [ "$key $expected" = "duration " ] && continue
-                close "$name, fuel $fuel: $key" "${expected:-(nothing)}" "$(values "$key" <answers | head -n 1)"
-            done <<END
-theta_c $theta_c
-theta_f $theta_f
-theta_leave $theta_leave
-theta_1 $theta_1
-slope $slope
-J0 $J0
-J $J
-dH $dH
-fuel ${!fuel_in_use}
-fuel_exact $fuel_exact
-fuel_paper $fuel_paper
-omega0sq ${!launch}
-barrier $barrier
-theta_m $theta_m
-omegasq ${!omega}
-duration ${!duration}
-END
-        done
-        rows=$((rows + 1))
-    done < <(reference points)
-    same rows 16 "$rows"
-}
-
-@test "duration and launch in seconds: the axes tau = sqrt((h^2 + d^2) / 3 g h)" {
-    answer=$(json 'duration; launch')
-    tau=$(awk 'BEGIN { h = 0.048; d = 0.007; printf "%.17g", sqrt((h * h + d * d) / (3 * 9.81 * h)) }')
-    close tau "$tau" "$(values tau <<<"$answer")"
-    seconds=$(awk "BEGIN { printf \"%.17g\", $tau * $(values duration <<<"$answer") }")
-    close seconds "$seconds" "$(values seconds <<<"$answer")"
-    close speed "$(awk "BEGIN { printf \"%.17g\", (0.4 * 0.048 + 0.007) * 1.5 / $seconds }")" \
-        "$(values speed <<<"$answer")"
-    close omega0 "$(awk "BEGIN { printf \"%.17g\", sqrt($(values omega0sq <<<"$answer")) / $tau }")" \
-        "$(values omega0 <<<"$answer")"
-}
-
 @test "cycle: N rows and the events in order; the columns agree with omega, energy, chain, duration" {
     rows=$(json 'cycle 7')
     same events 'launch top hit' "$(values event <<<"$rows" | grep . | paste -sd ' ' -)"
@@ -132,32 +75,6 @@ END
         '88\.08 % of the kinetic energy, the share 1/J(0)' 'has 730 % of the energy that it needs .* clears the barrier'; do
         grep -q "$words" <<<"$output" || same "$words" "$words" "$output"
     done
-}
-
-@test "energies balance at every event and between events, with and without friction" {
-    while IFS='|' read -r bound state; do
-        for walk in 'step; goto 0.01; goto 0.02; goto launch' 'step 5'; do
-            json "$state; $walk" || : # no step follows after a stop
-        done >ledger
-        columns=(before lost gained kinetic)
-        [[ $state != *friction* ]] || columns+=(rubbed)
-        for key in "${columns[@]}"; do values "$key" <ledger >"column.$key"; done
-        paste "${columns[@]/#/column.}" | awk -v bound="$bound" -v columns=${#columns[@]} '
-            { open = $1 - $2 + $3 - $4 - $5 }
-            NF != columns || !(open <= bound * $1 && open >= -bound * $1) || $5 + 0 < 0 { print; bad = 1 }
-            END { exit bad || NR < 5 }'
-    done <<'END'
-1e-12|
-1e-12|set q hollow; set s 0.54; set r 1.8518
-1e-12|set q hollow; set s 0.5; set r 1.9
-1e-12|set r 1.7
-1e-12|set r 1; set s 0.1
-1e-9|effect friction 0.2; set s 0.4
-1e-9|effect friction 0.2; set s 0.3; set r 1.2
-1e-9|effect friction 0.2; set q hollow; set s 0.5; set r 1.8
-1e-9|effect friction 0.2; set s 0.6; set r 1.4
-END
-    "$DOMINO" -e 'set fuel paper; step' | grep -q "The balance of energy is off by -0.009769 mgh/2, because the paper's closed form of the fuel does not follow"
 }
 
 @test "step of a train that stops: goes to the stop, and says where and why" {
@@ -225,23 +142,6 @@ END
     [[ ${lines[0]} =~ ^'The train stops: it has 99.9'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '99.9... %' "${lines[0]}"
     run -0 "$DOMINO" -e 'set r 0.99999*rmax; barrier'
     [[ ${lines[0]} =~ ^'The train keeps falling: it has 100.0'[0-9]+' % of the energy that it needs to push the next domino over.'$ ]] || same share '100.0... %' "${lines[0]}"
-}
-
-@test "where and draw agree on whether the walk still belongs to this train" {
-    while IFS='|' read -r change; do
-        theta=$(json "goto 0.2; $change; where" | values theta | tail -n 1)
-        drawn=$(json "goto 0.2; $change; draw" | values theta | sed -n 2p)
-        whole=$(json "goto 0.2; $change; draw" | grep '"i":0' | tail -n 1 | values theta)
-        close "goto 0.2; $change" "${theta:-none}" "${whole:-none}"
-    done <<'END'
-set digits 4
-effect friction 0.3
-effect slope 1 deg
-set r 1.4
-set q hollow
-set precision quad
-END
-    expects drawn "$drawn"
 }
 
 @test "draw without T shows the state of 'where', whatever has changed since the last step" {

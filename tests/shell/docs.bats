@@ -74,8 +74,7 @@ build=$(dirname "$DOMINO")
     [ "$commands" -ge 5 ]
 }
 
-@test "the README has at most 180 lines, and its picture exists and is small" {
-    [ "$(wc -l <"$root/README.md")" -le 180 ]
+@test "links of the README lead to files, and its picture is small" {
     pictures=$(grep -oE '\(examples/pictures/[^)]*\)' "$root/README.md" | tr -d '()')
     expects pictures "$pictures"
     for picture in $pictures; do
@@ -86,8 +85,4 @@ build=$(dirname "$DOMINO")
     for link in $(grep -oE '\]\([a-z][^:)]*\)' "$root/README.md" | tr -d ']()'); do
         [ -e "$root/$link" ] || { echo "$link"; false; }
     done
-}
-
-@test "each equation is cited with the number that the paper prints, and the table lists the files" {
-    same equations '(nothing)' "$("$root/tests/equations")"
 }

@@ -12,26 +12,6 @@ record="effect row \"$root/examples/record.csv\""
         tr , '\n' | awk '$1 != 0 && $1 < 1e-12 && $1 > -1e-12')"
 }
 
-@test "draw: csv has the size, the position and the corners of every domino" {
-    csv draw >rows
-    same keys i,height,x,theta,top_front_x,top_front_z,top_back_x,top_back_z,foot_back_x,foot_back_z,contact_x,contact_z,force,of_own \
-        "$(head -n 1 rows)"
-    [ "$(wc -l <rows)" -gt 8 ]
-    # The next domino, which is 1.5 high and (s + d) r in front of the head; the head; its first
-    # follower.
-    csv 'set d 0.125; set s 0.375; draw' | sed -n 2,4p | cut -d , -f 1-10 >first
-    same next -1,1.5,0.75,0,0.75,1.5,0.5625,1.5,0.5625,0 "$(sed -n 1p first)"
-    same head 0,1,0,0,0,1,-0.125,1,-0.125,0 "$(sed -n 2p first)"
-    close 'the first behind it' -0.5 "$(sed -n 3p first | cut -d , -f 3)"
-    # At theta_c, the head touches the next domino at the height cos theta_c.
-    head_hits=$(csv 'draw thetac' | sed -n 2p)
-    close 'where the head hits' 0.6 "$(cut -d , -f 11 <<<"$head_hits")"
-    close 'how high' 0.8 "$(cut -d , -f 12 <<<"$head_hits")"
-    before=$(csv 'draw 0.6' | sed -n 2p)
-    same 'which is the next' -1 "${before%%,*}"
-    same 'not before' '(nothing)' "$(cut -d , -f 11 <<<"$before")"
-}
-
 @test "draw: rounded edges touch the back of their leader; files show them as arcs, captions name the radius" {
     for scene in 'draw 0' 'draw 0.3' 'set r 1.2; effect friction 0.1; draw 0.1'; do
         "$DOMINO" -e "set output csv; set digits 17; set header off; effect edges 0.05; $scene" 2>forces.txt |
@@ -306,36 +286,6 @@ END
     one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
     one_line "'quickly' is neither a value nor one of the words; usage: animate row.gif" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"
-}
-
-@test "a file with a picture contains only the picture, even with a row and with timing" {
-    local row='effect row 5; set timing on' what size
-    for what in draw 'draw 0.3 forces' 'plot energy' 'plot omega' 'plot chain' 'plot growth' 'plot marginal' \
-        'plot cost fuel'; do
-        "$DOMINO" -e "$row; $what > a.svg; $what > a.png; $what > a.pdf" >said 2>notes
-        same "$what: standard output" '(nothing)' "$(cat said)"
-        xmllint --noout a.svg
-        same "$what: the end of the svg" '</svg>' "$(grep . a.svg | tail -n 1)"
-        # Width, height, bit depth and colour type. The last chunk is IEND with its checksum.
-        case $what in # the height of a stage depends on the dominoes
-        draw) size=0000050000000460 ;;
-        draw*) size=0000050000000372 ;;
-        *) size=000003c0000002d0 ;;
-        esac
-        same "$what: the first chunk of the png" $size "$(od -An -tx1 -j 16 -N 8 a.png | tr -d ' ')"
-        same "$what: the last chunk of the png" 0000000049454e44ae426082 "$(tail -c 12 a.png | od -An -tx1 | tr -d ' \n')"
-        same "$what: the end of the pdf" '%%EOF' "$(tail -n 1 a.pdf)"
-        if [[ $what = 'draw 0.3'* ]]; then
-            same "$what: the note is for people" 3 "$(grep -c "^(This is the endless train" notes)"
-        fi
-        rm a.*
-    done
-    "$DOMINO" -e "$row; animate a.gif 2" >said
-    same 'the end of the gif' '3b' "$(tail -c 1 a.gif | od -An -tx1 | tr -d ' \n')"
-    same 'the same picture' "$("$DOMINO" -e 'animate b.gif 2' && cksum <b.gif)" "$(cksum <a.gif)"
-    # A text file also has the note.
-    "$DOMINO" -e 'effect row 5; duration > a.txt; barrier > b.txt'
-    for what in a b; do grep -q '^(This is the endless train' $what.txt; done
 }
 
 @test "GNUTERM in the environment changes no picture" {

@@ -1,7 +1,6 @@
 #!/usr/bin/env bats
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compares every example with its golden transcript. 'GOLDEN=write make sessions' writes the
-# transcripts again.
+# The examples. Four of them are compared with golden transcripts, which 'GOLDEN=write make sessions' writes again.
 # shellcheck disable=SC2030,SC2031,SC2154 # 'run' and 'load' set variables, each test is a subshell
 
 load common
@@ -13,39 +12,23 @@ golden() {
     same_file "$BATS_TEST_DIRNAME/golden/$1.out" "$BATS_TEST_TMPDIR/out"
 }
 
-@test "accuracy.dom" { golden accuracy; }
-
 @test "quiz.dom" { golden quiz; }
 
 @test "one-cycle.dom" { golden one-cycle; }
-
-@test "growth-curve.dom" { golden growth-curve; }
-
-@test "marginal-curve.dom" { golden marginal-curve; }
-
-@test "domtoren.dom" { golden domtoren; }
-
-@test "morris.dom" { golden morris; }
-
-@test "quiz-hollow.dom" { golden quiz-hollow; }
-
-@test "equal.dom" { golden equal; }
 
 @test "record.dom" { golden record; }
 
 @test "tutorial.dom" { golden tutorial; }
 
-@test "sweep.dom" { golden sweep; }
-
-@test "measured.dom" { golden measured; }
-
-@test "pictures.dom" { golden pictures; }
-
-@test "every example has a golden transcript and a test, and no transcript is left over" {
-    # The atlas takes a quarter of a minute, so prove.bats compares only a part of it with its
-    # table.
-    examples=$(cd "$root/examples" && printf '%s\n' *.dom | sed 's/\.dom$//' | grep -vx atlas | sort)
-    [ "$(wc -l <<<"$examples")" -ge 12 ]
-    same transcripts "$examples" "$(cd "$BATS_TEST_DIRNAME/golden" && find . -name '*.out' -size +0 | sed 's,^\./,,; s/\.out$//' | sort)"
-    same tests "$examples" "$(sed -nE 's/^@test "(.*)\.dom" \{ golden \1; \}$/\1/p' "$BATS_TEST_FILENAME" | sort)"
+@test "every other example runs to its end, without a message" {
+    local example
+    cd "$BATS_TEST_TMPDIR" || return
+    # The atlas takes a quarter of a minute, so prove.bats compares a part of it with its table, and the pictures are
+    # compared in animate.bats.
+    for example in "$root"/examples/*.dom; do
+        case ${example##*/} in atlas.dom | pictures.dom | quiz.dom | one-cycle.dom | record.dom | tutorial.dom) continue ;; esac
+        run -0 --separate-stderr "$DOMINO" --bail "$example"
+        same "$example" '(nothing)' "$stderr"
+        [ "${#lines[@]}" -gt 5 ] || same "$example" answers "$output"
+    done
 }

@@ -5,19 +5,6 @@
 
 load common
 
-@test "best: hollow and solid, exact and paper, to six decimals" {
-    while read -r q fuel s r_max; do
-        answer=$(json "set q $q; set fuel $fuel; best")
-        same "$q $fuel: s" "$s" "$(printf %.6f "$(values s <<<"$answer")")"
-        same "$q $fuel: r_max" "$r_max" "$(printf %.6f "$(values r_max <<<"$answer")")"
-    done <<END
-hollow exact 0.443615 2.172869
-hollow paper 0.432413 2.202558
-massive exact 0.533651 1.810436
-massive paper 0.520419 1.831348
-END
-}
-
 @test "curve: separations are evenly spaced, and values agree with rmax and pair" {
     json 'set q hollow; curve 0.3 0.5 3' >rows
     same rows 3 "$(wc -l <rows)"
@@ -79,15 +66,6 @@ END
     same reach reach "$(json 'rmax 0.9' | values ends_by)"
     same 'a hole in a curve' 'null 1.6442290' \
         "$(json 'curve 0.001 0.4 2' | values exact | cut -c1-9 | paste -sd ' ' -)"
-}
-
-@test "fuel paper: the figures of the paper" {
-    answer=$(json 'set q hollow; rmax; set fuel paper; rmax; fuel; show fuel')
-    close 'exact' '2.06377177270466131' "$(values r_max <<<"$answer" | head -n 1)"
-    close 'paper' '2.16858351495697886' "$(values r_max <<<"$answer" | tail -n 1)"
-    close 'both show exact' '2.06377177270466131' "$(values r_max_exact <<<"$answer" | tail -n 1)"
-    same 'fuel in use' "$(values fuel_paper <<<"$answer")" "$(values fuel <<<"$answer" | head -n 1)"
-    same 'its word' paper "$(values value <<<"$answer")"
 }
 
 @test "rmax names both limits if a row starts only with a smaller growth than keeps a train going" {

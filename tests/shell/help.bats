@@ -5,22 +5,6 @@
 
 load common
 
-@test "help lists every command, and explains each with its keys" {
-    list=$("$DOMINO" -e help)
-    while IFS='|' read -r call expected; do
-        name=${call##*; }
-        name=${name%% *}
-        grep -q "^  $name " <<<"$list" || same help "$name" "$list"
-        text=$("$DOMINO" -e "help $name")
-        as=$(sed -n "s/^It answers as '\([a-z]*\)' does.*/\1/p" <<<"$text")
-        [ -z "$as" ] || text=$("$DOMINO" -e "help $as")
-        for key in ${expected% reason}; do
-            grep -q "^  $key " <<<"$text" || same "help $name" "$key" "$text"
-        done
-    done <<<"$commands"
-    for name in set show reset print save source exit quit help apropos complete; do grep -q "^  $name " <<<"$list"; done
-}
-
 @test "lesson: in a pipe it shows the tutorial without waiting, and in a file the rest of the file" {
     golden=$BATS_TEST_DIRNAME/golden/tutorial.out
     same steps 10 "$(grep -c '^---- ' "$golden")"
@@ -36,12 +20,6 @@ load common
     same 'its lines are shown' '2' "$("$DOMINO" -f hostile.dom | grep -cF '\u202e')"
     run -1 "$DOMINO" -e 'set output json; lesson'
     [[ $output == *"a lesson needs tables; first enter 'set output table'"* ]]
-}
-
-@test "the help of each effect has its source" {
-    for name in friction row push placement floor; do
-        "$DOMINO" -e "help $name" | grep -q '^Source: '
-    done
 }
 
 @test "apropos: lists everything that mentions a word, in upper or lower case; or an error" {
@@ -120,13 +98,6 @@ END
     grep -q '^ *fuel  *paper ' <<<"$answer"
 }
 
-@test "help fuel, a command and a parameter, describes both" {
-    answer=$("$DOMINO" -e 'help fuel')
-    for words in 'It answers' 'set fuel' 'exact|paper'; do
-        [[ $answer == *"$words"* ]] || same 'help fuel' "$words" "$answer"
-    done
-}
-
 @test "help answers for the words that people use: one topic is explained, several are listed" {
     while IFS='|' read -r word topic; do
         same "$word" "$("$DOMINO" -e "help $topic")" "$("$DOMINO" -e "help $word")"
@@ -147,53 +118,6 @@ END
     sed -n '/^## Words/,/^## Does/s/^| \([a-z]*\) |.*/\1/p' "$BATS_TEST_DIRNAME/../../README.md" | grep -vx word >words
     [ "$(wc -l <words)" -ge 6 ]
     while read -r word; do "$DOMINO" -e "help $word" | grep -qi "\b$word\b"; done <words
-}
-
-@test "every column of every answer has a meaning" {
-    local pages=0
-    for command in $("$DOMINO" -e 'complete '); do
-        "$DOMINO" --keep-going -e "help $command" 2>/dev/null >page || true
-        pages=$((pages + 1))
-        same "$command" '(nothing)' "$(sed -n '/^It answers/,/^[A-Z]* *$/p' "$PWD/page" |
-            sed -n '2,$p' | awk '/^  [a-z]/ && NF < 2 || /^  [a-zA-Z_0-9]+ +[^ ]+ *$/')"
-    done
-    [ "$pages" -ge 40 ]
-}
-
-@test "help: on every page keys, units and meanings are aligned in columns" {
-    local topic pages=0
-    for topic in $("$DOMINO" -e 'complete help '); do
-        "$DOMINO" -e "help $topic" | sed -n '/^It answers/,/^$\|^In an/{/^  /p}' >page
-        [ -s page ] || continue
-        pages=$((pages + 1))
-        # Units begin after the longest key, and meanings after the longest unit. In rows without a unit, the meaning
-        # begins in the column of the units.
-        awk -v topic="$topic" '
-            { if (length($1) > key) key = length($1) }
-            NF > 1 { line[++n] = $0 }
-            END {
-                unit = 2 + (key > 12 ? key : 12) + 2
-                for (k = 1; k <= n; k++)
-                    if (substr(line[k], unit, 1) == " ") {
-                        match(substr(line[k], unit), /[^ ]/)
-                        if (meaning && RSTART != meaning) { print topic ": " line[k]; exit 1 }
-                        meaning = RSTART
-                    }
-                meaning = meaning ? unit + meaning - 1 : unit + 7
-                for (k = 1; k <= n; k++)
-                    if (substr(line[k], unit - 1, 1) != " " || substr(line[k], meaning - 1, 1) != " " ||
-                        (length(line[k]) >= meaning && substr(line[k], meaning, 1) == " ")) { print topic ": " line[k]; exit 1 }
-            }' page
-    done
-    [ "$pages" -ge 30 ]
-}
-
-@test "help and apropos: all summaries begin in the same column" {
-    "$DOMINO" -e help | sed '/^Parameters/,$d' | grep '^  ' >list
-    "$DOMINO" -e 'apropos e' | sed 's/^/  /' >>list
-    [ "$(wc -l <list)" -gt 80 ]
-    same 'out of line' '(nothing)' "$(grep -vE '^  .{20} [^ ]' list)"
-    same 'no blank before it' '(nothing)' "$(grep -vE '^  .{20} ' list)"
 }
 
 @test "help begins with eleven lines to type, all of which work in this order" {

@@ -26,7 +26,6 @@ load common
 @test "history: an empty DOMINO_HISTORY means no history" { prompt history_none; }
 @test "history: without XDG_STATE_HOME it is in the home folder" { prompt history_home; }
 @test "history: it survives a signal and a lost terminal" { prompt history_signal; }
-@test "history: two sessions at once" { prompt history_two; }
 @test "history: a file that cannot be written is reported" { prompt history_cannot; }
 @test "history and start-up file: not used in pipes" {
     export XDG_STATE_HOME=$BATS_TEST_TMPDIR/state XDG_CONFIG_HOME=$BATS_TEST_TMPDIR/config

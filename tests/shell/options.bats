@@ -198,8 +198,3 @@ closed|Permission denied
 /|directory
 END
 }
-
-@test "a directory as FILE is an error that says so, without a line number" {
-    run -1 --separate-stderr "$DOMINO" --keep-going -f /
-    [[ $stderr =~ ^domino:\ cannot\ [a-z]+\ .?/.?:\ Is\ a\ directory$ ]] || same message 'cannot read /: Is a directory' "$stderr"
-}

@@ -77,13 +77,9 @@ null_of() { # COMMANDS SELECTION KEY REASON
     [[ $said =~ ^null\|.*$4 ]] || same "$1" "null|$4" "$said"
 }
 
-@test "every command answers with its keys: -e" { answers_in -e; }
-
-@test "every command answers with its keys: standard input" { answers_in stdin; }
-
-@test "every command answers with its keys: -f FILE" { answers_in -f; }
-
-@test "every command answers with its keys: '#!'" { answers_in '#!'; }
+@test "every command answers with its keys, in every way to enter it" {
+    for way in -e stdin -f '#!'; do answers_in "$way"; done
+}
 
 @test "in tables, the labels of every command are its keys" {
     while IFS='|' read -r call expected; do
@@ -117,15 +113,6 @@ null_of() { # COMMANDS SELECTION KEY REASON
     done <<<"$commands"
 }
 
-@test "json: one object per line, and the same keys in every row" {
-    while IFS='|' read -r call expected; do
-        json "$call" >"$BATS_TEST_TMPDIR/rows"
-        same "$call: objects" '(nothing)' "$(grep -v '^{"[^{}]*}$' "$BATS_TEST_TMPDIR/rows" || true)"
-        [ -s "$BATS_TEST_TMPDIR/rows" ]
-        while read -r row; do same "$call: keys" "$expected" "$(keys <<<"$row")"; done <"$BATS_TEST_TMPDIR/rows"
-    done <<<"$commands"
-}
-
 @test "csv: the header consists of the keys, and the rows agree with json" {
     answered=0
     while IFS='|' read -r call expected; do
@@ -153,12 +140,6 @@ null_of() { # COMMANDS SELECTION KEY REASON
     same '0.1' 0.1 "$(json 'set s 0.1; show s' | values value)"
     theta_c=$(json thetac | values theta_c)
     same 'theta_c is a tilt' "$theta_c" "$(json "theta1 $theta_c" | values theta)"
-}
-
-@test "few digits: a column is as wide as its header" {
-    for what in 'sweep s 0.1 0.3 3 : rmax' 'sweep r 1.2 2.2 3 : count 112'; do
-        "$DOMINO" -e "set digits 3; $what" | awk 'NR == 1 { wide = length($0) } /^ .*[0-9]/ { rows++; if (length($0) != wide) { print; bad = 1 } } END { exit bad || rows != 3 }'
-    done
 }
 
 @test "json: an object for each command, with the name of the command, also for errors" {

@@ -173,30 +173,6 @@ END
         END { exit bad || n < 4 }' row fall speed
 }
 
-@test "plot gaps: the verdict changes at the ends of a window, and all dominoes fall between them" {
-    local scene domino gap low high others digit
-    for scene in 'effect row 5' "$row" 'set s 0.3; set r 1.3; effect row 4; effect push 3'; do
-        csv "$scene; plot gaps" >gaps
-        same keys domino,gap,low,high,others "$(head -n 1 gaps)"
-        same rows "$(csv "$scene; row" | wc -l)" "$(($(wc -l <gaps) + 1))"
-        while IFS=, read -r domino gap low high others; do
-            falls() { "$DOMINO" -e "set output json; $scene; place $domino $1; verdict" | values verdict; }
-            awk -v g="$gap" -v l="$low" -v h="$high" 'BEGIN { exit !(l <= g && g <= h && l < h) }'
-            same "$scene $domino: the plan" 'all fall' "$(falls "$gap")"
-            same "$scene $domino: low" 'all fall' "$(falls "$low")"
-            same "$scene $domino: high" 'all fall' "$(falls "$high")"
-            differ "$scene $domino: beyond high" 'all fall' "$(falls "1.00001*$high")"
-            [ "$low" = 0 ] || differ "$scene $domino: below low" 'all fall' "$(falls "0.99999*$low")"
-        done < <(sed 1d gaps)
-    done
-    # For a row that does not fall, the windows agree with 'mend'.
-    scene='effect row 6; place 3 25 mm'
-    differ 'it does not fall' 'all fall' "$(json "$scene; verdict" | values verdict)"
-    csv "$scene; mend" | awk -F, 'NR > 1 { print $1, ($3 < $4 ? $3 : $4), ($3 < $4 ? $4 : $3) }' | sort >mend
-    same 'the same as mend' "$(cat mend)" "$(csv "$scene; plot gaps" | awk -F, 'NR > 1 && $3 != "" { print $1, $3, $4 }' | sort)"
-    "$DOMINO" -e "$scene; plot gaps" | grep -q 'The row does not fall as planned. It falls with a gap of'
-}
-
 @test "plot placement: the data agree with placement, begin without errors, and have the interval" {
     csv 'effect row 8; effect placement 5 mm; plot placement 150' >likely
     same keys sigma,probability,low,high,rows "$(head -n 1 likely)"

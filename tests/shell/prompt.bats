@@ -23,16 +23,8 @@ same_at_the_prompt() { # FORMAT
 
 @test "every command answers at the prompt: table" { same_at_the_prompt table; }
 @test "every command answers at the prompt: json" { same_at_the_prompt json; }
-@test "every command answers at the prompt: csv" { same_at_the_prompt csv; }
-@test "help and show at the prompt" {
-    prompt answers help 'help rmax' show 'show s' >"$BATS_TEST_TMPDIR/obtained"
-    "$DOMINO" -e 'help; help rmax; show; show s' | grep . >"$BATS_TEST_TMPDIR/expected"
-    grep . "$BATS_TEST_TMPDIR/obtained" | diff "$BATS_TEST_TMPDIR/expected" -
-}
 @test "the first screen is a banner that mentions help, and a prompt" { prompt banner; }
-@test "'quit' leaves with status 0" { prompt quit; }
 @test "^D leaves with status 0, but only on an empty line" { prompt end_of_input; }
-@test "the status is 0 even after an error" { prompt leave_with_status_0; }
 @test "an error is a caret and one line, and the session goes on" { prompt error_goes_on; }
 @test "the caret counts columns, not bytes" { prompt caret_utf8; }
 @test "TAB completes commands, parameters and words, and nothing else" { prompt complete; }
@@ -44,14 +36,11 @@ same_at_the_prompt() { # FORMAT
 @test "^C in a history search ends the search" { prompt interrupt_search; }
 @test "^C stops a long computation" { prompt interrupt_computation; }
 @test "^C drops the rest of the line" { prompt interrupt_rest; }
-@test "^C drops the rest of a file" { prompt interrupt_source; }
 @test "^C stops a search that writes no rows" { prompt interrupt_silent; }
 @test "^C in a budget: the answer so far, with its interval" { prompt interrupt_budget; }
 @test "^C stops a sweep on one thread and on four, and the session goes on" { prompt interrupt_sweep; }
 @test "^C stops gnuplot at work on an animation, and leaves no file" { prompt interrupt_animation; }
-@test "^C while rows are written: the session and its lines are whole" { prompt interrupt_rows; }
 @test "SIGTERM ends the session during a long computation" { prompt terminate TERM; }
-@test "SIGHUP ends the session during a long computation" { prompt terminate HUP; }
 @test "the session ends when its terminal goes away" { prompt hang_up; }
 @test "^Z during a computation suspends when it is done" { prompt suspend; }
 @test "watch: keys move the point, and every way out puts the terminal in order" { prompt watch; }
@@ -60,9 +49,6 @@ same_at_the_prompt() { # FORMAT
 }
 @test "leaving with unsaved gaps needs a confirmation" { prompt unsaved; }
 @test "a line goes on below after a backslash" { prompt backslash; }
-@test "the arrow keys bring lines back" { prompt history; }
-@test "several lines pasted at once run one after the other" { prompt paste; }
-@test "no prompt unless input and output are terminals" { prompt no_prompt; }
 
 @test "start-up file: it runs, -n skips it" { prompt init_file; }
 @test "start-up file: an error says where, and the session opens" { prompt init_error; }
@@ -74,8 +60,6 @@ same_at_the_prompt() { # FORMAT
 @test "colour: off with NO_COLOR, TERM=dumb, and without TERM" { prompt no_colour; }
 @test "progress: on stderr, for a terminal only" { prompt progress; }
 @test "lines of 4000 letters" { prompt long_line; }
-@test "NUL bytes" { prompt nul; }
-@test "control characters" { prompt control; }
 @test "watch works only at the prompt, and says so" {
     wrong 'watch s 0.1 0.9: rmax' 'works only at the prompt of a terminal .* lists the answers'
     wrong 'watch s 0.9 0.1: rmax' 'FROM must be less than TO'

@@ -81,23 +81,6 @@ END
     done
 }
 
-@test "digits: they affect only tables" {
-    same 'table' '0.177287 0.177 0.177287017325' \
-        "$("$DOMINO" -e 'fuel; set digits 3; fuel; set digits 17; fuel' | awk '$1 == "fuel" { print $2 }' | paste -sd ' ' -)"
-    same 'rows' 0.738 "$("$DOMINO" -e 'set digits 3; set tol 1e-3; chain 0.1' | awk '$1 == 1 { print $2 }')"
-    same 'print' 0.333 "$("$DOMINO" -e 'set digits 3; print 1/3')"
-    # Headers are aligned with their columns for any number of digits.
-    for digits in 1 5 17; do
-        "$DOMINO" -e "set digits $digits; set tol 1e-3; chain 0.1" >table
-        same "digits $digits: columns" 1 "$(sed 2d "$PWD/table" | awk '{ print length }' | sort -u | wc -l)"
-    done
-    same 'all lines as many fields' 6 "$(sed 2d table | awk '{ print NF }' | sort -u)"
-}
-
-@test "digits are a whole number" {
-    wrong_at 12 'set digits 2.5' '^set: digits = 2.5 .*1 \.\. 36'
-}
-
 @test "timing: a time after every answer for people" {
     number='[0-9.e+-]+ ms'
     for commands in fuel 'chain 0.1' 'count 112' 'print 1' 'show s' 'curve 0.2 0.4 2'; do

@@ -116,10 +116,8 @@ narrow=(show rmax 'effect row 3; fall' barrier 'count 112' why 'help rmax' step 
     close_terminal
     fits 60 "${narrow[@]}"
 }
-@test "answers fit in 60 columns" { fits 60 "${answers[@]}"; }
 @test "answers fit in 80 columns" { fits 80 "${answers[@]}"; }
 @test "answers fit in 120 columns" { fits 120 "${answers[@]}"; }
-@test "answers with 17 digits fit in 80 columns" { fits 80 'set digits 17' "${answers[@]}"; }
 @test "help fits in 80 columns" { fits 80 "${helps[@]}"; }
 @test "help and apropos fit in 60 and 40 columns, and break no word" {
     for width in 60 40; do
@@ -240,12 +238,6 @@ gone() { ! terminal has-session 2>/dev/null; }
     done
 }
 
-@test "the first screen: banner and prompt, nothing else" {
-    open_session 80 24
-    [ "$(screen | wc -l)" -eq 2 ]
-    same 'the cursor is behind the prompt' 8 "$(cursor)"
-}
-
 @test "a long line is drawn again when the terminal is resized" {
     local line
     line="print 1$(printf ' + %d' {2..40})" # 194 characters
@@ -265,22 +257,6 @@ gone() { ! terminal has-session 2>/dev/null; }
 }
 at_end() { # LINE WIDTH: is the cursor behind the line?
     [ "$(cursor)" -eq $(((8 + ${#1}) % $2)) ]
-}
-
-@test "resizing during a computation and on an empty line" {
-    open_session 80 24
-    type_in 'curve 0.01 0.9 10000000 > /dev/null'
-    press Enter
-    see 'left'
-    terminal resize-window -x 60
-    terminal resize-window -x 90
-    press C-c
-    see interrupted
-    see_last "$prompt"
-    terminal resize-window -x 50 -y 10
-    see_last "$prompt"
-    ask 'print 6*7'
-    see '^42$'
 }
 
 @test "300 lines pasted, between brackets and without" {
@@ -333,29 +309,6 @@ suspended_session() {
     see_last "$prompt"
 }
 
-@test "^Z and fg on an empty line, twice, and resized in between" {
-    suspended_session
-    for width in 70 60; do
-        press C-z
-        see_last 'shell>'
-        terminal resize-window -x "$width"
-        until_true tty_is "$width" # tmux changes the size of the tty a moment later
-        press -l fg
-        press Enter
-        see_last "$prompt"
-    done
-    clear_screen
-    ask show
-    same 'the table fits' "$(screen -J)" "$(screen)"
-    press C-d
-    see_last 'shell>'
-    press -l 'stty -a; echo stty=$?' # the terminal modes are restored
-    press Enter
-    see 'stty=0'
-    see '[^-]icanon'
-    see '[^-]echo '
-}
-
 @test "^C during a computation leaves one line, and a prompt below it" {
     open_session 80 24
     type_in 'curve 0.01 0.9 10000000 > /dev/null; set s 0.3'
@@ -401,13 +354,6 @@ $prompt" "$(screen | tail -n 2)"
     place=$(((8 + ${#line} - 4) % 80))
     # The caret must be directly below the screen line that has the word.
     same caret "$(printf '%*s^' "$place" '')" "$(screen | grep -A 1 'fooo$' | sed -n 2p)"
-}
-
-@test "the caret never stands under an answer" {
-    open_session 80 24
-    ask 'show s; foo'
-    row=$(screen | grep -n '^ *^$' | cut -d : -f 1)
-    [ -z "$row" ] || same 'the line above the caret' 'foo' "$(screen | sed -n "$((row - 1))p" | grep -o foo)"
 }
 
 @test "^L, ^U and ^R do what they do in other programs" {

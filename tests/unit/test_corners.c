@@ -62,6 +62,49 @@ TEST(dips_of_the_margin)
 
 /* ---- Bounds ---- */
 
+/* Checks that error bounds take no work unless they are requested, and do not change any digit of the
+ * result. */
+TEST(bounds_are_extra)
+{
+    uint64_t seed = 77;
+    int barriers = 0, limits = 0;
+    for (int i = 0; i < 60; i++) {
+        struct asked train = random_train(&seed);
+        struct dom_work plain = {0}, bounded = {0};
+        struct domq_barrier without, with, error;
+        struct domq_limit limit, limit_with, limit_error;
+        train.precision = (enum dom_precision)(i % 3);
+        train.tol = domq_arithmetic(train.precision)->tol_default;
+        train.r = fmin(train.r, 3);
+        train.work = &plain;
+        enum dom_status status = ask_barrier_find(&train, &without, NULL);
+        size_t passes = plain.passes;
+        train.work = &bounded;
+        if (ask_barrier_find(&train, &with, &error) != status)
+            fail_msg("another verdict with bounds");
+        if (status != DOM_OK && status != DOM_STOPS)
+            continue;
+        barriers++;
+        assert_true(with.barrier == without.barrier && with.margin == without.margin &&
+                    with.theta_m == without.theta_m);
+        assert_true(error.margin > 0 && error.margin < without.kinetic + without.barrier);
+        assert_true(bounded.passes >= passes);
+        train.work = &plain;
+        plain.passes = bounded.passes = 0;
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+        train.work = &bounded;
+        assert_status(ask_limit_rmax(&train, &limit_with, &limit_error), DOM_OK);
+        assert_int_equal(limit.ends, limit_with.ends);
+        if (limit.ends != DOM_END_BARRIER)
+            continue;
+        limits++;
+        assert_true(limit.r_max == limit_with.r_max && limit_error.r_max > 0);
+        assert_true(bounded.passes > plain.passes);
+    }
+    print_message("# %d barriers and %d limits with bounds\n", barriers, limits);
+    assert_true(barriers > 30 && limits > 10);
+}
+
 /* ---- Refusals ---- */
 
 /* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */

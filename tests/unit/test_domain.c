@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cases without an answer: beyond the reach, without fuel and beyond the arithmetic. Also the texts of
- * statuses. */
+/* Trains without fuel, trains that cannot grow, the texts of statuses, and physical units. */
 #include "support.h"
 
 /* Checks a thick train, and one just below the separation at which a fall releases energy. */
@@ -22,6 +21,25 @@ TEST(no_cycle_without_fuel)
         assert_status(ask_cycle_stop(&t, &value, NULL), DOM_NO_FUEL);
         assert_status(ask_cycle_duration(&t, &value, NULL), DOM_NO_FUEL);
     }
+}
+
+/* Checks that there is no domino effect for s <= 2 d^3 / (1 - d^2): 0.0063378 for the standard domino. */
+TEST(no_fuel_below_a_separation)
+{
+    struct asked train = asked_default();
+    struct domq_limit limit;
+    double edge = 2 * pow(train.d, 3) / (1 - train.d * train.d);
+    assert_near("edge", edge, 0.0063378, 1e-5);
+    train.s = edge * (1 - 1e-9);
+    assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+    assert_int_equal(limit.ends, DOM_END_NONE);
+    assert_true(isnan(limit.r_max));
+    assert_status(limit.why, DOM_NO_FUEL);
+    train.s = edge * (1 + 1e-3);
+    struct domq_fuels fuels;
+    train.r = 1;
+    assert_status(ask_fuel_find(&train, &fuels, NULL), DOM_OK);
+    assert_true(fuels.exact > 0 && fuels.paper > 0);
 }
 
 /* Checks d > h: no domino tips over far enough to topple a larger one, at any separation. */

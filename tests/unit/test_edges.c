@@ -277,15 +277,6 @@ TEST(the_reason_is_the_first)
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
 }
 
-/* A dom_parallel that runs the last task first, and leaves out a given number of tasks. */
-static enum dom_status backwards(size_t count, dom_task *task, void *context, void *pool)
-{
-    const size_t *left_out = pool;
-    for (size_t i = count; i > *left_out; i--)
-        task(i - 1, context);
-    return DOM_OK;
-}
-
 /* Checks that studies of parts add up: how many rows fall, at which dominoes they stop, how many the model
  * cannot decide, and the interval. */
 TEST(studies_add_up)

@@ -276,3 +276,24 @@ TEST(an_interrupt_ends_every_stage)
         proof_end(&proof);
     }
 }
+
+TEST(each_wrong_bound_is_noticed)
+{
+    static const char *const name[] = {"none",
+#define BOUND_NAME(name) #name,
+                                       BOUNDS(BOUND_NAME)};
+    struct proof proof;
+    struct shape shape = shape_make(0.4, 0.1, 3);
+    int missed = 0;
+    assert_true(proof_begin(&proof, &shape));
+    for (int k = 1; k < (int)(sizeof name / sizeof *name); k++) {
+        broken = (enum bound)k;
+        int wrong = all_wrong(&proof);
+        if (wrong == 0)
+            print_error("%s is wrong, and nothing notices\n", name[k]);
+        missed += wrong == 0;
+    }
+    broken = ALL_RIGHT;
+    proof_end(&proof);
+    assert_int_equal(missed, 0);
+}

@@ -18,13 +18,6 @@ static enum dom_status asked_stage(const struct asked *asked, domq_real theta, s
     return stage_train(stage, &train, &compute, theta, 0);
 }
 
-static enum dom_status asked_forces(const struct asked *asked, domq_real theta, struct stage *stage)
-{
-    const struct domq_train train = asked_train(asked);
-    const struct domq_compute compute = asked_compute(asked, false);
-    return stage_forces(stage, &train, &compute, theta);
-}
-
 enum { DOMINOES = 200 }; /* the largest number of dominoes on a stage */
 enum { SOME = sizeof some_trains / sizeof *some_trains, RANDOM = 400, TILTS = 5 };
 
@@ -278,11 +271,3 @@ struct forces {
     size_t count;
     double force[DOMINOES], of_own[DOMINOES];
 };
-
-static bool force_seen(const struct domq_force *force, void *context)
-{
-    struct forces *forces = context;
-    forces->force[forces->count] = (double)force->force;
-    forces->of_own[forces->count++] = (double)force->of_own;
-    return forces->count < DOMINOES;
-}

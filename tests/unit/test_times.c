@@ -252,6 +252,26 @@ TEST(verdicts_near_the_limit)
     assert_true(goes > 25 && stops > 25);
 }
 
+/* Checks that the remaining energy has the relative tolerance tol, even if it is a small difference of large
+ * energies. */
+TEST(small_margins_keep_their_digits)
+{
+    for (int i = 0; i < 12; i++) {
+        struct asked train = asked_default();
+        struct domq_limit limit;
+        struct domq_barrier rough, fine;
+        train.s = 0.1 + 0.1 * (i % 4);
+        train.q = 3 + 0.5 * (i % 3);
+        assert_status(ask_limit_rmax(&train, &limit, NULL), DOM_OK);
+        train.r = limit.r_max * (1 - (domq_real)1e-8);
+        train.tol = 1e-14;
+        assert_status(ask_barrier_find(&train, &fine, NULL), DOM_OK);
+        train.tol = 1e-3;
+        assert_status(ask_barrier_find(&train, &rough, NULL), DOM_OK);
+        assert_near("margin", rough.margin, fine.margin, 1e-3);
+    }
+}
+
 /* Checks that the table of a cycle has the same times and tilts as single results. */
 struct seen {
     const struct asked *train;

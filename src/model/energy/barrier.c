@@ -9,8 +9,8 @@
 
 /*
  * The number of samples in each smooth piece (see barrier_scan). For 1,000,000 random trains, 8 samples found
- * every maximum that 150 samples in each piece found. tests/unit/test_barrier.c repeats the comparison with
- * fewer trains.
+ * every maximum that 150 samples in each piece found. tests/hard/test_sweep.c compares barriers with others
+ * in 400 bits.
  */
 #define BARRIER_SAMPLES 8
 

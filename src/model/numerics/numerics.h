@@ -3,9 +3,8 @@
  * Roots, maxima and integrals in the arithmetic of the kernels; nothing here depends on dominoes. A function
  * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE. These functions take the
  * place of those of GSL, which exist only in double precision, because the same source must serve all
- * precisions. tests/unit/test_numerics.c compares the two: for a list of roots, the functions here need 65
- * evaluations and Brent's method 73; for integrals of trains that nearly stop, the functions here need 4883
- * evaluations and qag 7497.
+ * precisions. For a list of roots, the functions here need 65 evaluations and Brent's method 73. For
+ * integrals of trains that nearly stop, the functions here need 4883 evaluations and qag 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
@@ -83,8 +82,8 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  * Both integrals are Chebyshev series on panels, which are halved until the series of p and c / G have died
  * out. The solution is as precise between the nodes as at the nodes, so that searches for maxima, roots and
  * times need no further steps. This code takes the place of odeiv2 of GSL, which computes only in double
- * precision and for one initial value at a time. tests/unit/test_numerics.c compares the two: a list of
- * equations takes 6880 evaluations here, and 13917 with rk8pd.
+ * precision and for one initial value at a time. A list of equations takes 6880 evaluations here, and 13917
+ * with rk8pd.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
