@@ -114,7 +114,7 @@ END
 }
 
 @test "design: the fewest dominoes with which the row falls with a probability, by the lower end of the interval" {
-    scene='set q hollow; effect friction 0.3; effect row 2; effect placement 5 mm'
+    scene='set q hollow; effect friction 0.3; effect placement 5 mm'
     answer=$(json "$scene; sweep seed 1 1 1 : design 30 cm falls 90 %")
     steps=$(values steps <<<"$answer")
     within enough 0.9 "$(values low <<<"$answer")" 'o >= e'
@@ -128,7 +128,7 @@ END
     grep -qE '^ +[0-9]+ .* 0 +2000 +100 +99\.816$' <<<"$output"
     run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
-    wrong 'effect row 2; design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
+    wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability up to 99.99 %"
     wrong "$scene; design 1 m falls 2 m" "'falls' is a probability up to 99.99 %"
 }

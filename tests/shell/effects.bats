@@ -132,7 +132,11 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
 
 @test "effects that need each other, or cannot be combined, say so" {
     wrong 'effect push 3' "'effect push' needs a row; first enter 'effect row N'"
-    wrong 'effect placement 1 mm' "'effect placement' needs a row"
+    # Errors may come before the row, but 'placement' runs a row.
+    wrong 'effect placement 1 mm; placement' "there is no row; first enter 'effect row N'"
+    same 'the order' "$(json 'effect row 9; effect placement 3 mm; placement 100')" \
+        "$(json 'effect placement 3 mm; effect row 9; placement 100')"
+    run -0 "$DOMINO" -e 'effect placement 3 mm; effect row 4; effect row off; effect row 3; placement 10'
     wrong 'effect row 4; effect push 3; effect row off' "'effect push' needs the row; first enter 'effect push off'"
     wrong 'set fuel paper; effect friction 0.2' "'fuel paper' cannot be combined with friction; first enter 'set fuel exact'"
     wrong 'effect friction 0.2; set fuel paper' "'fuel paper' cannot be combined with friction; first enter 'effect friction off'"

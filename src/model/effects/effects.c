@@ -205,7 +205,6 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                           .usual = 0,
                           .optional = true,
                           .words = distributions}},
-            .needs = 1U << DOM_EFFECT_row,
         },
     [DOM_EFFECT_floor] =
         {

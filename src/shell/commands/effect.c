@@ -44,9 +44,11 @@ static bool scene_work(const struct query *query, struct problem *problem, bool 
     struct scene_row row = {.domino = NULL};
     struct scene core = *query->scene;
     errors_off(&core);
+    const bool has_row = query->scene->effect[DOM_EFFECT_row].on;
+    random = random && has_row;
     if (random && !errors_check(query->scene, problem))
         return false;
-    if (query->scene->effect[DOM_EFFECT_row].on && !scene_row_make(query->scene, &row, problem))
+    if (has_row && !scene_row_make(query->scene, &row, problem))
         return false;
     enum dom_status status = row.row.engine ? DOM_OK : scene_answer(&core, &row, work);
     if (status == DOM_OK && random && !row.row.engine)
@@ -95,7 +97,9 @@ static double price_with(const struct query *query, int name, bool on)
         effect_put(&scene, DOM_EFFECT_floor, EFFECT_OFF, NULL);
     for (int k = 0; k < EFFECT_COUNT; k++) {
         const struct domq_effect *e = effect_at(k);
-        bool wanted = k == name ? on : (effect_at(name)->needs >> k & 1) != 0;
+        bool wanted = k == name ? on
+                                : (effect_at(name)->needs >> k & 1) != 0 ||
+                                      (k == DOM_EFFECT_row && name == DOM_EFFECT_placement);
         bool without = !on && (k == name || (e->needs >> name & 1) != 0);
         if (without || (wanted && !scene.effect[k].on))
             effect_put(&scene, k, without ? EFFECT_OFF : e->argument[0].usual, NULL);
@@ -234,7 +238,7 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     part_row(a, "time", "integral of 1/omega, double exponential", 0, "for times only");
     struct domq_error error[DOM_ERROR_COUNT];
     const bool has_placement = scene->effect[DOM_EFFECT_placement].on;
-    if (scene_errors(scene, error))
+    if (is_row && scene_errors(scene, error))
         part_row(a, has_placement ? "placement" : "errors", domq_effect(DOM_EFFECT_placement)->plan, 0,
                  has_placement ? "placement is on" : "errors are on");
     if (scene->effect[DOM_EFFECT_floor].on)

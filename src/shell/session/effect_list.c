@@ -102,14 +102,15 @@ static const char *const examples[EFFECT_COUNT] = {
 const char *effect_example(int name, char example[EFFECT_EXAMPLE])
 {
     const struct domq_effect *e = effect_at(name);
-    int n = 0;
+    const bool is_error = name >= EFFECT_ENGINE_END;
     if (examples[name])
         return examples[name];
+    int n = snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "effect row on; " : "");
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
             n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
     snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; %s", e->name,
-             name < EFFECT_ENGINE_END ? "scene"
+             !is_error ? "scene"
              /* fewer rows, because the engine takes a thousand times as long as the model */
              : e->needs >> EFFECT_feet & 1 ? "placement 5"
                                            : "placement 500");

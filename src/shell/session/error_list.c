@@ -39,7 +39,6 @@ const struct domq_effect error_effect_place = {
             "it, as if all places had been measured with a tape. In 'effect placement', an error of a gap "
             "moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
     SIZED("m", "error of each place", 1e9, 0.001),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_thickness = {
@@ -51,7 +50,6 @@ const struct domq_effect error_effect_thickness = {
             "heavier. A thickness is never below 1/100 of its value without the error, nor below twice the "
             "thickness of the walls or twice the radius of the edges.",
     SIZED("", "error of each thickness, as a fraction of it", 1, 0.01),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_mass = {
@@ -60,7 +58,6 @@ const struct domq_effect error_effect_mass = {
     .adds = "random errors of the masses of dominoes",
     .help = "Each domino is heavier or lighter by a separate random error, given as a fraction of its mass.",
     SIZED("", "error of each mass, as a fraction of it", 1, 0.05),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_lean = {
@@ -71,7 +68,6 @@ const struct domq_effect error_effect_lean = {
             "edge. A domino that would fall over by itself gets the largest lean with which it still stands. "
             "Leans cannot be combined with rounded edges, or with the rigid-body engine.",
     SIZED("rad", "error of each lean", 1.5, 0.005),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_radius = {
@@ -81,7 +77,7 @@ const struct domq_effect error_effect_radius = {
     .help = "The radius of the edges of each domino has a separate random error, given as a fraction of the "
             "radius. A radius is at most half of the thickness.",
     SIZED("", "error of each radius, as a fraction of it", 1, 0.1),
-    .needs = NEEDS(DOM_EFFECT_row) | NEEDS(DOM_EFFECT_edges),
+    .needs = NEEDS(DOM_EFFECT_edges),
 };
 
 const struct domq_effect error_effect_friction = {
@@ -92,7 +88,6 @@ const struct domq_effect error_effect_friction = {
             "the coefficient of 'effect friction' for all its dominoes. If the sum is negative, the "
             "coefficient is 0.",
     SIZED("", "error of the friction coefficient", 100, 0.05),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_slope = {
@@ -102,7 +97,6 @@ const struct domq_effect error_effect_slope = {
     .help = "One angle is drawn for each row and added to that of 'effect slope'. A floor is never so steep "
             "that a domino falls over by itself.",
     SIZED("rad", "error of the slope of the floor", 1.5, 0.005),
-    .needs = NEEDS(DOM_EFFECT_row),
 };
 
 const struct domq_effect error_effect_floor = {
@@ -112,7 +106,7 @@ const struct domq_effect error_effect_floor = {
     .help = "One error is drawn for each row and added to the coefficient of 'effect feet', the friction of "
             "the floor on which feet slip. If the sum is negative, the coefficient is 0.",
     SIZED("", "error of the friction coefficient of the floor", 100, 0.05),
-    .needs = NEEDS(DOM_EFFECT_row) | NEEDS(EFFECT_feet),
+    .needs = NEEDS(EFFECT_feet),
 };
 
 const struct domq_effect error_effect_push = {
@@ -122,5 +116,5 @@ const struct domq_effect error_effect_push = {
     .help = "One error is drawn for each row and added to the speed of 'effect push'. If the sum is "
             "negative, the speed is 0.",
     SIZED("rad/s", "error of the angular velocity of the first domino", 1e6, 0.5),
-    .needs = NEEDS(DOM_EFFECT_row) | NEEDS(DOM_EFFECT_push),
+    .needs = NEEDS(DOM_EFFECT_push),
 };
