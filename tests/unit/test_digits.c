@@ -31,7 +31,7 @@ static void one_text(double value)
     char text[WIDE_TEXT], printed[64];
     for (int digits = 1; digits <= 17; digits++) {
         snprintf(printed, sizeof printed, "%.*g", digits, value);
-        assert_string_equal(quad_text((dom_real)value, digits, text), printed);
+        assert_string_equal(quad_write((dom_real)value, digits, text), printed);
     }
 }
 
@@ -122,7 +122,7 @@ TEST(quad_numbers)
             value = (domq_real)(double)((float)(k % 1000) + 0.5F) + (k % 2 ? 1 : -1) * (domq_real)1e-25;
         for (int digits = 1; digits <= 20; digits++) {
             print_quad(printed, sizeof printed, digits, value);
-            assert_string_equal(quad_text(value, digits, text), printed);
+            assert_string_equal(quad_write(value, digits, text), printed);
         }
     }
 }

@@ -10,7 +10,7 @@
 /* Writes an error bound with two digits, rounded up so that it remains a bound. */
 static const char *bound_text(domq_real error, char text[WIDE_TEXT])
 {
-    return quad_text(error * (domq_real)1.06, 2, text);
+    return quad_write(error * (domq_real)1.06, 2, text);
 }
 
 /* Returns how many digits of a number to print, but at most `all`. Rounding to this many digits adds little
@@ -33,11 +33,11 @@ static const char *real_text(struct cell cell, int digits, bool bounds, char tex
     char number[WIDE_TEXT], bound[WIDE_TEXT];
     bool with_bound = bounds && isfinite(cell.error) && cell.digits == 0;
     if (!with_bound)
-        return quad_text(cell.number, cell.digits ? cell.digits : digits, text);
+        return quad_write(cell.number, cell.digits ? cell.digits : digits, text);
     if (cell.error == 0)
         quad_exact(cell.number, digits, number);
     else
-        quad_text(cell.number, bound_digits(cell, digits), number);
+        quad_write(cell.number, bound_digits(cell, digits), number);
     domq_real error = printed_error(cell, number);
     if (error > 0)
         snprintf(text, CELL_TEXT, "%s +/- %s", number, bound_text(error, bound));
@@ -52,7 +52,7 @@ const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_
     case CELL_REAL:
         return real_text(cell, digits, bounds, text);
     case CELL_COUNT:
-        return quad_text(cell.number, WIDE_DIGITS, text);
+        return quad_write(cell.number, WIDE_DIGITS, text);
     case CELL_FLAG:
         return cell.number != 0 ? "yes" : "no";
     case CELL_WORD:
@@ -114,12 +114,12 @@ const char *cell_plain(const struct answer_style *style, struct cell cell, char 
     /* About half of the computed numbers need `all` digits, and most of the others need one digit less. If
      * printf has removed trailing zeros from the text with one digit less, every remaining digit is
      * needed. */
-    if (read_back(style, quad_text(cell.number, all - 1, text)) != cell.number)
-        return quad_text(cell.number, all, text);
+    if (read_back(style, quad_write(cell.number, all - 1, text)) != cell.number)
+        return quad_write(cell.number, all, text);
     char fewer[CELL_TEXT];
     for (int n = all < 15 ? all - 2 : 15; n < all - 1 && strlen(text) + 1 >= (size_t)all;
          n = n < all - 2 ? all - 2 : all)
-        if (read_back(style, quad_text(cell.number, n, fewer)) == cell.number)
+        if (read_back(style, quad_write(cell.number, n, fewer)) == cell.number)
             return memcpy(text, fewer, strlen(fewer) + 1);
     return text;
 }

@@ -48,7 +48,6 @@ domq_real measure_number(struct measure measure, domq_real value)
 struct measured measured(domq_real value, const char *unit, int digits)
 {
     struct measured result;
-    char number[WIDE_TEXT];
     struct measure measure = measure_of(unit, value);
     domq_real shown = measure_number(measure, value), limit = 1;
     for (int n = 0; n < digits; n++)
@@ -56,8 +55,8 @@ struct measured measured(domq_real value, const char *unit, int digits)
     /* A number that is rounded up to 100 needs more digits, or it would be printed as 1e+02. */
     for (; digits < 15 && quad(fabs)(shown) >= limit - (domq_real)0.5; limit *= 10)
         digits++;
-    snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits, number),
-             *measure.unit ? " " : "", measure.unit);
+    snprintf(result.text, sizeof result.text, "%s%s%s", quad_text(shown, digits), *measure.unit ? " " : "",
+             measure.unit);
     return result;
 }
 

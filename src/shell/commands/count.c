@@ -21,12 +21,11 @@ const struct column count_columns[] = {
 };
 
 /* Returns a name for the dominoes with mass exponent q, such as "hollow", "solid" or "q = 3.5". */
-static const char *mass_name(domq_real q, char name[32])
+static struct words mass_name(domq_real q)
 {
     const char *word = parameter_word(parameter_find("q"), q);
-    if (word)
-        return word;
-    snprintf(name, 32, "q = %g", (double)q);
+    struct words name;
+    snprintf(name.text, sizeof name.text, "%s%s", word ? "" : "q = ", word ? word : quad_text(q, 6));
     return name;
 }
 
@@ -76,17 +75,15 @@ static bool tower_find(const struct query *query, const struct domq_train *train
 }
 
 /* Formats how many dominoes are enough with growth r, for example "16 dominoes". */
-static const char *enough_text(const struct query *query, domq_real height, domq_real r, char text[96])
+static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;
-    char number[WIDE_TEXT];
+    struct words words = {"no number of dominoes is enough"};
     if (domq_count_find(query->scene->scale.h, height, r, &query->scene->compute, &count) == DOM_OK &&
         isfinite(count.dominoes))
-        snprintf(text, 96, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS, number),
+        snprintf(words.text, sizeof words.text, "%s domino%s", quad_text(count.dominoes, WIDE_DIGITS),
                  count.dominoes == 1 ? "" : "es");
-    else
-        snprintf(text, 96, "no number of dominoes is enough");
-    return text;
+    return words;
 }
 
 /* Prints for one kind of domino whether the row falls. Also prints how few dominoes would be enough with the
@@ -94,20 +91,20 @@ static const char *enough_text(const struct query *query, domq_real height, domq
 static void kind_say(const struct query *query, struct answer *a, domq_real q, domq_real height,
                      const struct tower *t)
 {
-    char name[32], moving[96], starting[96], starts[192] = "";
-    const char *kind = mass_name(q, name),
-               *by = query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself";
+    char starts[256] = "";
+    const struct words kind = mass_name(q);
+    const char *by = query->scene->effect[DOM_EFFECT_push].on ? "with this push" : "by itself";
     if (t->limit.ends == DOM_END_NONE) {
-        answer_say(a, "  %-7s no; not even equal dominoes keep falling", kind);
+        answer_say(a, "  %-7s no; not even equal dominoes keep falling", kind.text);
         return;
     }
     if (isnan(t->growths.r_max) && !t->start.engine)
         snprintf(starts, sizeof starts, "; but no such row starts %s", by);
     else if (t->growths.r_max < t->limit.r_max)
         snprintf(starts, sizeof starts, "; a row starts %s with growth up to %.6g: %s", by,
-                 (double)t->growths.r_max, enough_text(query, height, t->growths.r_max, starting));
-    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind, t->falls ? "yes;" : "no;",
-               (double)t->limit.r_max, enough_text(query, height, t->limit.r_max, moving), starts);
+                 (double)t->growths.r_max, enough_words(query, height, t->growths.r_max).text);
+    answer_say(a, "  %-7s %-4s growth up to %.6g is possible: %s%s", kind.text, t->falls ? "yes;" : "no;",
+               (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
 /* Calls kind_say for each kind of domino that has a name. `session_tower` is the result for the kind of the
@@ -117,10 +114,8 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
                       const struct tower *session_tower)
 {
     bool has_name = false;
-    char number[WIDE_TEXT];
     struct tower other = {.falls = false};
-    answer_say(a,
-               "\nFalling with growth %s at s = %.6g, by kind of domino:", quad_growth(train->r, 6, number),
+    answer_say(a, "\nFalling with growth %s at s = %.6g, by kind of domino:", quad_growth(train->r, 6),
                (double)train->s);
     for (const struct word *w = parameter_find("q")->words; w->name; w++) {
         struct domq_train kind = *train;
@@ -140,36 +135,34 @@ static bool kinds_say(const struct query *query, struct answer *a, struct proble
 }
 
 /* Returns "The 20th domino" or "The first domino". */
-static const char *ordinal(domq_real n, char text[WIDE_TEXT + 16])
+static struct words ordinal(domq_real n)
 {
     static const char *const ends[] = {"th", "st", "nd", "rd"};
-    char number[WIDE_TEXT];
+    struct words words = {"The first domino"};
     int hundreds = (int)(n - 100 * quad(floor)(n / 100)), last = hundreds % 10;
-    if (n == 1)
-        return "The first domino";
-    snprintf(text, WIDE_TEXT + 16, "The %s%s domino", quad_text(n, WIDE_DIGITS, number),
-             last > 3 || hundreds / 10 == 1 ? "th" : ends[last]);
-    return text;
+    if (n != 1)
+        snprintf(words.text, sizeof words.text, "The %s%s domino", quad_text(n, WIDE_DIGITS),
+                 last > 3 || hundreds / 10 == 1 ? "th" : ends[last]);
+    return words;
 }
 
 /* Prints the answer for people, in three lines. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
                       const struct tower *t, domq_real height, domq_real first)
 {
-    char number[WIDE_TEXT], growth[WIDE_TEXT], nth[WIDE_TEXT + 16];
     if (count->dominoes == 0) {
         answer_say(a, "No other domino is needed: the first is already %s tall.\n",
                    measured(first, "m", 6).text);
         return;
     }
     answer_say(a, "%s domino%s, each %s times as large as the one before, %s one of %s.",
-               quad_text(count->dominoes, WIDE_DIGITS, number), count->dominoes == 1 ? "" : "es",
-               quad_growth(train->r, (int)a->style.digits, growth),
+               quad_text(count->dominoes, WIDE_DIGITS), count->dominoes == 1 ? "" : "es",
+               quad_growth(train->r, (int)a->style.digits),
                !t->falls              ? "would be needed to topple"
                : count->dominoes == 1 ? "topples"
                                       : "topple",
                measured(height, "m", 6).text);
-    answer_say(a, "%s is %s tall; it could topple one of up to %s.", ordinal(count->dominoes, nth),
+    answer_say(a, "%s is %s tall; it could topple one of up to %s.", ordinal(count->dominoes).text,
                measured(count->last / train->r, "m", 4).text, measured(count->last, "m", 4).text);
     answer_say(a, "%s", t->falls ? "Such a row falls." : "Such a row does not fall.");
 }
@@ -196,14 +189,13 @@ static const char *count_reason(const struct query *query, const struct answer *
                                 const struct tower *t, const struct domq_train *train,
                                 char reason[START_TEXT])
 {
-    char name[32];
     if (!isfinite(dominoes))
         snprintf(reason, START_TEXT, "with r = 1 dominoes do not grow, so no number of them is enough");
     else if (t->falls || (!t->stops && answer_for_people(a)))
         return NULL;
     else if (t->stops)
         snprintf(reason, START_TEXT, "not possible at s = %.6g with %s%s: %s", (double)train->s,
-                 mass_name(train->q, name), parameter_word(parameter_find("q"), train->q) ? " dominoes" : "",
+                 mass_name(train->q).text, parameter_word(parameter_find("q"), train->q) ? " dominoes" : "",
                  t->stops);
     else
         start_problem(query, &t->start, reason);

@@ -144,13 +144,13 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;
-    char text[WIDE_TEXT], place[64] = "";
+    char place[64] = "";
     struct answer_style style = state_style(query->state);
     int digits = (int)fmin((double)style.digits, style_tol_digits(&style));
     if (domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop) == DOM_OK &&
         isfinite(stop.value))
         snprintf(place, sizeof place, " at theta = %s %s,",
-                 quad_text(style_angle(&style, stop.value), digits, text), style_angle_unit(&style));
+                 quad_text(style_angle(&style, stop.value), digits), style_angle_unit(&style));
     snprintf(reason, ANSWER_REASON,
              "no domino effect: the train has too little energy and stops%s before the top of the barrier",
              place);

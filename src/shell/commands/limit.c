@@ -52,13 +52,12 @@ static const struct column rmax_columns[] = {
 /* Prints what the largest growth means, and what prevents a larger one. */
 static void rmax_say(struct answer *a, const struct domq_train *train, const struct domq_limit *used)
 {
-    char growth[WIDE_TEXT];
     if (used->ends == DOM_END_NONE)
         answer_say(a, "No domino can be larger than the one before: not even equal dominoes keep falling.\n");
     else
         answer_say(a,
                    "With a gap of %.6g heights, each domino can be %s times as large as the one before. %s\n",
-                   (double)train->s, quad_growth(used->r_max, 6, growth),
+                   (double)train->s, quad_growth(used->r_max, 6),
                    used->ends == DOM_END_REACH
                        ? "Dominoes that grow more fall past the next one without touching it."
                        : "With a larger growth there is too little energy to keep falling.");
@@ -88,7 +87,7 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
                            const struct start_growths *growths)
 {
     struct start start;
-    char words[START_WORDS], push[96] = "";
+    char push[96] = "";
     const domq_real r_start = growths->r_max;
     if (used->ends == DOM_END_NONE || growths->has_engine || r_start >= used->r_max)
         return true;
@@ -99,17 +98,16 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
             snprintf(push, sizeof push, " With growth %.6g the row needs a push of %.4g rad/s.",
                      (double)train->r, (double)start.push);
     }
-    start_words(query, words);
     if (!isnan(r_start))
         answer_say(a,
                    "This is for a train that is already moving. A row that starts %s falls with growth up to "
                    "%.6g.%s",
-                   words, (double)r_start, push);
+                   start_words(query).text, (double)r_start, push);
     else
         answer_say(a,
                    "This is for a train that is already moving. A row that starts %s does not fall with any "
                    "growth.%s",
-                   words, push);
+                   start_words(query).text, push);
     return true;
 }
 
@@ -118,12 +116,11 @@ static bool rmax_start_say(const struct query *query, struct answer *a, struct p
 static const char *start_missing(const struct query *query, const struct answer *a,
                                  const struct start_growths *growths, char reason[START_TEXT])
 {
-    char words[START_WORDS];
     if (growths->has_engine)
         return "r_start has no value: in the rigid-body engine the search takes too long; 'rowmax' finds it "
                "for a row";
     snprintf(reason, START_TEXT, "r_start has no value: a row that starts %s does not fall with any growth",
-             start_words(query, words));
+             start_words(query).text);
     return answer_for_people(a) ? NULL : reason;
 }
 

@@ -167,7 +167,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     struct start start;
-    char ends[START_TEXT], words[START_WORDS];
+    char ends[START_TEXT];
     double least, most;
     enum dom_status status = dom_prove_count((double)query->scene->scale.h, height, train.r, &least, &most);
     if (status == DOM_OK)
@@ -194,7 +194,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     if (is_enough)
         answer_say(a, "Proved: %.0f dominoes are enough at growth %.12g, and fewer are not.", least, train.r);
     say_cycle(query, a, &proof);
-    answer_say(a, "Computed, but not proved: %s %s.", start_words(query, words),
+    answer_say(a, "Computed, but not proved: %s %s.", start_words(query).text,
                start.falls ? "the row starts" : "the row does not start");
     return true;
 }

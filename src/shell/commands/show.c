@@ -62,7 +62,7 @@ static void variable_row(struct answer *a, const struct variable *v)
     char value[WIDE_TEXT];
     struct cell number = cell_unbounded(v->value.value);
     if (answer_for_people(a))
-        number = cell_word(quad_text(v->value.value, (int)a->style.digits, value));
+        number = cell_word(quad_write(v->value.value, (int)a->style.digits, value));
     answer_cells(a, cell_word(variable_head(v)), v->body ? cell_word(v->body) : number,
                  cell_word(expression_unit_text(v->value)), cell_word(""), cell_word(""),
                  cell_word(v->body ? "a function, from 'let'" : "a variable, from 'let'"));

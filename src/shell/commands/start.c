@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/start.h"
-#include "commands/rows/falling.h"
 #include "language/quad.h"
 #include <stdlib.h>
 
@@ -105,25 +104,24 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     return true;
 }
 
-const char *start_words(const struct query *query, char words[START_WORDS])
+struct words start_words(const struct query *query)
 {
     const struct effect_state *push = &query->scene->effect[DOM_EFFECT_push];
+    struct words words = {"with a first domino that just tips over"};
     if (push->on)
-        snprintf(words, START_WORDS, "with a push of %.4g rad/s", (double)push->value[0]);
-    else
-        snprintf(words, START_WORDS, "with a first domino that just tips over");
+        snprintf(words.text, sizeof words.text, "with a push of %.4g rad/s", (double)push->value[0]);
     return words;
 }
 
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT])
 {
-    char push[80] = "", words[START_WORDS];
+    char push[80] = "";
     if (isfinite(start->push))
         snprintf(push, sizeof push, "; a push of %.4g rad/s is enough", (double)start->push);
     else if (!start->engine && start->end != DOM_ROW_MISSES)
         snprintf(push, sizeof push,
                  "; a push that is strong enough would lift the first domino off the floor");
-    snprintf(text, START_TEXT, "%s the row ends at domino %zu: %s%s", start_words(query, words),
+    snprintf(text, START_TEXT, "%s the row ends at domino %zu: %s%s", start_words(query).text,
              start->stops_at,
              start->end == DOM_ROW_LEANS ? "the first touches the second before it tips over"
                                          : dom_row_end_text(start->end),

@@ -4,7 +4,7 @@
 #ifndef SHELL_START_H
 #define SHELL_START_H
 
-#include "interpreter/command.h"
+#include "commands/rows/falling.h"
 
 /* A row whose first domino just tips over, or gets the push of the session. */
 struct start {
@@ -34,13 +34,12 @@ struct start_growths {
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);
 
-/* Writes "with a first domino that just tips over", or "with a push of 3 rad/s". */
-enum { START_WORDS = 64 };
-const char *start_words(const struct query *query, char words[START_WORDS]);
+/* Returns "with a first domino that just tips over", or "with a push of 3 rad/s". */
+struct words start_words(const struct query *query);
 
 /* Writes why a row does not fall: "with a push of 3 rad/s it ends at domino 2: its energy is not enough to
  * tip it over; a push of 6.8 rad/s is enough". */
-enum { START_TEXT = 280 };
+enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 
 #endif

@@ -104,7 +104,6 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     (void)problem;
     struct quantity q = query->given->quantity[0];
     const struct conversion *to = query->given->bound;
-    char number[WIDE_TEXT];
     a->is_value = true;
     a->value = q;
     const bool is_angle = !to && quantity_plain(q) && q.angle == 1;
@@ -118,10 +117,8 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     struct cell cell = {.kind = CELL_NONE};
     if (!people)
         cell = cell_unbounded(q.value);
-    if (people && *unit)
-        answer_say(a, "%s %s", quad_text(q.value, digits, number), unit);
-    else if (people)
-        answer_say(a, "%s", quad_text(q.value, digits, number));
+    if (people)
+        answer_say(a, "%s%s%s", quad_text(q.value, digits), *unit ? " " : "", unit);
     else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",

@@ -53,7 +53,7 @@ static void operand(const struct formula *f, const struct tree *t, enum binding 
 void formula_number(const struct formula *f, domq_real number, int digits)
 {
     char text[WIDE_TEXT];
-    quad_text(number, digits, text);
+    quad_write(number, digits, text);
     char *power = strchr(text, 'e');
     if (f->style != FORMULA_TEX || !power) {
         fputs(text, f->out);

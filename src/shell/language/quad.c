@@ -25,7 +25,7 @@ static int whole_text(long long number, char *text)
     return count;
 }
 
-const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
+const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT])
 {
     const double near = (double)value;
     digits = digits < WIDE_DIGITS ? digits : WIDE_DIGITS;
@@ -48,13 +48,13 @@ const char *quad_text(domq_real value, int digits, char text[WIDE_TEXT])
 struct quad_shown quad_shown(domq_real value)
 {
     struct quad_shown shown = {""};
-    quad_text(value, 10, shown.text);
+    quad_write(value, 10, shown.text);
     return shown;
 }
 
-const char *quad_growth(domq_real growth, int digits, char text[WIDE_TEXT])
+const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT])
 {
-    while (strcmp(quad_text(growth, digits, text), "1") == 0 && growth != 1)
+    while (strcmp(quad_write(growth, digits, text), "1") == 0 && growth != 1)
         digits++;
     return text;
 }
@@ -80,7 +80,7 @@ domq_real quad_read(const char *text, char **end)
 const char *quad_exact(domq_real value, int most, char text[WIDE_TEXT])
 {
     int digits = most < 15 ? most : 15;
-    while (quad_read(quad_text(value, digits, text), NULL) != value && digits < most)
+    while (quad_read(quad_write(value, digits, text), NULL) != value && digits < most)
         digits++;
     return text;
 }

@@ -28,11 +28,10 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
     for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct domq_effect_argument *of = &e->argument[i];
-        char number[WIDE_TEXT];
         if (usual_from(e, state, i))
             break;
         n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s%s%s", n ? ", " : "",
-                      of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10, number),
+                      of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10),
                       *of->unit ? " " : "", of->unit);
     }
     return setting;
@@ -129,14 +128,13 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem)
 {
     const struct domq_effect *e = effect_at(name);
-    char usual_value[WIDE_TEXT];
     bool off = given > 0 && value[0] == EFFECT_OFF, usual = off || (given > 0 && value[0] == EFFECT_ON);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS; i++) {
         if (e->argument[i].name && i >= given && !e->argument[i].optional && !usual)
             return problem_error(problem, "%s, the %s, is missing; for example 'effect %s %s%s%s'",
                                  e->argument[i].name, e->argument[i].meaning, e->name,
-                                 quad_text(e->argument[i].usual, 4, usual_value),
-                                 *e->argument[i].unit ? " " : "", e->argument[i].unit);
+                                 quad_text(e->argument[i].usual, 4), *e->argument[i].unit ? " " : "",
+                                 e->argument[i].unit);
         all[i] = i < given && !usual ? value[i] : e->argument[i].usual;
     }
     if (!off)

@@ -231,7 +231,7 @@ void parameter_text(const struct parameter *p, domq_real value, int digits, char
     snprintf(text, size, "%s",
              word                    ? word
              : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, number)
-                                     : quad_text(value, digits < 15 ? digits : 15, number));
+                                     : quad_write(value, digits < 15 ? digits : 15, number));
 }
 
 bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,

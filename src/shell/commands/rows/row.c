@@ -264,11 +264,10 @@ static void change_say(const struct query *query, struct answer *a, const struct
                     to = scene_row_measure(query->scene, after, measure);
     const struct measure unit =
         measure_of(rowfile_kind.column[measure].unit, quad_larger(quad(fabs)(from), quad(fabs)(to)));
-    char one[WIDE_TEXT], other[WIDE_TEXT];
-    quad_text(measure_number(unit, from), 6, one);
-    quad_text(measure_number(unit, to), 6, other);
+    const char *one = quad_text(measure_number(unit, from), 6),
+               *other = quad_text(measure_number(unit, to), 6);
     if (measure == MEASURE_MASS && !scene_has_masses(query->scene))
-        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6, other));
+        answer_say(a, "domino %zu: mass %s times as large as before", k, quad_text(change->value, 6));
     else if (strcmp(one, other) == 0)
         answer_say(a, "domino %zu: %s stays %s %s", k, name, other, unit.unit);
     else
