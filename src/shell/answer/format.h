@@ -14,7 +14,7 @@
 #define FORMAT_EXTERN(name) extern const struct format format_##name;
 FORMATS(FORMAT_EXTERN)
 
-/* Returns a format by its number in the list. */
-const struct format *format_at(unsigned number);
+/* The formats by their numbers in the list. */
+extern const struct format *const formats[];
 
 #endif

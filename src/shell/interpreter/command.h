@@ -152,7 +152,8 @@ const char *topic_by_synonym(const char *word, int k);
 /* Returns the command with this name, or NULL. */
 const struct command *command_find(const char *name);
 
-/* Returns true for 'print', the command that is meant when a line consists of an expression alone. */
+/* Returns true for 'print', the command that is meant when a line consists of an expression alone. Messages
+ * about an expression do not mention 'print', because the user has usually not typed it. */
 bool command_is_print(const struct command *command);
 
 /* Returns the index of the command's principal column. The command must have such a column. */

@@ -31,7 +31,7 @@ static void train_note(const struct session *session, struct answer *answer)
         answer_say(answer, "%s", note);
 }
 
-/* Returns true if the answer of the command is a picture. */
+/* Returns true if the answer of the command is always a picture. */
 static bool is_picture(const struct command *c)
 {
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
@@ -132,50 +132,39 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
+/* Returns the extensions of the files to which the answer of a command can be written, for messages. */
+static const char *endings_of(const struct command *c)
+{
+    return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
+           : c->writes == WRITES_CHARTS ? ".svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
+           : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
+           : c->picture            ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf, .tex or .gp"
+           : c->columns || c->runs ? ".csv, .json or .txt"
+                                   : ".txt";
+}
+
 /* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
-    const char *shown = names_shown(path);
     const struct ending *ending = ending_of(path);
-    const bool draws = c->writes == WRITES_PICTURES, charts = c->writes == WRITES_CHARTS || c->picture;
-    const char *pictures = charts ? ".svg, .png, .pdf, .tex or .gp" : ".svg, .png, .pdf or .gp";
-    switch (ending->kind) {
-    case ENDING_SHEET:
-        if (c->writes == WRITES_DOCUMENTS)
-            return ending->is_document ||
-                   problem_error(problem,
-                                 "'%s' names a picture, but '%s' writes a text; use .pdf, .tex, .md or .txt",
-                                 shown, c->name);
-        if (draws || charts)
-            return (ending->terminal && (charts || strcmp(ending->text, ".tex") != 0)) ||
-                   problem_error(problem, "'%s' names a document, but '%s' draws a picture; use %s", shown,
-                                 c->name, pictures);
-        return ending->terminal
-                   ? problem_error(problem,
-                                   "'%s' names a picture, but '%s' does not draw; 'draw' and 'plot' do",
-                                   shown, c->name)
-                   : problem_error(problem, "'%s' names a document, but '%s' cannot write one; 'explain' can",
-                                   shown, c->name);
-    case ENDING_DATA:
-        return c->columns || c->runs || c->writes == WRITES_PAGES ||
-               problem_error(problem,
-                             "'%s' names a data file, but '%s' has no data; '%s > FILE.txt' writes its text",
-                             shown, c->name, c->name);
-    case ENDING_OTHER:
-        return problem_error(
-            problem, "the file extension of '%s' is unknown; use %s", shown,
-            c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
-            : c->writes == WRITES_CHARTS
-                ? ".svg, .png, .pdf, .tex, .gp or .txt, or .csv or .json for its data"
-            : c->writes == WRITES_PICTURES ? ".svg, .png, .pdf, .gp or .txt, or .csv or .json for its data"
-            : c->picture            ? ".csv, .json or .txt, or for a picture .svg, .png, .pdf, .tex or .gp"
-            : c->columns || c->runs ? ".csv, .json or .txt"
-                                    : ".txt");
-    case ENDING_NONE:
-    case ENDING_TEXT:
-        break;
-    }
-    return true;
+    const bool charts = c->writes == WRITES_CHARTS || c->picture, draws = charts || is_picture(c);
+    bool fits = true;
+    if (ending->kind == ENDING_OTHER)
+        return problem_error(problem, "the file extension of '%s' is unknown; use %s", names_shown(path),
+                             endings_of(c));
+    if (ending->kind == ENDING_DATA)
+        fits = c->columns || c->runs || c->writes == WRITES_PAGES;
+    else if (ending->kind == ENDING_SHEET)
+        fits = c->writes == WRITES_DOCUMENTS
+                   ? ending->is_document
+                   : ending->terminal && draws && (charts || strcmp(ending->text, ".tex") != 0);
+    return fits ||
+           problem_error(problem, "'%s' names a %s, which '%s' cannot write; use %s%s", names_shown(path),
+                         ending->kind == ENDING_DATA ? "data file"
+                         : ending->terminal          ? "picture"
+                                                     : "document",
+                         c->name, endings_of(c),
+                         draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
 /* Runs a command and writes its answer to a file, in the format of the file's extension. */
@@ -230,7 +219,7 @@ static bool run_question(struct session *session, struct reader *r, const struct
     if (done)
         done = *r->at == '>' ? run_redirected(session, r, q->command, &call.query)
                              : run_paged(session, q->command, &call.query, r->problem);
-    call_free(&call);
+    arena_free(&call.given.memory);
     return done;
 }
 

@@ -112,7 +112,7 @@ static bool item_resolve(struct reader *r, struct expression_error *error, struc
                                 .error = error,
                                 .with = with_parse,
                                 .context = &inside};
-    return resolve(&resolver, tree);
+    return resolve(&resolver, tree) >= 0;
 }
 
 bool item_parse(struct reader *r, const struct argument *a, struct item *item)

@@ -25,13 +25,6 @@ struct question {
     const char *name; /* the text of the question as typed, for messages */
 };
 
-/* Returns true if the question is an expression, that is, if its command is 'print'. Messages about an
- * expression do not mention 'print', because the user has usually not typed it. */
-static inline bool question_is_expression(const struct question *question)
-{
-    return command_is_print(question->command);
-}
-
 /* Parses the command at the position of the reader, and its arguments. On failure, sets *problem and
  * returns false. */
 bool command_parse(struct reader *reader, struct question *question);
@@ -58,14 +51,13 @@ struct call {
     struct state state; /* the state after the assignments of 'with'; unused without 'with' */
 };
 
-/* Binds a question in the state of a query. On failure, sets *problem and returns false. The caller must
- * call call_free in both cases. */
+/* Binds a question in the state of a query. On failure, sets *problem and returns false. In both cases the
+ * caller must free the arena call->given.memory. */
 bool question_bind(const struct question *question, const struct query *query, struct call *call,
                    struct problem *problem);
-void call_free(struct call *call);
 
-/* Allocates zeroed memory for the result of argument.bind, and stores it in given->bound. call_free frees the
- * memory. Returns NULL with a problem if there is no memory. */
+/* Allocates zeroed memory for the result of argument.bind in given->memory, and stores it in given->bound.
+ * Returns NULL with a problem if there is no memory. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 

@@ -39,11 +39,6 @@ bool question_bind(const struct question *q, const struct query *query, struct c
     return true;
 }
 
-void call_free(struct call *call)
-{
-    arena_free(&call->given.memory);
-}
-
 void *arguments_take(struct arguments *given, size_t size, const struct query *query, struct problem *problem)
 {
     given->bound = arena_take(&given->memory, size);
@@ -57,14 +52,14 @@ bool question_ask(const struct question *q, const struct query *query, struct an
 {
     struct call call;
     const char *outer = problem->command;
-    if (!question_is_expression(q))
+    if (!command_is_print(q->command))
         problem->command = q->command->name;
     bool done = question_bind(q, query, &call, problem);
     if (done) {
         problem->place = 0;
         done = q->command->run(&call.query, answer, problem);
     }
-    call_free(&call);
+    arena_free(&call.given.memory);
     if (done)
         problem->command = outer;
     return done;
@@ -73,7 +68,7 @@ bool question_ask(const struct question *q, const struct query *query, struct an
 bool question_needs_number(const struct question *q, struct problem *problem)
 {
     const struct command *c = q->command;
-    if (q->key >= 0 || question_is_expression(q))
+    if (q->key >= 0 || command_is_print(q->command))
         return true;
     char keys[256] = "";
     const char *key;

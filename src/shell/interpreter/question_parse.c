@@ -247,7 +247,7 @@ static bool arguments_parse(struct reader *r, struct question *q)
 bool question_parse(struct reader *r, struct question *q)
 {
     const char *outer = r->problem->command;
-    if (!question_is_expression(q))
+    if (!command_is_print(q->command))
         r->problem->command = q->command->name;
     bool good = arguments_parse(r, q);
     if (good)

@@ -20,15 +20,14 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
     return 0;
 }
 
-/* The functions below resolve a node or its children. tree_resolve returns the height of the tree, and the
- * other functions return the height of the highest child. All of them return -1 after an error. */
-static int tree_resolve(struct resolver *r, struct tree *t);
+/* The functions below resolve a node or its children. They return the height of the highest child, or -1
+ * after an error. */
 
 static int children_resolve(struct resolver *r, struct tree *t)
 {
     int most = 0;
     for (struct tree *child = t->child; child && most >= 0; child = child->next) {
-        int height = tree_resolve(r, child);
+        int height = resolve(r, child);
         most = height < 0 || height > most ? height : most;
     }
     return most;
@@ -63,7 +62,7 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     r->routines = routine;
     r->scope = f;
     r->depth++;
-    routine->height = tree_resolve(r, body);
+    routine->height = resolve(r, body);
     r->depth--;
     r->scope = outer;
     routine->is_open = false;
@@ -188,13 +187,13 @@ static int with_resolve(struct resolver *r, struct tree *t)
     int most = children_resolve(r, t);
     for (const struct assignment *a = t->refers; a && most >= 0; a = a->next)
         if (a->item.value) {
-            int height = tree_resolve(r, (struct tree *)a->item.value);
+            int height = resolve(r, (struct tree *)a->item.value);
             most = height < 0 || height > most ? height : most;
         }
     return most;
 }
 
-static int tree_resolve(struct resolver *r, struct tree *t)
+int resolve(struct resolver *r, struct tree *t)
 {
     int height = t->kind == TREE_NAME                                 ? name_resolve(r, t)
                  : t->kind == TREE_SYMBOL && t->symbol == SYMBOL_WITH ? with_resolve(r, t)
@@ -202,9 +201,4 @@ static int tree_resolve(struct resolver *r, struct tree *t)
     if (height >= HEIGHT_MAX || r->depth > DEPTH_MAX)
         return fail(r, t, "the expression is nested too deeply");
     return height < 0 ? -1 : height + 1;
-}
-
-bool resolve(struct resolver *r, struct tree *tree)
-{
-    return tree_resolve(r, tree) >= 0;
 }

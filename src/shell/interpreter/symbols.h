@@ -62,8 +62,9 @@ struct resolver {
     int depth; /* how many functions contain the function whose body is being resolved */
 };
 
-/* Resolves every name of a tree. After an error, sets *resolver->error and returns false. */
-bool resolve(struct resolver *resolver, struct tree *tree);
+/* Resolves every name of a tree. Returns the height of the tree. After an error, sets *resolver->error and
+ * returns -1. */
+int resolve(struct resolver *resolver, struct tree *tree);
 
 /* After an error in the body of a function, adds to the message in which function the error is. `at` is the
  * position at which an expression uses the function. */

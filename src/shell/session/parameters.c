@@ -267,7 +267,7 @@ struct answer_style state_style(const struct state *state)
 {
     struct answer_style style = state->settings.style;
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
-    style.format = format_at(style.output);
+    style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
     style.all_digits = 2 + bits * 30103 / 100000; /* equals ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;

@@ -25,8 +25,7 @@ void session_init(struct session *session, FILE *out)
 
 const struct format *session_answers(const struct session *session)
 {
-    return session->output->format ? session->output->format
-                                   : format_at(session->state.settings.style.output);
+    return session->output->format ? session->output->format : formats[session->state.settings.style.output];
 }
 
 void session_close(struct session *session)
@@ -91,7 +90,7 @@ static void session_caret(const struct session *session, int column)
  * errors. */
 static void session_tell(struct session *session, const struct problem *problem)
 {
-    const struct format *format = format_at(session->state.settings.style.output);
+    const struct format *format = formats[session->state.settings.style.output];
     const struct failure failure = {problem->command, problem->text, session->source.name,
                                     session->source.line, problem->column};
     struct output *output = *output_find(&session->output, OUTPUT_BASE);
@@ -141,22 +140,13 @@ void session_problem(struct session *session, const struct problem *problem)
     session->errors++;
 }
 
-void session_error(struct session *session, const char *format, ...)
+void session_say(struct session *session, bool is_error, const char *format, ...)
 {
-    struct problem problem = {.kind = PROBLEM_WRONG};
+    struct problem problem = {.command = is_error ? NULL : session->command};
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(problem.text, sizeof problem.text, format, arguments);
     va_end(arguments);
-    session_problem(session, &problem);
-}
-
-void session_note(struct session *session, const char *format, ...)
-{
-    struct problem note = {.command = session->command};
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(note.text, sizeof note.text, format, arguments);
-    va_end(arguments);
-    session_write(session, &note, false);
+    session_write(session, &problem, is_error);
+    session->errors += is_error;
 }

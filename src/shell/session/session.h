@@ -59,11 +59,12 @@ struct query session_query(struct session *session);
 /* Writes an error message with its position to stderr, and increments session->errors. */
 void session_problem(struct session *session, const struct problem *problem);
 
-/* Like session_problem, for an error that has no position in the line. */
-void session_error(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-/* Writes a message to stderr that is not an error. */
-void session_note(struct session *session, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* session_error is like session_problem, for an error that has no position in the line. session_note writes a
+ * message to stderr that is not an error. */
+#define session_error(session, ...) session_say(session, true, __VA_ARGS__)
+#define session_note(session, ...)  session_say(session, false, __VA_ARGS__)
+void session_say(struct session *session, bool is_error, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Returns true if no more lines may run: after 'quit', after an interrupt, after a failed write, or, with
  * --bail, after an error. `errors` is the value of session->errors before the last line. */

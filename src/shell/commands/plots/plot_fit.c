@@ -22,6 +22,6 @@ bool plot_fit(const struct query *query, struct answer *a, struct chart *chart, 
             "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'");
     const bool done = question_bind(fit, query, &call, problem) &&
                       (chart ? fit_chart(&call.query, a, chart, problem) : run_fit(&call.query, a, problem));
-    call_free(&call);
+    arena_free(&call.given.memory);
     return done;
 }
