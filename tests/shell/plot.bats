@@ -370,6 +370,6 @@ END
         printf '\\documentclass{article}\\usepackage{gnuplot-lua-tikz}\\begin{document}\\input{a}\\input{b}\\end{document}' >c.tex
         pdflatex -interaction=nonstopmode -halt-on-error c.tex >log || same pdflatex 'a document' "$(cat log)"
     fi
-    wrong 'draw > d.tex' "'d.tex' names a document, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
+    wrong 'draw > d.tex' "'d.tex' names a picture, which 'draw' cannot write; use .svg, .png, .pdf, .gp or .txt"
     wrong 'plot growth > d.md' "'d.md' names a document, which 'plot' cannot write; use .svg"
 }
