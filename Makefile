@@ -168,9 +168,9 @@ COMMON_OBJ := $(call OBJ,$(COMMON))
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
 $(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
 # -O1 takes two thirds of the time to compile or less. The shell, which waits for the model, and the kernel in quad, which
-# waits for functions that multiply and add, are as fast with it. Nobody waits for the kernel in float, which only shows
-# what digits cost.
-QUICK := $(B)/objq/src/model/precision/quad.o $(B)/objq/src/model/precision/float.o $(call OBJ,$(SHELL_C))
+# waits for functions that multiply and add, are as fast with it. The kernels in float and double need the same options,
+# because 'cost' compares their times.
+QUICK := $(B)/objq/src/model/precision/quad.o $(call OBJ,$(SHELL_C))
 $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
