@@ -157,6 +157,14 @@ struct asked_row {
     const volatile sig_atomic_t *interrupt;
 };
 
+/* Returns a row on a level floor, in double, with every effect off. */
+static inline struct asked_row asked_row_default(const struct domq_domino *domino, size_t count,
+                                                 domq_real push)
+{
+    return (struct asked_row){
+        .domino = domino, .count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
+}
+
 static inline struct domq_row asked_row(const struct asked_row *a)
 {
     return (struct domq_row){.domino = a->domino,

@@ -37,13 +37,8 @@ void make_row(struct run *run, size_t count, double s, double r, double mu)
     train.s = s;
     train.r = r;
     ask_row_of_train(&train, &scale, 0.01, run->domino, count);
-    run->row = (struct asked_row){.domino = run->domino,
-                                  .count = count,
-                                  .g = 9.81,
-                                  .push = 3 * push_over(run->domino),
-                                  .mu = mu,
-                                  .tol = 1e-12,
-                                  .precision = DOM_DOUBLE};
+    run->row = asked_row_default(run->domino, count, 3 * push_over(run->domino));
+    run->row.mu = mu;
 }
 
 void newton_run(const struct run *run, struct newton *n)

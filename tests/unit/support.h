@@ -40,6 +40,14 @@ static inline void same_(const char *what, double value, domq_real wide, double 
 #define assert_status(status, expected)                                                                      \
     assert_string_equal(dom_status_text(status), dom_status_text(expected))
 
+/* Fails with a number and the train that gave it. */
+static inline void fail_train(const char *what, const struct asked *t, double got, double expected)
+{
+    fail_msg("%s: %.17g, expected %.17g at s %.17g r %.17g d %.17g q %.17g mu %.17g alpha %.17g rho %.17g",
+             what, got, expected, (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu,
+             (double)t->alpha, (double)t->rho);
+}
+
 enum { CSV_COLUMNS = 32, CSV_LINE = 2048 };
 
 /* A reference table, which is read row by row. Fields are found by the names in the first line. */

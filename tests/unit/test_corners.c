@@ -167,7 +167,7 @@ TEST(interrupted)
     struct asked t = asked_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[5];
-    struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
+    struct asked_row row = asked_row_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2, .interrupt = &now};
     struct domq_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
@@ -176,7 +176,6 @@ TEST(interrupted)
     struct domq_verdict verdict = {.seconds = -1};
     struct domq_study study = {.low = -1};
     struct domq_budget budget = {.sigma = -1};
-    row.precision = DOM_DOUBLE;
     ask_row_of_train(&t, &scale, 1, domino, 5);
     t.interrupt = row.interrupt = &now;
     t.tol = 1e-6;
@@ -239,7 +238,7 @@ TEST(memory_runs_out)
     struct asked t = asked_default();
     struct domq_scale scale = domq_scale_default();
     struct domq_domino domino[5];
-    struct asked_row row = {.domino = domino, .count = 5, .g = 9.81, .push = DOMQ_NAN, .tol = 1e-9};
+    struct asked_row row = asked_row_default(domino, 5, DOMQ_NAN);
     struct task_pool pool = {.threads = 2};
     struct domq_placement p = {
         .error[DOM_ERROR_gap].size = 0.001, .seed = 1, .rows = 40, .parallel = workers_tasks, .pool = &pool};
@@ -247,7 +246,6 @@ TEST(memory_runs_out)
     struct domq_study study, alone;
     struct domq_budget budget;
     size_t stops[5];
-    row.precision = DOM_DOUBLE;
     ask_row_of_train(&t, &scale, 1, domino, 5);
     enum { RUN, STUDY, BUDGET, QUESTIONS };
     for (int question = RUN; question < QUESTIONS; question++) {

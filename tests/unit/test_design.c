@@ -274,34 +274,6 @@ TEST(closest_of_thin_dominoes)
     }
 }
 
-/* Checks that both headers design the same row. */
-TEST(both_headers)
-{
-    struct dom_train train = dom_train_default();
-    struct domq_train trainq = domq_train_default();
-    const struct dom_wish w = {
-        .first = 0.048, .height = 1, .safety = 2, .hall = HUGE_VAL, .g = 9.81, .push = NAN};
-    const struct domq_wish wq = {.first = (domq_real)0.048,
-                                 .height = 1,
-                                 .safety = 2,
-                                 .hall = (domq_real)HUGE_VAL,
-                                 .g = (domq_real)9.81,
-                                 .push = DOMQ_NAN};
-    struct dom_design d;
-    struct domq_design q;
-    for (int kind = 3; kind <= 4; kind++) {
-        train.q = kind;
-        trainq.q = kind;
-        assert_status(dom_design_find(&train, &w, NULL, &d), DOM_OK);
-        assert_status(domq_design_find(&trainq, &wq, NULL, &q), DOM_OK);
-        assert_true(d.steps == q.steps && d.weakest == q.weakest && d.limit == q.limit);
-        assert_near("s", d.s, (double)q.s, 1e-15);
-        assert_near("r", d.r, (double)q.r, 1e-14);
-        assert_near("row", d.row, (double)q.row, 1e-9);
-        assert_near("seconds", d.seconds, (double)q.seconds, 1e-9);
-    }
-}
-
 /* Checks the dominoes that both headers make of a train. */
 TEST(dominoes_of_a_train)
 {

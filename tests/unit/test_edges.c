@@ -62,8 +62,7 @@ static void alike(struct run *seen, size_t count)
     for (size_t k = 0; k < count; k++)
         seen->domino[k] =
             (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
-    seen->row = (struct asked_row){
-        .domino = seen->domino, .count = count, .g = 9.81, .push = 5, .tol = 1e-12, .precision = DOM_DOUBLE};
+    seen->row = asked_row_default(seen->domino, count, 5);
 }
 
 /* Checks dominoes that touch, so that they hit each other at once. Without friction nothing locks. */
@@ -105,12 +104,7 @@ TEST(one_detaches_after_another)
             mass[k] = height[k] * height[k] * thickness[k];
             seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0, 0};
         }
-        seen.row = (struct asked_row){.domino = seen.domino,
-                                      .count = N,
-                                      .g = 9.81,
-                                      .push = 9.00688,
-                                      .tol = 1e-12,
-                                      .precision = DOM_DOUBLE};
+        seen.row = asked_row_default(seen.domino, N, 9.00688);
         struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0, NULL};
         assert_status(run_whole(&seen), DOM_OK);
         assert_null(direct_run(&direct, hits, &result));
@@ -187,8 +181,7 @@ TEST(budget_interrupted)
     train.s = 0.3;
     train.r = 1.3;
     ask_row_of_train(&train, &scale, 0.01, domino, 6);
-    const struct asked_row row = {
-        .domino = domino, .count = 6, .g = scale.g, .push = 5, .tol = 1e-9, .precision = DOM_DOUBLE};
+    const struct asked_row row = asked_row_default(domino, 6, 5);
     struct domq_placement p = {.seed = 5, .rows = 40};
     struct domq_budget whole, part;
     assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);

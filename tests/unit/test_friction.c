@@ -23,13 +23,6 @@ static struct asked random_friction_train(uint64_t *seed, double s_least, double
     return train;
 }
 
-static _Noreturn void fail_train(const char *what, const struct asked *t, double got, double expected)
-{
-    fail_msg("%s: %.17g, expected %.17g at s %.17g r %.17g d %.17g q %.17g mu %.17g", what, got, expected,
-             (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu);
-    abort();
-}
-
 /* ---- Digits ---- */
 
 /*
@@ -230,42 +223,7 @@ TEST(friction_takes_its_work)
     assert_true(checked > 100 && falls > 10);
 }
 
-/* ---- Precision and tolerance ---- */
-
-/*
- * Compares float at 1e-5 and double at 1e-12 with quad. Kinetic energies have lost two digits and r_max four
- * if the margin is a small difference, or changes slowly with r.
- */
-TEST(precisions_agree)
-{
-    uint64_t seed = 53;
-    int met = 0;
-    for (int i = 0; i < 8; i++) {
-        struct asked train = asked_default();
-        struct domq_limit limit[3];
-        struct domq_launch launch[3];
-        train.s = (float)(0.1 + 0.3 * random_unit(&seed)); /* numbers that a float represents exactly */
-        train.d = (float)(0.05 + 0.1 * random_unit(&seed));
-        train.q = (float)(3 + random_unit(&seed));
-        train.mu = (float)random_log(&seed, 1e-3, 1);
-        train.r = 1.125;
-        for (int p = DOM_FLOAT; p <= DOM_QUAD; p++) {
-            train.precision = (enum dom_precision)p;
-            train.tol = p == DOM_QUAD ? (domq_real)1e-16 : domq_arithmetic(train.precision)->tol_default;
-            assert_status(ask_limit_rmax(&train, &limit[p], NULL), DOM_OK);
-            assert_status(ask_launch_find(&train, &launch[p], NULL), DOM_OK);
-        }
-        assert_true(limit[0].ends == limit[2].ends && limit[1].ends == limit[2].ends);
-        assert_near("float kinetic", launch[0].kinetic, launch[2].kinetic, 1e-3);
-        assert_near("double kinetic", launch[1].kinetic, launch[2].kinetic, 1e-12);
-        if (limit[2].ends == DOM_END_NONE)
-            continue;
-        assert_near("float", limit[0].r_max, limit[2].r_max, 1e-3);
-        assert_near("double", limit[1].r_max, limit[2].r_max, 1e-11);
-        met++;
-    }
-    assert_true(met > 4);
-}
+/* ---- Tolerance ---- */
 
 /* Checks float near 1 - r s = 0.01, where rounding leaves few digits of the sums, and which the scan for
  * r_max passes. */

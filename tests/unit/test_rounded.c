@@ -386,19 +386,13 @@ TEST(rows_are_trains)
         const struct domq_train train_tau = asked_train(&train);
         train.r = 1.15;
         ask_row_of_train(&train, &scale, 1, domino, COUNT);
-        struct asked_row row = {.domino = domino,
-                                .count = COUNT - 1,
-                                .g = scale.g,
-                                .push = 30,
-                                .mu = train.mu,
-                                .rho = train.rho,
-                                .tol = train.tol,
-                                .precision = DOM_DOUBLE};
+        struct asked_row row = asked_row_default(domino, COUNT, 30);
+        row.mu = train.mu;
+        row.rho = train.rho;
         for (size_t i = 0; k % 2 && i < COUNT; i++) {
             domino[i].radius = train.rho * domino[i].height;
             row.rho = 0.001;
         }
-        row.count = COUNT;
         assert_status(ask_row_run(&row, true, last_seen, &last, &verdict), DOM_OK);
         assert_int_equal(verdict.end, DOM_ROW_FALLS);
         assert_status(ask_launch_find(&train, &launch, NULL), DOM_OK);
@@ -439,9 +433,9 @@ TEST(radii_that_do_not_fit)
     train.alpha = lean[1] * (1 + 1e-9);
     assert_status(ask_train_check(&train), DOM_NO_STAND);
     struct domq_domino two[] = {{1, 0.1, 0, 1, 0, 0}, {1, 0.1, 0.5, 1, 0.06, 0}};
-    struct asked_row row = {
-        .domino = two, .count = 2, .g = 1, .push = 2, .rho = 0.01, .tol = train.tol, .precision = DOM_DOUBLE};
+    struct asked_row row = asked_row_default(two, 2, 4);
     struct domq_verdict verdict;
+    row.rho = 0.01;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROUND);
     assert_int_equal(verdict.domino, 2);
     row.rho = 0;

@@ -318,8 +318,7 @@ TEST(long_and_tall)
     train.s = 0.3;
     train.r = 1;
     ask_row_of_train(&train, &scale, 0.01, domino, LONG);
-    struct asked_row row = {
-        .domino = domino, .count = LONG, .g = g, .push = 3, .tol = 1e-9, .precision = DOM_DOUBLE};
+    struct asked_row row = asked_row_default(domino, LONG, 3);
     assert_status(ask_row_run(&row, false, NULL, NULL, &v), DOM_OK);
     assert_true(v.end == DOM_ROW_FALLS && v.domino == LONG && v.short_by == 0);
     sizes(DOM_DOUBLE, 0.3, 2, 0.048, 0.01, 100, true);

@@ -31,7 +31,7 @@ static struct family family_of(double s, double d, double q)
 
 static struct asked_row row_of(size_t count, domq_real push)
 {
-    return (struct asked_row){.count = count, .g = 9.81, .push = push, .tol = 1e-12, .precision = DOM_DOUBLE};
+    return asked_row_default(NULL, count, push);
 }
 
 static struct domq_row_growth growth_of(struct family *f, const struct asked_row *row)

@@ -17,8 +17,8 @@ static void blocks_row(struct run *run, double size[][3], size_t count, double p
     for (size_t k = 0; k < count; k++)
         run->domino[k] = (struct domq_domino){
             size[k][0], size[k][1], size[k][2], unit * size[k][0] * size[k][0] * size[k][1], 0, 0};
-    run->row = (struct asked_row){
-        .count = count, .g = g, .push = push, .mu = mu, .tol = 1e-12, .precision = DOM_DOUBLE};
+    run->row = asked_row_default(NULL, count, push);
+    run->row.mu = mu;
 }
 
 /*
@@ -78,7 +78,7 @@ TEST(short_of_the_highest_everywhere)
     static struct run run;
     uint64_t seed = 71;
     int stops = 0, behind = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 1500; i++) {
         random_row(&run, &seed, random_log(&seed, 3, 60), 0);
         run.row.precision = i % 25 == 0 ? DOM_QUAD : i % 3 == 0 ? DOM_FLOAT : DOM_DOUBLE;
         run.row.tol = run.row.precision == DOM_FLOAT ? 1e-5 : 1e-12;
@@ -96,7 +96,7 @@ TEST(short_of_the_highest_everywhere)
         behind += last->theta_m > 1.5 * last->theta && before > 0;
     }
     print_message("# %d stop, %d of them far below their top\n", stops, behind);
-    assert_true(stops > 400 && behind > 50);
+    assert_true(stops > 200 && behind > 25);
 }
 
 /* Checks that the energy that a head needs does not depend on its speed, also where the row stops. */
@@ -105,7 +105,7 @@ TEST(a_stop_needs_what_a_fall_needs)
     static struct run slow, fast;
     uint64_t seed = 72;
     int compared = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 1500; i++) {
         double mu = i % 2 ? 0.5 * random_unit(&seed) : 0;
         random_row(&slow, &seed, random_log(&seed, 3, 60), mu);
         fast = slow;
@@ -124,7 +124,7 @@ TEST(a_stop_needs_what_a_fall_needs)
         compared++;
     }
     print_message("# %d rows\n", compared);
-    assert_true(compared > 300);
+    assert_true(compared > 150);
 }
 
 /* ---- At the reach ---- */
@@ -136,17 +136,15 @@ TEST(rounded_reach_is_reached)
     static struct run run, near;
     struct domq_scale scale = domq_scale_default();
     int falls = 0, stops = 0;
-    for (int i = 0; i < 3 * 300; i++) {
+    for (int i = 0; i < 3 * 100; i++) {
         struct asked train = asked_default();
-        train.s = (domq_real)(100 + i / 3) / 500;
+        train.s = (domq_real)(100 + i) / 500;
         train.r = 1 / train.s;
         train.q = 1 + i % 7;
         ask_row_of_train(&train, &scale, 1, run.domino, 6);
-        run.row = (struct asked_row){.count = 6,
-                                     .g = g,
-                                     .push = i % 2 ? 60 : DOMQ_NAN,
-                                     .tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12,
-                                     .precision = (enum dom_precision)(i % 3)};
+        run.row = asked_row_default(NULL, 6, i % 2 ? 60 : DOMQ_NAN);
+        run.row.precision = (enum dom_precision)(i % 3);
+        run.row.tol = i % 3 == DOM_FLOAT ? 1e-5 : 1e-12;
         assert_status(run_whole(&run), DOM_OK);
         assert_true(run.verdict.end == DOM_ROW_FALLS || run.verdict.end == DOM_ROW_STOPS);
         train.r *= 1 - (domq_real)(i % 3 == DOM_FLOAT ? 1e-4 : 1e-9); /* slightly below the reach */
@@ -165,7 +163,7 @@ TEST(rounded_reach_is_reached)
         assert_true(run.verdict.end == DOM_ROW_MISSES && run.verdict.domino == 1);
     }
     print_message("# %d fall, %d stop\n", falls, stops);
-    assert_true(falls > 50 && stops > 50);
+    assert_true(falls > 15 && stops > 15);
 }
 
 /* ---- Much friction ---- */
@@ -182,7 +180,7 @@ TEST(much_friction)
     static struct newton n;
     uint64_t seed = 73;
     int falls = 0, stops = 0, locked = 0, jams = 0;
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < 8000; i++) {
         bool light = i % 4 == 0; /* light followers, which end up flat on the floor */
         random_row(&run, &seed, random_log(&seed, 3, 60), random_log(&seed, 0.5, 5));
         run.row.count = light ? 2 : run.row.count;
@@ -219,7 +217,7 @@ TEST(much_friction)
         locked += isinf((double)last->barrier);
     }
     print_message("# %d fall, %d stop, %d of them before a lock, %d jam\n", falls, stops, locked, jams);
-    assert_true(falls > 500 && stops > 2000 && locked > 30);
+    assert_true(falls > 200 && stops > 800 && locked > 12);
 }
 
 /* Checks a light domino that tips over its edge and hits a thick one, which stops. No energy would be enough

@@ -29,44 +29,6 @@ TEST(largest_growths)
     }
 }
 
-static bool floor_seen(const struct domq_fall *fall, void *context)
-{
-    if (fall->domino == 1)
-        *(double *)context = (double)fall->floor_motion;
-    return true;
-}
-
-/* Checks the friction that the floor needs below the first domino, from the tip until the hit, by Newton's
- * law for the centre of the domino. */
-TEST(floor_under_the_first)
-{
-    for (double degrees = -4; degrees <= 4; degrees += 2) {
-        const double alpha = degrees * degree, d = 0.15, inertia = (1 + d * d) / 3, tips = atan(d) - alpha;
-        double most = 0, got = 0;
-        enum { SAMPLES = 200000 };
-        for (int k = 0; k <= SAMPLES; k++) {
-            double t = tips + (asin(0.5) - tips) * k / SAMPLES, x = sin(t), y = cos(t), u = t + alpha;
-            double turns = (sin(u) - d * cos(u)) / 2 / inertia;
-            double omegasq = (sqrt(1 + d * d) - cos(u) - d * sin(u)) / inertia;
-            double along = (turns * (y + d * x) - omegasq * (x - d * y)) / 2 - sin(alpha),
-                   up = (turns * (d * y - x) - omegasq * (y + d * x)) / 2 + cos(alpha);
-            most = fmax(most, fabs(along) / up);
-        }
-        struct domq_domino two[] = {{1, d, 0, 1, 0, 0}, {1, d, 0.5, 1, 0, 0}};
-        struct asked_row row = {.domino = two,
-                                .count = 2,
-                                .g = 1,
-                                .push = DOM_NAN,
-                                .alpha = alpha,
-                                .floor = true,
-                                .tol = asked_default().tol,
-                                .precision = DOM_DOUBLE};
-        struct domq_verdict verdict;
-        assert_status(ask_row_run(&row, true, floor_seen, &got, &verdict), DOM_OK);
-        assert_near("floor", got, most, 2e-6);
-    }
-}
-
 /* Checks that a domino tips over earlier by alpha, and that a slope on which no domino stands is an error. */
 TEST(slopes_that_do_not_hold)
 {

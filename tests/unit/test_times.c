@@ -12,14 +12,6 @@ static struct asked in_quad(struct asked train)
     return train;
 }
 
-static void fail_train(const char *what, const struct asked *t, double theta, double value, double expected)
-{
-    fail_msg("%s: s %.17g r %.17g d %.17g q %.17g mu %.17g tol %.3g precision %d theta %.17g: %.17g, "
-             "expected %.17g",
-             what, (double)t->s, (double)t->r, (double)t->d, (double)t->q, (double)t->mu, (double)t->tol,
-             (int)t->precision, theta, value, expected);
-}
-
 /* Returns the largest growth that the reach allows in every precision. */
 static double within_reach(const struct asked *train)
 {
@@ -50,7 +42,7 @@ TEST(times_before_a_stop)
     uint64_t seed = 81;
     int checked = 0;
     double loosest = 0;
-    for (int i = 0; i < 1200; i++) {
+    for (int i = 0; i < 600; i++) {
         struct asked train;
         struct domq_state here, error, there;
         domq_real stop;
@@ -61,7 +53,7 @@ TEST(times_before_a_stop)
         if (status == DOM_NO_MARGIN)
             continue;
         if (status != DOM_OK)
-            fail_train(dom_status_text(status), &train, theta, 0, 0);
+            fail_train(dom_status_text(status), &train, 0, 0);
         struct asked fine = in_quad(train);
         /* Because of rounding, the stop in double may be after the true one. In that case the expected time
          * is that of the true stop. */
@@ -70,7 +62,7 @@ TEST(times_before_a_stop)
         assert_status(ask_cycle_state(&fine, theta < end ? theta : end, &there, NULL), DOM_OK);
         double off = fabs((double)(here.time - there.time));
         if (!(off <= error.time))
-            fail_train("time", &train, theta, (double)here.time, (double)there.time);
+            fail_train("time", &train, (double)here.time, (double)there.time);
         struct domq_barrier b;
         assert_status(ask_barrier_find(&train, &b, NULL), DOM_STOPS);
         if (i % 4 == 0 && -b.margin > b.kinetic / 100) /* near the launch, no digits are lost in that case */
@@ -78,7 +70,7 @@ TEST(times_before_a_stop)
         checked++;
     }
     print_message("# %d times; the widest bound near the launch is %.1e\n", checked, loosest);
-    assert_true(checked > 150 && loosest < 1e-9);
+    assert_true(checked > 75 && loosest < 1e-9);
 }
 
 /* Checks that the time is theta / omega(0) just after the launch of a train that stops. */
@@ -107,7 +99,7 @@ TEST(stops_have_times)
 {
     uint64_t seed = 82;
     int stops = 0, at_reach = 0, friction_work = 0;
-    for (int i = 0; i < 1500; i++) {
+    for (int i = 0; i < 750; i++) {
         struct asked train;
         struct domq_event events[DOM_EVENTS_MAX];
         int n;
@@ -125,16 +117,16 @@ TEST(stops_have_times)
         if (status == DOM_NO_MARGIN)
             continue;
         if (status != DOM_STOPS)
-            fail_train(dom_status_text(status), &train, (double)stop, 0, 0);
+            fail_train(dom_status_text(status), &train, 0, 0);
         assert_true(events[n - 1].kind == DOM_EVENT_STOP && events[n - 1].theta == stop);
         if (!isfinite((double)events[n - 1].time) || events[n - 1].time <= 0)
-            fail_train("time", &train, (double)stop, (double)events[n - 1].time, 0);
+            fail_train("time", &train, (double)events[n - 1].time, 0);
         stops++;
         at_reach += i % 5 == 0;
         friction_work += train.mu > 0;
     }
     print_message("# %d stops, %d at the reach, %d with friction\n", stops, at_reach, friction_work);
-    assert_true(stops > 200 && at_reach > 50 && friction_work > 80);
+    assert_true(stops > 100 && at_reach > 25 && friction_work > 40);
 }
 
 /* Returns the growth at which the top moves away from theta = 0, by halving. */
@@ -173,10 +165,9 @@ TEST(tops_that_vanish)
             continue;
         double off = fabs((double)(b.theta_m - expected.theta_m));
         if (!(off <= error.theta_m))
-            fail_train("theta_m", &train, off / (double)error.theta_m, (double)b.theta_m,
-                       (double)expected.theta_m);
+            fail_train("theta_m", &train, (double)b.theta_m, (double)expected.theta_m);
         if (!(fabs((double)(b.barrier - expected.barrier)) <= error.barrier))
-            fail_train("barrier", &train, 0, (double)b.barrier, (double)expected.barrier);
+            fail_train("barrier", &train, (double)b.barrier, (double)expected.barrier);
         checked++;
         small += b.theta_m < 1e-6;
     }
@@ -196,7 +187,7 @@ static void one_verdict(const struct asked *train, enum dom_status expected)
     assert_status(ask_angles_find(train, &angles, NULL), DOM_OK);
     enum dom_status verdict = ask_barrier_find(train, &b, NULL);
     if (verdict != expected)
-        fail_train(dom_status_text(verdict), train, 0, (double)b.kinetic, (double)b.barrier);
+        fail_train(dom_status_text(verdict), train, (double)b.kinetic, (double)b.barrier);
     assert_status(ask_cycle_stop(train, &stop, NULL), DOM_OK);
     assert_int_equal(isnan((double)stop), expected == DOM_OK);
     assert_status(ask_cycle_omegasq(train, angles.theta_c, &w, NULL), expected);
@@ -286,7 +277,7 @@ static bool state_seen(const struct domq_state *s, const struct domq_event *even
     assert_status(ask_cycle_state(seen->train, s->theta, &alone, NULL), DOM_OK);
     double size = fmax((double)alone.time, 1e-300);
     if (fabs((double)(s->time - alone.time)) > 1e-10 * size + 1e-16)
-        fail_train("time", seen->train, (double)s->theta, (double)s->time, (double)alone.time);
+        fail_train("time", seen->train, (double)s->time, (double)alone.time);
     assert_true(s->omegasq == alone.omegasq && s->kinetic == alone.kinetic);
     assert_true((double)s->time >= seen->before);
     seen->before = (double)s->time;
@@ -355,7 +346,7 @@ TEST(least_forces)
         /* Between 500 samples the force may be slightly smaller than at any of them. */
         if (found.force > least + 1e-5 + 1e-5 * fabs(least) ||
             found.force < least - 0.02 * fabs(least) - 1e-3)
-            fail_train("least force", &train, (double)found.theta, (double)found.force, least);
+            fail_train("least force", &train, (double)found.force, least);
         checked++;
     }
     print_message("# %d least forces\n", checked);

@@ -47,14 +47,9 @@ TEST(no_room)
     /* An error of a row names the domino. */
     struct domq_domino domino[] = {
         {0.048, 0.007, 0, 1, 0, 0}, {0.072, 0.006, 0.02, 1, 0, 0}, {0.1, 0.02, 0.03, 1, 0, 0}};
-    struct asked_row row = {.domino = domino,
-                            .count = 3,
-                            .g = 9.81,
-                            .push = 4,
-                            .walls = 0.0032,
-                            .tol = train.tol,
-                            .precision = DOM_DOUBLE};
+    struct asked_row row = asked_row_default(domino, 3, 4);
     struct domq_verdict verdict = {.domino = 0};
+    row.walls = 0.0032;
     assert_status(ask_row_run(&row, true, NULL, NULL, &verdict), DOM_NO_ROOM);
     assert_int_equal(verdict.domino, 2);
     row.walls = 0.003;
@@ -120,12 +115,7 @@ TEST(equal_boxes_take_longer)
     struct domq_box found;
     for (size_t k = 0; k < COUNT; k++)
         domino[k] = (struct domq_domino){0.048, 0.007, 0.013, 0.01, 0, 0};
-    struct asked_row row = {.domino = domino,
-                            .count = COUNT,
-                            .g = 9.81,
-                            .push = DOM_NAN,
-                            .tol = asked_default().tol,
-                            .precision = DOM_DOUBLE};
+    struct asked_row row = asked_row_default(domino, COUNT, DOM_NAN);
     assert_status(ask_row_run(&row, true, NULL, NULL, &solid), DOM_OK);
     row.walls = 0.001;
     assert_status(ask_row_run(&row, true, NULL, NULL, &box), DOM_OK);
