@@ -169,22 +169,17 @@ static void run_file(struct session *session, const char *name)
         fclose(in);
 }
 
-static void run_text(struct session *session, const char *text)
-{
-    session->source.name = "-e";
-    session->source.line = 1;
-    command_run_text(session, text);
-}
-
 /* Runs -e, -f and FILE in the order of the command line. */
 static void run_sources(int argc, char **argv, struct session *session)
 {
     optind = 0;
     for (int option;
          !is_over(session) && (option = getopt_long(argc, argv, short_options, options, NULL)) != -1;) {
-        if (option == 'e')
-            run_text(session, optarg);
-        else if (option == 'f' || option == 1)
+        if (option == 'e') {
+            session->source.name = "-e";
+            session->source.line = 1;
+            command_run_text(session, optarg);
+        } else if (option == 'f' || option == 1)
             run_file(session, optarg);
     }
     for (; !is_over(session) && optind < argc; optind++)

@@ -56,7 +56,7 @@ static bool reader_types(struct session *reader, const char *command)
     while (waits) {
         fputs(prompt, reader->output->out);
         fflush(reader->output->out);
-        waits = text_read(&line, &size, keys) != -1;
+        waits = text_read(&line, &size, keys, NULL) != -1;
         const char *typed = waits ? skip_blanks(line) : "q";
         if (!waits)
             putc('\n', reader->output->out);
@@ -110,7 +110,7 @@ bool run_lesson(struct session *session, const struct arguments *given, struct a
         fputs("Type each line that the lesson shows, or just press Enter. You may try other\n"
               "commands in between. Your own parameters stay as they are. 'q' leaves.\n",
               reader.output->out);
-    while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in) != -1)
+    while (!session_stops(&reader, reader.errors) && text_read(&line, &size, in, NULL) != -1)
         lesson_line(&reader, line, waits);
     session->errors += waits ? 0 : reader.errors;
     session_close(&reader);

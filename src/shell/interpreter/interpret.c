@@ -208,21 +208,6 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
     return ending_fits(c, path, problem) && run_into(session, c, query, path, appends, problem);
 }
 
-/* Binds and runs a command. If the reader is at a '>', the answer goes to the file named after the '>'.
- * Returns false, with the problem in reader->problem. */
-static bool run_question(struct session *session, struct reader *r, const struct question *q)
-{
-    struct call call;
-    struct query query = *r->query;
-    query.next = &session->state;
-    bool done = question_bind(q, &query, &call, r->problem);
-    if (done)
-        done = *r->at == '>' ? run_redirected(session, r, q->command, &call.query)
-                             : run_paged(session, q->command, &call.query, r->problem);
-    arena_free(&call.given.memory);
-    return done;
-}
-
 /* ---- Commands ---- */
 
 /*
@@ -247,8 +232,9 @@ static void run_command_at(struct session *session, struct reader *line)
     struct reader r = *line;
     struct problem problem;
     struct question q;
-    const struct query query = session_query(session);
+    struct query query = session_query(session);
     problem_begin(&problem, NULL);
+    query.next = &session->state;
     r.query = &query;
     r.problem = &problem;
     if (command_parse(&r, &q)) {
@@ -259,7 +245,12 @@ static void run_command_at(struct session *session, struct reader *line)
         bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
         session->command = c->name;
-        bool done = run_question(session, &r, &q);
+        struct call call;
+        bool done = question_bind(&q, &query, &call, &problem);
+        if (done)
+            done = is_redirected ? run_redirected(session, &r, c, &call.query)
+                                 : run_paged(session, c, &call.query, &problem);
+        arena_free(&call.given.memory);
         /* A command that changes the output format, such as 'set output', writes no empty JSON object. */
         bool is_same = session_answers(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
@@ -365,36 +356,6 @@ void command_run_text(struct session *session, const char *text)
 
 /* ---- Streams ---- */
 
-/*
- * Appends lines from a stream to *text until a line is not continued, the text is too long or the stream
- * ends. Adds the number of lines to *more. Returns false if a line contains a NUL byte, or if there is no
- * memory.
- */
-static bool line_join(char **text, size_t *room, FILE *in, long *more)
-{
-    char *next = NULL;
-    size_t size = 0, used = strlen(*text);
-    ssize_t length = 0;
-    bool goes_on = true, good = true;
-    while (goes_on && good && used <= TEXT_MOST && (length = text_read(&next, &size, in)) != -1) {
-        ++*more;
-        good = strlen(next) == (size_t)length;
-        goes_on = good && text_continues(next);
-        size_t n = strlen(next);
-        if (good && used + n >= *room) {
-            char *larger = realloc(*text, used + n + 1);
-            good = larger != NULL;
-            *text = good ? larger : *text;
-            *room = good ? used + n + 1 : *room;
-        }
-        if (good)
-            memcpy(*text + used, next, n + 1);
-        used += n;
-    }
-    free(next);
-    return good;
-}
-
 void line_stream(struct session *session, FILE *in, const char *name)
 {
     char *text = NULL;
@@ -405,17 +366,16 @@ void line_stream(struct session *session, FILE *in, const char *name)
     session->source = (struct source){.name = name, .stream = in, .depth = outer.depth};
     session->command = NULL;
     errno = 0;
-    while (!session->quit && (length = text_read(&text, &size, in)) != -1) {
-        long errors = session->errors, more = 0;
+    for (long joined = 0; !session->quit && (length = text_read(&text, &size, in, &joined)) != -1;
+         joined = 0) {
+        long errors = session->errors;
         session->source.line++;
         bool is_text = strlen(text) == (size_t)length;
-        if (is_text && text_continues(text))
-            is_text = line_join(&text, &size, in, &more);
         if (is_text)
             command_run_text(session, text);
         else
             session_error(session, "the line has a NUL byte; commands are text");
-        session->source.line += more;
+        session->source.line += joined;
         if (session_stops(session, errors) || (!is_text && length > TEXT_MOST))
             break;
         errno = 0;

@@ -134,20 +134,12 @@ static bool make_alike(const struct evaluation *e, struct quantity *a, struct qu
 
 static bool compare(enum tree_operator op, domq_real a, domq_real b)
 {
-    switch (op) {
-    case OPERATOR_LESS:
-        return a < b;
-    case OPERATOR_AT_MOST:
-        return a <= b;
-    case OPERATOR_MORE:
-        return a > b;
-    case OPERATOR_AT_LEAST:
-        return a >= b;
-    case OPERATOR_EQUAL:
-        return a == b;
-    default:
-        return a != b;
-    }
+    return op == OPERATOR_LESS       ? a < b
+           : op == OPERATOR_AT_MOST  ? a <= b
+           : op == OPERATOR_MORE     ? a > b
+           : op == OPERATOR_AT_LEAST ? a >= b
+           : op == OPERATOR_EQUAL    ? a == b
+                                     : a != b;
 }
 
 /* Adds, subtracts or compares two values. */

@@ -69,9 +69,9 @@ void text_free(struct text *text)
     free(text->origin);
 }
 
-ssize_t text_read(char **line, size_t *size, FILE *in)
+ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
 {
-    size_t n = 0;
+    size_t n = 0, begin = 0; /* `begin` is the offset of the last of the joined lines */
     int c = 0;
     for (bool has_nul = false; !(has_nul && n > TEXT_MOST);) {
         if (n + 1 >= *size) {
@@ -82,11 +82,19 @@ ssize_t text_read(char **line, size_t *size, FILE *in)
             *line = more;
             *size = larger;
         }
-        if ((c = getc_unlocked(in)) == EOF || c == '\n')
+        if ((c = getc_unlocked(in)) != EOF && c != '\n') {
+            has_nul = has_nul || c == '\0';
+            if (n <= TEXT_MOST)
+                (*line)[n++] = (char)c;
+            continue;
+        }
+        (*line)[n] = '\0';
+        if (!joined || has_nul || n > TEXT_MOST || !text_continues(*line + begin))
             break;
-        has_nul = has_nul || c == '\0';
-        if (n <= TEXT_MOST)
-            (*line)[n++] = (char)c;
+        n = begin += strlen(*line + begin);
+        if (c == EOF)
+            break;
+        ++*joined;
     }
     if (c == EOF && (n == 0 || ferror(in)))
         return -1;

@@ -32,12 +32,14 @@ void text_free(struct text *text);
 
 /*
  * Reads the next line of a stream, without its newline, into the buffer *line of *size bytes. As with
- * getline, the buffer grows as needed and the caller frees it. Returns the length of the line. At the end of
- * the stream, returns -1. After an error, or if there is no memory, returns -1 and sets errno. A line longer
- * than TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If such a line contains
- * a NUL byte, the line is not read to its end, because it may come from a device that never ends.
+ * getline, the buffer grows as needed and the caller frees it. If `joined` is not NULL, a line that ends with
+ * a backslash is joined with the line after it, and *joined is increased by 1. Returns the length of the
+ * line. At the end of the stream, returns -1. After an error, or if there is no memory, returns -1 and sets
+ * errno. A line longer than TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If
+ * such a line contains a NUL byte, the line is not read to its end, because it may come from a device that
+ * never ends.
  */
-ssize_t text_read(char **line, size_t *size, FILE *in);
+ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
 
 /* Returns a pointer to the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);

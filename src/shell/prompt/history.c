@@ -64,7 +64,7 @@ static long lines_read(FILE *in)
     char *text = NULL;
     size_t size = 0;
     long lines = 0;
-    for (; text_read(&text, &size, in) != -1; lines++)
+    for (; text_read(&text, &size, in, NULL) != -1; lines++)
         add_history(text);
     free(text);
     return lines;
