@@ -50,15 +50,15 @@ THERE    = $(filter /%,$(shell $(CC) -print-file-name=$(1)))
 PROGRAM := $(if $(call THERE,libgsl.a),-l:libgsl.a -l:libgslcblas.a,-lgsl -lgslcblas) \
            $(if $(and $(call THERE,libreadline.a),$(call THERE,libtinfo.a)),-l:libreadline.a -l:libtinfo.a,-lreadline) -lm -pthread $(BSD)
 
-# The remaining files of src/model are the source of the kernels, and precision/*.c include them. Proofs exist only in
-# double. TYPED is compiled twice: with results in double, and in the widest type. WIDE consists of all kernels except
-# the one in double, and is compiled only for the widest type. NARROW converts the results of these kernels to double.
-COMMON  := src/model/texts.c src/model/numerics/quiet.c $(wildcard src/model/proof/*.c)
-WIDE    := $(addprefix src/model/,precision/float.c precision/quad.c dispatch/wide.c) $(wildcard src/model/compare/*.c)
-NARROW  := $(wildcard src/model/dispatch/narrow*.c)
-TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/precision/double.c \
-           src/model/dispatch/dispatch.c $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
-MODEL   := $(COMMON) $(TYPED) $(WIDE) $(NARROW)
+# The remaining files of src/model are the source of the kernels, which precision/*.c include, and compare/gsl.c also
+# includes the kernel in double. TYPED is compiled twice: with the types of <domino.h>, and with those of
+# <domino_quad.h>, which the kernels in float and quad have.
+TYPED   := src/model/model.c src/model/many.c src/model/dynamics/train.c src/model/dispatch/dispatch.c \
+           $(wildcard $(patsubst %,src/model/%/*.c,effects planning))
+DOUBLE  := src/model/texts.c src/model/numerics/quiet.c src/model/dispatch/bridge.c \
+           $(wildcard $(patsubst %,src/model/%/*.c,compare proof))
+QUAD    := $(addprefix src/model/precision/,float.c quad.c)
+MODEL   := $(DOUBLE) $(TYPED) $(QUAD)
 ENGINE_C := $(wildcard src/engine/*.c)
 SHELL_C := $(wildcard src/shell/*.c src/shell/*/*.c src/shell/*/*/*.c)
 UNIT    := $(wildcard tests/unit/test_*.c)
@@ -110,14 +110,14 @@ FIRST := $(filter deps,$(MAKECMDGOALS))
 
 # ---- Program and library ----
 
-HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h \
+HEADERS := $(B)/include/domino_quad.h $(B)/domq_names.h $(B)/domq_names_end.h $(B)/library.h $(B)/members.h $(B)/kernel_names.h $(B)/tutorial.h \
            $(B)/system_features.h # generated from other sources
 
 $(B)/obj/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$<)
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c $< -o $@
-$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE)): | $(HEADERS)
+$(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(QUAD)): | $(HEADERS)
 
 # Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
 # Linux.
@@ -156,17 +156,17 @@ $(B)/include/domino_quad.h: $(QUAD_OF) $(QUAD_AWK)
 $(B)/domq_names.h: $(QUAD_OF) $(QUAD_AWK)
 	@mkdir -p $(@D)
 	@awk -v names=1 -f $(QUAD_AWK) $(QUAD_OF) write=1 $(QUAD_OF) > $@
+$(B)/domq_names_end.h: $(B)/domq_names.h
+	@sed -n 's/^#define \([^ ]*\).*/#undef \1/p' $< > $@
 
 $(B)/members.h: $(QUAD_OF) src/model/dispatch/members.awk
 	@mkdir -p $(@D)
 	@awk -f src/model/dispatch/members.awk $(QUAD_OF) > $@
 
-MODEL_OBJ  := $(call OBJ,$(TYPED) $(NARROW))
-MODEL_OBJQ := $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(WIDE))
-COMMON_OBJ := $(call OBJ,$(COMMON))
+LIB_OBJ    := $(call OBJ,$(DOUBLE) $(TYPED)) $(patsubst %.c,$(B)/objq/%.o,$(TYPED) $(QUAD))
 # With -flto the archive also has machine code, for programs that are linked without -flto.
 LIB_FLAGS  := -fPIC -fvisibility=hidden -include $(B)/library.h $(if $(findstring -flto,$(CFLAGS)),-ffat-lto-objects) $(COVER)
-$(MODEL_OBJ) $(COMMON_OBJ): C_FLAGS += $(LIB_FLAGS)
+$(LIB_OBJ): C_FLAGS += $(LIB_FLAGS)
 # -O1 takes two thirds of the time to compile or less. The shell, which waits for the model, and the kernel in quad, which
 # waits for functions that multiply and add, are as fast with it. The kernels in float and double need the same options,
 # because 'cost' compares their times.
@@ -175,9 +175,8 @@ $(QUICK): C_FLAGS += $(if $(filter -O2,$(CFLAGS)),-O1)
 $(B)/objq/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(call SAY,CC,$< (quad))
-	$(Q)$(CC) $(C_FLAGS) $(LIB_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
+	$(Q)$(CC) $(C_FLAGS) -DDOMQ -MMD -MP -c $< -o $@
 
-LIB_OBJ := $(MODEL_OBJ) $(MODEL_OBJQ) $(COMMON_OBJ)
 $(LIB_OBJ): $(B)/library.h
 # Objects from different folders may have the same name, so they are appended. 'r' would replace one
 # by another.
@@ -435,18 +434,20 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 # from float to double.
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
 CLANG_READ := clang -fsyntax-only $(STD) $(WARN) -Werror -Wno-double-promotion $(INCLUDES)
-MUSL_READ  := musl-gcc -fsyntax-only $(STD) $(WARN) -Wno-conversion -Werror $(INCLUDES) -idirafter /usr/include -DDOMQ
+MUSL_READ  := musl-gcc -fsyntax-only $(STD) $(WARN) -Wno-conversion -Werror $(INCLUDES) -idirafter /usr/include
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
-	printf '%s\n' $(filter-out $(WIDE),$(MODEL)) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
-	printf '%s\n' $(TYPED) $(WIDE) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
+	printf '%s\n' $(DOUBLE) $(TYPED) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
+	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
 	@# The library with the C library musl.
-	printf '%s\n' $(MODEL) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
+	printf '%s\n' $(DOUBLE) $(TYPED) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
+	printf '%s\n' $(QUAD) | xargs -P $$(nproc) -n 4 $(MUSL_READ) -DDOMQ
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
 	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
-	printf '%s\n' $(filter-out $(NARROW),$(MODEL)) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
-	  'clang-tidy --quiet "$$@" -- $(STD) -DDOMQ $(INCLUDES)' clang-tidy
+	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet "$$@" -- $(STD) -DDOMQ $(INCLUDES)' clang-tidy
+	printf '%s\n' $(DOUBLE) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
+	  'clang-tidy --quiet "$$@" -- $(STD) $(INCLUDES)' clang-tidy
 	@# cppcheck takes the order of the series in one precision for that in another.
 	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
 	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples

@@ -154,31 +154,27 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-#ifdef DOMQ
 /* Sets *coarse to the same question in double, to the full precision of double. The quad kernel starts from
- * the answer of the double kernel to this question. Returns false unless the kernel of the question is the
- * one in quad. */
+ * the answer of the double kernel to this question. Returns false unless the question is one for the quad
+ * kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;
     coarse->precision = DOM_DOUBLE;
     coarse->errors = false;
     coarse->tol = dom_arithmetic(DOM_DOUBLE)->tol_floor;
-    return q->status == DOM_OK && q->kernel == &kernel_quad;
+    return q->status == DOM_OK && q->request.precision == DOM_QUAD && q->request.method == DOM_METHOD_OURS;
 }
-#endif
 
 enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit)
 {
     struct question q = question_of_limit(train, compute);
-#ifdef DOMQ
     struct request coarse;
     struct dom_limit near;
-    if (coarse_first(&q, &coarse) && kernel_double.limit_rmax(&coarse, &near) == DOM_OK &&
+    if (coarse_first(&q, &coarse) && kernels[DOM_DOUBLE]->limit_rmax(&coarse, &near) == DOM_OK &&
         near.ends == DOM_END_BARRIER && near.r_max > 1)
         q.request.near = near.r_max;
-#endif
     return FIND(q, limit_rmax, limit->error, limit);
 }
 
@@ -195,14 +191,12 @@ enum dom_status dom_limit_best(const struct dom_train *train, const struct dom_c
     struct dom_train anywhere = *train;
     anywhere.s = 1;
     struct question q = question_of_limit(&anywhere, compute);
-#ifdef DOMQ
     struct request coarse;
     struct dom_best near;
-    if (coarse_first(&q, &coarse) && kernel_double.limit_best(&coarse, &near) == DOM_OK) {
+    if (coarse_first(&q, &coarse) && kernels[DOM_DOUBLE]->limit_best(&coarse, &near) == DOM_OK) {
         q.request.s = near.s;
         q.request.near = near.r_max;
     }
-#endif
     return FIND(q, limit_best, best->error, best);
 }
 

@@ -362,7 +362,7 @@ TEST(verdict_sums_up)
             assert_true(isnan((double)f->floor_motion) && f->floor_domino == 0);
         }
         assert_int_equal(run.verdict.weakest, weakest);
-        assert_true(run.verdict.spare == least);
+        assert_true((double)run.verdict.spare == (double)least);
         assert_true(work.entered[DOM_EFFECT_row] == 1 && work.entered[DOM_EFFECT_push] == 1);
         assert_true(work.entered[DOM_EFFECT_floor] == 0 && work.entered[DOM_EFFECT_placement] == 0);
         if (run.row.mu == 0)
@@ -372,8 +372,8 @@ TEST(verdict_sums_up)
         run.row.work = NULL;
         assert_status(ask_row_run(&run.row, false, NULL, NULL, &v), DOM_OK);
         assert_true(v.end == run.verdict.end && v.domino == run.verdict.domino &&
-                    v.short_by == run.verdict.short_by && v.weakest == weakest && v.spare == least &&
-                    isnan((double)v.seconds));
+                    v.short_by == run.verdict.short_by && v.weakest == weakest &&
+                    v.spare == run.verdict.spare && isnan((double)v.seconds));
     }
 }
 

@@ -6,7 +6,7 @@
  * no special treatment.
  */
 #include "numerics/quiet.h"
-#include "precision/kernel.inc"
+#include "precision/double.c" // NOLINT(bugprone-suspicious-include): the functions of the kernel in double
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_min.h>
@@ -187,7 +187,7 @@ static enum dom_status gsl_cycle_duration(const struct request *train, struct do
     return c.status != DOM_OK ? c.status : code != GSL_SUCCESS ? DOM_NOT_CONVERGED : DOM_OK;
 }
 
-const struct kernel kernel_gsl = {
+const struct kernel dom__kernel_gsl = {
     .barrier_find = gsl_barrier_find,
     .limit_rmax = gsl_limit_rmax,
     .cycle_duration = gsl_cycle_duration,

@@ -181,7 +181,7 @@ static enum dom_status paper_cycle_duration(const struct request *train, struct 
     return p.status;
 }
 
-const struct kernel kernel_paper = {
+const struct kernel dom__kernel_paper = {
     .fuel_find = paper_fuel_find,
     .launch_find = paper_launch_find,
     .barrier_find = paper_barrier_find,

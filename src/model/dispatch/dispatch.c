@@ -4,14 +4,14 @@
 
 #ifdef DOMQ
 const struct kernel *const kernels[] = {
-    [DOM_FLOAT] = &kernel_float, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_quad};
-#define KERNEL_GSL   &kernel_gsl
-#define KERNEL_PAPER &kernel_paper
+    [DOM_FLOAT] = &domq__kernel_float, [DOM_DOUBLE] = &domq__kernel_bridge, [DOM_QUAD] = &domq__kernel_quad};
+#define KERNEL_GSL   &domq__kernel_bridge
+#define KERNEL_PAPER &domq__kernel_bridge
 #else
 const struct kernel *const kernels[] = {
-    [DOM_FLOAT] = &kernel_narrow, [DOM_DOUBLE] = &kernel_double, [DOM_QUAD] = &kernel_narrow};
-#define KERNEL_GSL   &kernel_narrow
-#define KERNEL_PAPER &kernel_narrow
+    [DOM_FLOAT] = &dom__kernel_bridge, [DOM_DOUBLE] = &dom__kernel_double, [DOM_QUAD] = &dom__kernel_bridge};
+#define KERNEL_GSL   &dom__kernel_gsl
+#define KERNEL_PAPER &dom__kernel_paper
 #endif
 
 /* The statuses for values outside the ranges in DOM_TRAIN_PARAMETERS and DOM_COMPUTE_PARAMETERS. */

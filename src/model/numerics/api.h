@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. These sources are compiled twice: once as they are, where
- * dom_real is double, and once with DOMQ defined, where every name of domino.h is replaced by that of
- * domino_quad.h (domq_names.h has lines such as "#define dom_train domq_train").
+ * The public API for the sources of the library. They are compiled as they are, where dom_real is double, or
+ * with DOMQ defined, where every name of domino.h is replaced by that of domino_quad.h (domq_names.h has
+ * lines such as "#define dom_train domq_train"), or once in each way.
  */
 #ifndef DOM_API_H
 #define DOM_API_H

@@ -2,4 +2,4 @@
 #define KERNEL_NAME(name) name##_double
 #include "precision/kernel.inc"
 
-const struct kernel kernel_double = KERNEL_TABLE;
+const struct kernel dom__kernel_double = KERNEL_TABLE;

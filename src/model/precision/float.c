@@ -3,4 +3,4 @@
 #define KERNEL_NAME(name) name##_float
 #include "precision/kernel.inc"
 
-const struct kernel kernel_float = KERNEL_TABLE;
+const struct kernel domq__kernel_float = KERNEL_TABLE;

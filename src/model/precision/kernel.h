@@ -51,13 +51,12 @@ struct kernel {
 #undef KERNEL_MEMBER
 };
 
-/* <domino.h> has only kernel_double itself, and uses all other kernels through kernel_narrow
- * (dispatch/narrow.c). */
-extern const struct kernel kernel_double;
+/* Each kernel is compiled once, with the types of one of the two headers. A bridge asks the kernels that have
+ * the types of the other header (dispatch/bridge.c). */
 #ifdef DOMQ
-extern const struct kernel kernel_float, kernel_quad, kernel_gsl, kernel_paper;
+extern const struct kernel domq__kernel_float, domq__kernel_quad, domq__kernel_bridge;
 #else
-extern const struct kernel kernel_narrow;
+extern const struct kernel dom__kernel_double, dom__kernel_gsl, dom__kernel_paper, dom__kernel_bridge;
 #endif
 
 #endif

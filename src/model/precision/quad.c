@@ -3,4 +3,4 @@
 #define KERNEL_NAME(name) name##_quad
 #include "precision/kernel.inc"
 
-const struct kernel kernel_quad = KERNEL_TABLE;
+const struct kernel domq__kernel_quad = KERNEL_TABLE;
