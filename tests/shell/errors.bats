@@ -43,33 +43,18 @@ END
 6|set s|^set: .*missing.*set NAME VALUE
 11|set s 0.4 1|^set: '1' .*too many.*set NAME VALUE
 8|show s r|^show: 'r' .*too many.*show \[NAME\]
-9|reset s r|^reset: 'r' .*too many.*reset \[NAME\]
 10|help set show|^help: 'show' .*too many.*help \[NAME\]
 6|quit now|^quit: 'now' .*too many.*usage: quit
-6|exit now|^exit: 'now' .*too many.*usage: exit
 8|thetac 1|^thetac: '1' .*too many.*usage: thetac
 7|theta1|^theta1: .*missing.*theta1 T
 12|theta1 0.1 0.2|^theta1: '0.2' .*too many.*theta1 T
-6|chain|^chain: .*missing.*chain T
-7|energy|^energy: .*missing.*energy T
-6|fuel 1|^fuel: '1' .*too many.*usage: fuel
-8|launch 1|^launch: '1' .*too many
-6|omega|^omega: .*missing.*omega T
-9|barrier 1|^barrier: '1' .*too many
-10|duration 1|^duration: '1' .*too many
 10|rmax 0.3 0.4|^rmax: '0.4' .*too many.*rmax \[S\]
-10|pair 0.3 0.4|^pair: '0.4' .*too many.*pair \[S\]
-6|best 1|^best: '1' .*too many
 14|curve 0.1 0.9|^curve: .*missing.*curve FROM TO N
 17|curve 0.1 0.9 5 6|^curve: '6' .*too many.*curve FROM TO N
 6|count|^count: .*missing.*count H \[R\]
-11|count 1 2 3|^count: '3' .*too many.*count H \[R\]
-6|print|^print: .*missing.*print VALUE
 9|print 1 2|^print: '2' .*too many.*print VALUE
 5|save|^save: .*missing.*save FILE
 8|save a b|^save: 'b' .*too many.*save FILE
-7|source|^source: .*missing.*source FILE
-10|source a b|^source: 'b' .*too many.*source FILE
 6|fuel a b c d e f g h i j k l m n o p q r s t u|^fuel: 'a' .*too many.*usage: fuel
 END
 }
@@ -77,24 +62,18 @@ END
 @test "a value that is not a number: the message says where and what" {
     sed -E 's/^([0-9]+) (.*)/\1|set s \2|^set: s/' <<'END' | all_wrong
 7 nan
-7 NaN
 8 -nan
 7 inf
-8 -inf
-7 infinity
 7 0x10
 8 1,5
 7 abc
 7 0.4m
 10 0.4.1
 8 1e
-8 1e+
 7 .
 8 -
-8 +
 9 1/
 7 /2
-9 1//2
 9 1/0x2
 7 '0.4'
 7 "0.4"
@@ -103,26 +82,18 @@ END
 7|set s 1e5000|^set: s.*too large
 8|set s -1e5000|^set: s.*too large
 7|set s 1e-5000|^set: s.*too small
-7|set s 1e-5000|^set: s.*too small
 13|set h 1e4900/1e-90|^set: h.*not a finite number
 8|set s 1/0|^set: s.*division by zero
 9|set s 1 / (2 - 2)|^set: s.*division by zero
 7|set q wooden|^set: .*q.*'wooden'
 10|set fuel diesel|^set: unknown value of fuel 'diesel'.*exact.paper
-10|set fuel 1|^set: unknown value of fuel '1'.*exact.paper
 12|set output xml|^set: unknown value of output 'xml'.*table.csv.json
 11|set angle grad|^set: unknown value of angle 'grad'.*rad.deg
 12|set timing maybe|^set: unknown value of timing 'maybe'.*off.on
 8|theta1 nan|^theta1: T.*'nan' has no value
-7|chain inf|^chain: T.*'inf' has no value
-8|energy 0x0|^energy: T.*'0x0'
-8|omega 0,1|^omega: T .*',1'
 6|rmax nan|^rmax: S.*'nan' has no value
-6|pair x|^pair: S.*'x' has no value
 7|curve x 0.9 3|^curve: FROM.*'x' has no value
-11|curve 0.1 x 3|^curve: TO.*'x' has no value
 15|curve 0.1 0.9 x|^curve: N.*'x' has no value
-7|count x|^count: H.*'x' has no value
 7|count 1e5000|^count: H.*too large
 9|count 1 x|^count: R.*'x' has no value
 END
@@ -150,13 +121,10 @@ digits -3 1e300 1 \.\. 36$
 END
     all_wrong <<'END'
 6|rmax 0|^rmax: S = 0 is out of range; S is a value of s, 1e-06 \.\. 1$
-6|rmax -0.4|^rmax: S = -0.4 is out of range; S is a value of s, 1e-06 \.\. 1$
 6|rmax 2|^rmax: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
-6|pair 2|^pair: S = 2 is out of range; S is a value of s, 1e-06 \.\. 1$
 7|curve 0 1 3|^curve: FROM = 0 is out of range; FROM is a value of s, 1e-06 \.\. 1$
 11|curve 0.1 1.1 3|^curve: TO = 1.1 is out of range; TO is a value of s, 1e-06 \.\. 1$
 15|curve 0.1 0.9 0|^curve: N = 0 .*integer in 1 \.\. [0-9]+$
-15|curve 0.1 0.9 -5|^curve: N = -5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 2.5|^curve: N = 2.5 .*integer in 1 \.\. [0-9]+$
 15|curve 0.1 0.9 1e12|^curve: N = 1e\+12 .*integer in 1 \.\. [0-9]+$
 0|curve 0.1 0.9 1|^curve: one value of s .*at least 2, for example
@@ -239,22 +207,6 @@ two:4:1: unknown command 'qux'
         printf "$text" >junk
         junk 'junk:1: .*NUL.*text'
     done
-}
-
-@test "lines of a megabyte: one word, a number, blanks, many commands" {
-    million=$(head -c 1000000 /dev/zero | tr '\0' 7)
-    tr 7 z <<<"$million" >junk
-    junk "junk:1:1: unknown command 'z+\.\.\.'"
-    printf 'set s %s' "$million" >junk
-    junk "junk:1:7: set: s.*too large.*"
-    printf 'set s 9%s' "$(tr 7 ' ' <<<"$million")" >junk
-    junk 'junk:1:7: set: s = 9 is out of range'
-    printf 'set s 0.3 %s' "$(tr 7 'x ' <<<"$million" | sed 's/xx/x /g')" >junk
-    junk "junk:1:11: set: 'x' is not a unit and has no value"
-    { sed 's/7777777/set r 2;/g; s/7*$/foo/' <<<"$million"; } >junk
-    junk "junk:1:[0-9]+: unknown command 'foo'"
-    same 'a long number is a number' 0.5 "$({ echo 'set output json'; printf 'set s 0.5%s\nshow s' "$(tr 7 0 <<<"$million")"; } |
-        "$DOMINO" | values value)"
 }
 
 @test "control characters do not reach the terminal" {

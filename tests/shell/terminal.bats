@@ -99,13 +99,8 @@ fits() { # WIDTH COMMAND...
     same "wider than $width columns" '(nothing)' "$wide"
 }
 
-answers=('chain 0.1' show 'show s' thetac 'theta1 0.1' rmax 'rmax 0.3' pair best 'count 112' 'count 112 2' 'curve 0.1 0.9 3'
-    barrier duration 'energy 0.1' fuel launch 'omega 0.1')
-helps=(help apropos\ barrier)
-for topic in apropos barrier best chain complete count curve duration energy exit fuel help launch omega pair print \
-    quit reset rmax save set show source theta1 thetac s r d q tol h g fuel output digits angle timing hints; do
-    helps+=("help $topic")
-done
+answers=('chain 0.1' show 'show s' thetac rmax 'count 112' 'count 112 2' 'curve 0.1 0.9 3' barrier duration)
+helps=(help 'apropos barrier' 'help count' 'help curve' 'help set' 'help sweep' 'help s' 'help tol' 'help output' 'help friction')
 errors=(foo barier 'set s 9' 'theta1 9' theta1 'set q holow' 'chain 0.1 2' 'print sqrt(2' 'set d 0.7/' 'set s 0.9; thetac')
 
 # The same at 40 columns, and no word is cut: -J would join a line that tmux had to wrap.
