@@ -186,7 +186,7 @@ bool cost_measure(const struct query *query, int which, struct cost *cost, struc
     progress_show(1);
     if (status == DOM_NO_FUEL || status == DOM_STOPS || status == DOM_NO_GROWTH)
         return problem_error(problem, "there is no answer to measure here: %s", dom_status_text(status));
-    return problem_status(problem, query->scene, status);
+    return query_status(query, problem, status);
 }
 
 /* ---- The command ---- */

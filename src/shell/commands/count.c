@@ -64,7 +64,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     if (status == DOM_OK)
         status = domq_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     t->growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, false};
     if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
         (t->limit.ends != DOM_END_NONE &&
@@ -204,18 +204,17 @@ static const char *count_reason(const struct query *query, const struct answer *
 
 bool run_count(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     domq_real height = query->given->number[0], first = query->scene->scale.h;
     struct domq_train train = query->scene->train;
     struct domq_count count;
     struct tower t = {.falls = false};
     char reason[START_TEXT];
     train.r = query->given->count > 1 ? query->given->number[1] : train.r;
-    if (domq_count_find(first, height, train.r, &compute, &count) != DOM_OK)
+    if (domq_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
         return problem_no_answer(
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
             quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
-            domq_arithmetic(compute.precision)->name);
+            domq_arithmetic(query->scene->compute.precision)->name);
     if (!tower_find(query, &train, count.dominoes, &t, problem))
         return false;
     bool is_enough = isfinite(count.dominoes), good = t.falls && is_enough;

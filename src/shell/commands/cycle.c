@@ -30,9 +30,8 @@ static const struct column thetac_columns[] = {
 
 static bool run_thetac(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_angles angles;
-    if (!problem_status(problem, query->scene, domq_angles_find(&query->scene->train, &compute, &angles)))
+    if (!query_status(query, problem, domq_angles_find(&query->scene->train, query_compute(query), &angles)))
         return false;
     if (query->scene->train.rho != 0) {
         answer_describe(
@@ -57,10 +56,10 @@ static const struct column theta1_columns[] = {
 
 static bool run_theta1(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_contact c;
-    if (!problem_status(problem, query->scene, domq_contact_find(&query->scene->train, &compute, theta, &c)))
+    if (!query_status(query, problem,
+                      domq_contact_find(&query->scene->train, query_compute(query), theta, &c)))
         return false;
     const char *why = isnan(c.arm_a) ? "whether the follower has detached and rests at theta_f" : NULL;
     return answer_row(
@@ -88,10 +87,9 @@ static bool chain_row(const struct domq_link *k, void *context)
 
 static bool run_chain(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
-    enum dom_status status = domq_chain_walk(&query->scene->train, &compute, theta, chain_row, a);
-    return problem_status(problem, query->scene, status);
+    enum dom_status status = domq_chain_walk(&query->scene->train, query_compute(query), theta, chain_row, a);
+    return query_status(query, problem, status);
 }
 
 static const struct column energy_columns[] = {
@@ -104,10 +102,10 @@ static const struct column energy_columns[] = {
 
 static bool run_energy(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_energy e;
-    if (!problem_status(problem, query->scene, domq_energy_find(&query->scene->train, &compute, theta, &e)))
+    if (!query_status(query, problem,
+                      domq_energy_find(&query->scene->train, query_compute(query), theta, &e)))
         return false;
     return answer_cells(a, cell_real(theta), CELL_OF(e, dH), CELL_OF(e, J), CELL_OF(e, J0));
 }
@@ -121,11 +119,10 @@ static const struct column fuel_columns[] = {
 
 static bool run_fuel(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_fuels f;
-    enum dom_status status = domq_fuel_find(&query->scene->train, &compute, &f);
+    enum dom_status status = domq_fuel_find(&query->scene->train, query_compute(query), &f);
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     /* The paper's closed form holds only for sharp edges. */
     struct cell exact = CELL_OF(f, exact),
                 paper = query->scene->train.rho != 0 ? cell_real(DOMQ_NAN) : CELL_OF(f, paper);
@@ -134,7 +131,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     if (domq_law(&query->scene->train)->dissipates) {
         status = domq_launch_find(&query->scene->train, &query->scene->compute, &launch);
         if (status != DOM_OK && status != DOM_NO_FUEL)
-            return problem_status(problem, query->scene, status);
+            return query_status(query, problem, status);
         used = cell_bound(launch.fuel, DOMQ_NAN);
     }
     return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
@@ -172,7 +169,7 @@ static bool missing_explain(const struct query *query, enum dom_status status, s
                : NULL;
     if (status == DOM_STOPS)
         stop_reason(query, reason);
-    return status == DOM_OK || *why || problem_status(problem, query->scene, status);
+    return status == DOM_OK || *why || query_status(query, problem, status);
 }
 
 static const struct column launch_columns[] = {
@@ -185,7 +182,6 @@ static const struct column launch_columns[] = {
 
 static bool run_launch(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_launch l = {.fuel = DOMQ_NAN,
                             .J0 = DOMQ_NAN,
                             .velocity_ratio = DOMQ_NAN,
@@ -193,7 +189,7 @@ static bool run_launch(const struct query *query, struct answer *a, struct probl
                             .kinetic = DOMQ_NAN};
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_launch_find(&query->scene->train, &compute, &l);
+    enum dom_status status = domq_launch_find(&query->scene->train, query_compute(query), &l);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
@@ -212,12 +208,11 @@ static const struct column omega_columns[] = {
 
 static bool run_omega(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     domq_real theta = query->given->number[0];
     struct domq_value omegasq;
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_cycle_omegasq(&query->scene->train, &compute, theta, &omegasq);
+    enum dom_status status = domq_cycle_omegasq(&query->scene->train, query_compute(query), theta, &omegasq);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
@@ -238,12 +233,11 @@ static const struct column barrier_columns[] = {
 
 static bool run_barrier(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_barrier b = {
         .theta_m = DOMQ_NAN, .barrier = DOMQ_NAN, .kinetic = DOMQ_NAN, .margin = DOMQ_NAN};
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_barrier_find(&query->scene->train, &compute, &b);
+    enum dom_status status = domq_barrier_find(&query->scene->train, query_compute(query), &b);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     answer_holds(a, status == DOM_OK);
@@ -265,12 +259,11 @@ static const struct column duration_columns[] = {
 
 static bool run_duration(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_value duration = {.value = DOMQ_NAN};
     domq_real tau = domq_scale_tau(&query->scene->scale, &query->scene->train);
     char reason[ANSWER_REASON];
     const char *why;
-    enum dom_status status = domq_cycle_duration(&query->scene->train, &compute, &duration);
+    enum dom_status status = domq_cycle_duration(&query->scene->train, query_compute(query), &duration);
     if (!missing_explain(query, status, problem, reason, &why))
         return false;
     domq_real speed =

@@ -164,7 +164,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
         const struct domq_effect *e = effect_at(k);
         double without = price_with(query, k, false), with = price_with(query, k, true);
         if (dom_raised(query->scene->compute.interrupt))
-            return problem_status(problem, query->scene, DOM_INTERRUPTED);
+            return query_status(query, problem, DOM_INTERRUPTED);
         answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k)),
                      cell_word(quickest_method(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
                      cell_brief(with / without),

@@ -126,11 +126,10 @@ static const char *start_missing(const struct query *query, const struct answer 
 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_train train = query->scene->train;
     struct domq_limit exact, paper;
     train.s = argument_or(query->given, 0, train.s);
-    if (!problem_status(problem, query->scene, limits_find(train, &compute, &exact, &paper)))
+    if (!query_status(query, problem, limits_find(train, query_compute(query), &exact, &paper)))
         return false;
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
     struct start_growths growths = {DOMQ_NAN, DOMQ_NAN, false};
@@ -160,11 +159,10 @@ static const struct column pair_columns[] = {
 
 static bool run_pair(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_train train = query->scene->train;
     struct domq_limit limit;
     train.s = argument_or(query->given, 0, train.s);
-    if (!problem_status(problem, query->scene, domq_limit_pair(&train, &compute, &limit)))
+    if (!query_status(query, problem, domq_limit_pair(&train, query_compute(query), &limit)))
         return false;
     if (limit.ends != DOM_END_NONE)
         answer_say(a,
@@ -186,11 +184,10 @@ static const struct column best_columns[] = {
 
 static bool run_best(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct domq_best best = {.s = DOMQ_NAN, .r_max = DOMQ_NAN};
-    enum dom_status status = domq_limit_best(&query->scene->train, &compute, &best);
+    enum dom_status status = domq_limit_best(&query->scene->train, query_compute(query), &best);
     if (status != DOM_OK && status != DOM_NO_GROWTH)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     if (status == DOM_OK)
         answer_say(a,
                    "Dominoes can grow most with gaps of %.4g heights: each can be %.4g times as large as the "
@@ -251,7 +248,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
                       .to = query->given->number[1],
                       .n = query->given->number[2],
                       .train = query->scene->train,
-                      .compute = query_compute(query)};
+                      .compute = query_options(query)};
     struct cell number = cell_real(0);
     bool by_point;
     if (c.n == 1 && c.from != c.to)
@@ -264,7 +261,7 @@ static bool run_curve(const struct query *query, struct answer *a, struct proble
     const struct workers workers = {
         .points = (size_t)c.n, .point = curve_point, .context = &c, .size = sizeof c, .merge = curve_gather};
     if (!points_answer(query, problem, a, workers, &by_point))
-        return by_point ? problem_status(problem, query->scene, c.status) : false;
+        return by_point ? query_status(query, problem, c.status) : false;
     if (c.has_missing)
         answer_say(a, "'-' means that no growth is possible; 'rmax S' and 'pair S' explain why");
     return true;

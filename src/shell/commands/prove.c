@@ -112,8 +112,8 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     struct dom_proof proof = {.low = DOM_NAN};
     char reason[ANSWER_REASON];
     train.s = s;
-    if (!problem_status(problem, query->scene,
-                        (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof)))
+    if (!query_status(query, problem,
+                      (what == PROVE_PAIR ? dom_prove_pair : dom_prove_rmax)(&train, &compute, &proof)))
         return false;
     int decimals = proof.ends == DOM_PROVED_BARRIER ? proof.decimals : 0;
     answer_holds(a, proof.ends == DOM_PROVED_BARRIER || proof.ends == DOM_PROVED_REACH);
@@ -149,7 +149,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
     char reason[ANSWER_REASON];
-    if (!problem_status(problem, query->scene, dom_prove_cycle(&train, &compute, &proof)))
+    if (!query_status(query, problem, dom_prove_cycle(&train, &compute, &proof)))
         return false;
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     answer_holds(a, proof.verdict == DOM_PROVED_GOES_ON);
@@ -173,7 +173,7 @@ static bool prove_count(const struct query *query, struct answer *a, struct prob
     if (status == DOM_OK)
         status = dom_prove_cycle(&train, &compute, &proof);
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     bool is_known = least == most, is_enough = is_known && isfinite(least),
          goes_on = proof.verdict == DOM_PROVED_GOES_ON;
     if (!start_find(query, &query->scene->train, (domq_real)most + 1, &start, problem))

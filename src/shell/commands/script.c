@@ -67,7 +67,7 @@ static bool run_echo(const struct query *query, struct answer *a, struct problem
         return answer_cells(a, cell_word(text));
     char *shown = escape_copy(text);
     if (!shown)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+        return query_status(query, problem, DOM_NO_MEMORY);
     fprintf(a->out, "%s\n", shown);
     free(shown);
     return true;

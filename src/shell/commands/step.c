@@ -75,18 +75,17 @@ static const char *cycle_by(const void *context, int k)
 
 static bool run_cycle(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
     struct cycle_table table = {.query = query, .answer = a};
     size_t rows = query->given->count > 0 ? (size_t)query->given->number[0] : 12;
     enum dom_spacing by = query->given->count > 1 ? (enum dom_spacing)query->given->number[1] : DOM_BY_TIME;
     walk_columns_in(query, a);
     enum dom_status verdict = domq_angles_find(&query->scene->train, &query->scene->compute, &table.angles);
     if (verdict == DOM_OK)
-        verdict = domq_cycle_walk(&query->scene->train, &compute, rows, by, cycle_row, &table);
+        verdict = domq_cycle_walk(&query->scene->train, query_compute(query), rows, by, cycle_row, &table);
     if (verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){cell_word("")}, walk_no_start);
     if (table.status != DOM_OK || (verdict != DOM_OK && verdict != DOM_STOPS))
-        return problem_status(problem, query->scene, table.status != DOM_OK ? table.status : verdict);
+        return query_status(query, problem, table.status != DOM_OK ? table.status : verdict);
     if (domq_law(&query->scene->train)->dissipates)
         answer_say(a, "Friction between dominoes has dissipated %.4g %s since the launch.",
                    (double)(table.last.friction_work * walk_units(query, 1).energy),
@@ -145,7 +144,7 @@ static bool walk_ready(const struct query *query, struct answer *answer, struct 
     w->verdict = domq_cycle_events(&w->train, &w->compute, w->events, &w->count);
     *begun = true;
     return w->verdict == DOM_OK || w->verdict == DOM_STOPS || w->verdict == DOM_NO_FUEL ||
-           problem_status(problem, query->scene, w->verdict);
+           query_status(query, problem, w->verdict);
 }
 
 static bool walk_answer(const struct query *query, struct answer *a, struct problem *problem,
@@ -158,7 +157,7 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
         answer_leave_out(a, "rubbed");
     if (w->verdict == DOM_NO_FUEL)
         return answer_row(a, (const struct cell[ANSWER_COLUMNS]){{.kind = CELL_NONE}}, walk_no_start);
-    if (!problem_status(problem, query->scene, domq_cycle_state(&w->train, &compute, w->theta, &s)))
+    if (!query_status(query, problem, domq_cycle_state(&w->train, &compute, w->theta, &s)))
         return false;
     struct walk_units u = walk_units(query, w->cycle);
     walk_say(query, w, &s, a);

@@ -257,5 +257,5 @@ bool run_let(const struct query *query, struct answer *a, struct problem *proble
     struct variables *all = &query->next->variables;
     if (!variable_find(all, v->name) && all->count == VARIABLES_MOST)
         return problem_error(problem, "there can be no more than %d variables", VARIABLES_MOST);
-    return variable_put(all, v) || problem_status(problem, query->scene, DOM_NO_MEMORY);
+    return variable_put(all, v) || query_status(query, problem, DOM_NO_MEMORY);
 }

@@ -294,7 +294,7 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
     if (status == DOM_STOPS)
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     /* The user may have copied the tilt from a table in which it was rounded up to 6 digits, so a tilt that
      * is slightly too large is accepted. A picture does not show the difference. */
     if (stop.value < theta * (1 - (domq_real)1e-5))

@@ -125,20 +125,20 @@ static void contact_say(const struct query *query, struct answer *a, const struc
 
 bool run_why(const struct query *query, struct answer *a, struct problem *problem)
 {
-    const struct domq_compute compute = query_compute(query);
+    const struct domq_compute *compute = query_compute(query);
     const struct domq_train *train = &query->scene->train;
     struct walk_units u = walk_units(query, 1);
     struct domq_launch l;
     struct domq_barrier b;
     struct domq_limit limit;
     struct domq_least_force contact;
-    enum dom_status verdict = domq_barrier_find(train, &compute, &b), status = verdict;
+    enum dom_status verdict = domq_barrier_find(train, compute, &b), status = verdict;
     if (verdict == DOM_OK || verdict == DOM_STOPS || verdict == DOM_NO_FUEL)
-        status = domq_launch_find(train, &compute, &l);
+        status = domq_launch_find(train, compute, &l);
     if (status == DOM_OK || status == DOM_NO_FUEL)
-        status = domq_limit_rmax(train, &compute, &limit);
+        status = domq_limit_rmax(train, compute, &limit);
     if (status != DOM_OK)
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     bool people = answer_for_people(a);
     if (people) {
         verdict_train_say(query, a, verdict, &b);

@@ -70,12 +70,20 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* Returns the options for the library's computations. They request error bounds if the settings do. */
-static inline struct domq_compute query_compute(const struct query *query)
+/* The options for the library's computations, which request error bounds if the settings do. Like the texts
+ * of names_shown, those of the macro live until the end of the block that contains the call. */
+static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;
     compute.errors = query->state->settings.style.errors;
     return compute;
+}
+#define query_compute(query) ((const struct domq_compute[]){query_options(query)})
+
+/* problem_status for the scene of a query. */
+static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)
+{
+    return problem_status(problem, query->scene, status);
 }
 
 #endif

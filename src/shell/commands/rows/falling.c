@@ -18,7 +18,7 @@ bool row_run_begin(const struct query *query, struct problem *problem, struct ro
     if (scene->report.hit)
         return true;
     row_run_free(run);
-    problem_status(problem, query->scene, DOM_NO_MEMORY);
+    query_status(query, problem, DOM_NO_MEMORY);
     return false;
 }
 
@@ -136,7 +136,7 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
                                  "'effect edges off', or a row whose file has no column lean and no radius");
     if (status < DOM_BAD_COUNT ||
         status > DOM_BAD_MASS) /* the statuses between these two are about the size or mass of a domino */
-        return problem_status(problem, query->scene, status);
+        return query_status(query, problem, status);
     if (engine)
         return problem_no_answer(problem,
                                  "the dominoes of this row have no size or no mass in double precision");

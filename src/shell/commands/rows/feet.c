@@ -101,8 +101,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
 {
     struct domq_floor f;
     const struct effect_state *floor = &query->scene->effect[DOM_EFFECT_floor];
-    if (!problem_status(problem, query->scene,
-                        domq_cycle_floor(&query->scene->train, &query->scene->compute, &f)))
+    if (!query_status(query, problem, domq_cycle_floor(&query->scene->train, &query->scene->compute, &f)))
         return false;
     bool slips = f.motion > floor->value[0], slips_hit = f.hit > floor->value[0];
     answer_row(a,

@@ -355,5 +355,5 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
         study_answer(a, &p.study, *missing ? missing : NULL);
     free(p.study.stops);
     free(p.block);
-    return good && problem_status(problem, query->scene, status);
+    return good && query_status(query, problem, status);
 }

@@ -187,7 +187,7 @@ bool run_sweep(const struct query *query, struct answer *a, struct problem *prob
     const struct sweep *s = query->given->bound;
     struct sweeper *w = calloc(1, sizeof *w);
     if (!w)
-        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+        return query_status(query, problem, DOM_NO_MEMORY);
     w->grid = &s->grid;
     w->question = &s->parsed->question;
     w->query = query;
