@@ -5,6 +5,7 @@
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
+#include "language/text.h"
 #include "session/errors.h"
 #include <stdlib.h>
 
@@ -254,10 +255,10 @@ static bool run_scene(const struct query *query, struct answer *a, struct proble
     char on[256] = "";
     if (!scene_work(query, problem, false, &work, &count))
         return false;
-    for (int k = 0, n = 0; k < EFFECT_COUNT; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         if (query->scene->effect[k].on && k != DOM_EFFECT_row)
-            n += snprintf(on + n, sizeof on - (size_t)n, "%s%s %s", n ? ", " : " with ", effect_at(k)->name,
-                          effect_setting(query->scene, k));
+            text_add(on, sizeof on, "%s%s %s", *on ? ", " : " with ", effect_at(k)->name,
+                     effect_setting(query->scene, k));
     if (is_row)
         answer_say(a, "A row of %zu domino%s%s.", count, count == 1 ? "" : "es", on);
     else

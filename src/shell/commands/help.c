@@ -6,6 +6,7 @@
 #include "commands/topics.h"
 #include "interpreter/interpret.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "prompt/input.h"
 #include "session/session.h"
 #include <gsl/gsl_version.h>
@@ -47,8 +48,7 @@ static void help_list(FILE *out)
             help_say(out, "%s", names);
             snprintf(names, sizeof names, "Effects:");
         }
-        size_t used = strlen(names);
-        snprintf(names + used, sizeof names - used, " %s", p->name);
+        text_add(names, sizeof names, " %s", p->name);
     }
     help_say(out, "%s", names);
     help_say(out, "'help NAME' explains one of these, 'apropos WORD' finds one.");

@@ -3,6 +3,7 @@
 #include "commands/tables.h"
 #include "io/terminal.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <string.h>
 
 const struct column show_columns[] = {
@@ -27,9 +28,8 @@ struct shown {
 static void word_add(const struct parameter *p, domq_real value, char *text, size_t size)
 {
     const char *word = parameter_word(p, value);
-    size_t used = strlen(text);
     if (word)
-        snprintf(text + used, size - used, " (%s)", word);
+        text_add(text, size, " (%s)", word);
 }
 
 static void shown_make(const struct query *query, const struct parameter *p, bool people, struct shown *shown)

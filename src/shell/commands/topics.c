@@ -3,12 +3,12 @@
 #include "commands/topics.h"
 #include "answer/wrap.h"
 #include "io/terminal.h"
+#include "language/text.h"
 #include <stdarg.h>
 #include <string.h>
 
 static void topic_of_command(const struct command *c, struct topic *t)
 {
-    size_t used = 0;
     *t = (struct topic){.command = c,
                         .name = c->name,
                         .kind = "command",
@@ -20,7 +20,7 @@ static void topic_of_command(const struct command *c, struct topic *t)
                         .synonyms = c->synonyms};
     command_usage_write(c, t->usage);
     for (const struct column *k = c->columns; k && k->key; k++)
-        used += (size_t)snprintf(t->keys + used, sizeof t->keys - used, "%s%s", used ? " " : "", k->key);
+        text_add(t->keys, sizeof t->keys, "%s%s", *t->keys ? " " : "", k->key);
 }
 
 static void topic_of_parameter(const struct parameter *p, struct topic *t)

@@ -5,6 +5,7 @@
 #include "interpreter/command_read.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,10 +30,8 @@ static void units_list(struct quantity kind, char *text, size_t size)
     const char *name;
     text[0] = '\0';
     for (int k = 0; (name = expression_units(NULL, k)) != NULL; k++)
-        if (quantity_alike(expression_unit(name), kind)) {
-            size_t used = strlen(text);
-            snprintf(text + used, size - used, " %s", name);
-        }
+        if (quantity_alike(expression_unit(name), kind))
+            text_add(text, size, " %s", name);
     if (quantity_bare(kind))
         snprintf(text, size, " percent");
 }

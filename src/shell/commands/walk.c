@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/walk.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <string.h>
 
 struct walk_units walk_units(const struct query *query, int cycle)
@@ -90,8 +91,7 @@ static struct measured angle_at(const struct place *p, domq_real theta)
 static struct measured omega_at(const struct place *p, domq_real omega)
 {
     struct measured text = angle_text(p->query, omega / p->units.tau, 6);
-    size_t used = strlen(text.text);
-    snprintf(text.text + used, sizeof text.text - used, "/s");
+    text_add(text.text, sizeof text.text, "/s");
     return text;
 }
 
@@ -114,11 +114,10 @@ struct impulses {
 static bool impulse_add(const struct domq_force *f, void *context)
 {
     struct impulses *i = context;
-    size_t used = strlen(i->text);
     if (f->i > 0 && isnan(f->impulse)) /* the last domino, on which no other one leans */
         return false;
     i->bounded = i->bounded && isfinite(f->impulse);
-    snprintf(i->text + used, sizeof i->text - used, "%s%.4g", i->count ? ", " : "",
+    text_add(i->text, sizeof i->text, "%s%.4g", i->count ? ", " : "",
              (double)(f->impulse * i->units->weight * i->units->tau));
     return ++i->count < 4;
 }

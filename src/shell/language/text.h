@@ -41,6 +41,9 @@ void text_free(struct text *text);
  */
 ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
 
+/* Appends formatted text to a text in a buffer of `size` bytes, as far as there is room. */
+void text_add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* Returns a pointer to the first character at or after c that is not a blank. A newline is not a blank. */
 const char *skip_blanks(const char *c);
 

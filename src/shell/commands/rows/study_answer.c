@@ -2,9 +2,9 @@
 /* Runs a study of random rows, and prints its answer: how many rows fall, where the others stop, and what
  * each kind of error costs. */
 #include "commands/rows/rows.h"
+#include "language/text.h"
 #include "session/errors.h"
 #include <stdlib.h>
-#include <string.h>
 
 const struct column placement_columns[] = {
     {"sigma", "m", "standard deviation of every gap", 0},
@@ -106,9 +106,9 @@ static void causes_say(struct answer *a, const struct study *s)
         return;
     const char *it = worst < DOM_ERROR_friction ? "them" : "it";
     const size_t domino = cause_stops(s, worst);
-    for (int k = cause_next(s, worst), n = 0; k < DOM_ERROR_COUNT; k = cause_next(s, k))
-        n += snprintf(others + n, sizeof others - (size_t)n,
-                      n ? ", without %s %zu" : "Without %s %zu would fall", names[k], s->without[k]);
+    for (int k = cause_next(s, worst); k < DOM_ERROR_COUNT; k = cause_next(s, k))
+        text_add(others, sizeof others, *others ? ", without %s %zu" : "Without %s %zu would fall", names[k],
+                 s->without[k]);
     if (domino > 0)
         snprintf(stops, sizeof stops, "; because of %s most rows stop at domino %zu", it, domino);
     if (s->without[worst] > s->counts.fall)
@@ -128,9 +128,9 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     const bool costs = worst < DOM_ERROR_COUNT && s->without[worst] > study->fall;
     char text[200] = "";
     size_t k = most;
-    for (int i = 0, n = 0; i < SHOWN && k < count; i++, k = most_next(s->stops, count, k))
-        n += snprintf(text + n, sizeof text - (size_t)n, "%s%zu (%.3g %%)", n ? ", " : "", k + 1,
-                      100 * (double)s->stops[k] / (double)others);
+    for (int i = 0; i < SHOWN && k < count; i++, k = most_next(s->stops, count, k))
+        text_add(text, sizeof text, "%s%zu (%.3g %%)", i ? ", " : "", k + 1,
+                 100 * (double)s->stops[k] / (double)others);
     answer_say(a, "%zu of %zu rows fall. The probability is %s to %s, with 95 %% confidence.", study->fall,
                study->rows, measured((domq_real)study->low, "share", study->low > 0.99 ? 5 : 3).text,
                measured((domq_real)study->high, "share", study->high > 0.99 ? 5 : 3).text);

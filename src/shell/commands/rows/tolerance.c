@@ -4,8 +4,8 @@
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <stdlib.h>
-#include <string.h>
 
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
@@ -143,8 +143,7 @@ static void friction_say(struct answer *a, const struct windows *w)
     char range[2 * CELL_TEXT] = "";
     if (f.low > 0)
         snprintf(range, sizeof range, "from %s ", measured(f.low, "", DIGITS).text);
-    size_t used = strlen(range);
-    snprintf(range + used, sizeof range - used, "up to %s", measured(f.high, "", DIGITS).text);
+    text_add(range, sizeof range, "up to %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
         answer_say(
             a, "No other value of the friction between the dominoes saves this row; the friction is %s now.",

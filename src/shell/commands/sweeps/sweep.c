@@ -5,7 +5,7 @@
 #include "answer/format.h"
 #include "commands/sweeps/point.h"
 #include "interpreter/command_read.h"
-#include "language/quad.h"
+#include "language/text.h"
 #include "parallel/points.h"
 #include <stdlib.h>
 #include <string.h>
@@ -173,9 +173,9 @@ static void tally_say(struct sweeper *w, struct answer *a)
     const struct tally *t = &w->tally;
     char where[256] = "", number[CELL_TEXT];
     point_values(w, t->first);
-    for (int i = 0, n = 0; i < w->grid->axes && n < (int)sizeof where; i++)
-        n += snprintf(where + n, sizeof where - (size_t)n, "%s%s = %s", i ? ", " : "",
-                      w->grid->axis[i].parameter->name, cell_text(w->value[i], 6, false, number));
+    for (int i = 0; i < w->grid->axes; i++)
+        text_add(where, sizeof where, "%s%s = %s", i ? ", " : "", w->grid->axis[i].parameter->name,
+                 cell_text(w->value[i], 6, false, number));
     answer_say(a, "%zu of %zu points %s %s. The first is %s: %s.%s", t->with_reason,
                means_part(w->query->means, w->grid->points).count, t->with_reason == 1 ? "has" : "have",
                t->without_answer == t->with_reason ? "no answer" : "a missing value", where, t->reason,
