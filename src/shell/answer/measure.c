@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answer/measure.h"
 #include "language/quad.h"
-#include <float.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,11 +24,6 @@ struct measure measure_of(const char *unit, domq_real largest)
         if (strcmp(unit, measures[i].base) == 0 && quad(fabs)(largest) * almost < measures[i].below)
             return measures[i].measure;
     return (struct measure){unit, 0};
-}
-
-bool measure_varies(const char *unit)
-{
-    return measure_of(unit, 0).power != measure_of(unit, (domq_real)DBL_MAX).power;
 }
 
 domq_real measure_number(struct measure measure, domq_real value)

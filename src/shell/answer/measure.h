@@ -24,9 +24,6 @@ struct measure {
 /* Returns the unit for a column whose largest absolute value is `largest`. */
 struct measure measure_of(const char *unit, domq_real largest);
 
-/* Returns true if the unit that people see depends on the size of the numbers. */
-bool measure_varies(const char *unit);
-
 /* Returns value * 10^power, correctly rounded, so that 4.8 cm has the same digits as 0.048 m. */
 domq_real measure_number(struct measure measure, domq_real value);
 

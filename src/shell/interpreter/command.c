@@ -57,10 +57,9 @@ const char *topic_names(const void *context, int k)
  * parameter or a word for one of its values, such as 'hollow' for q. */
 static const struct parameter *parameter_for(const char *word)
 {
-    bool usual;
-    const struct parameter *suggested = parameter_by_synonym(word, &usual);
-    if (suggested && usual)
-        return suggested;
+    const struct parameter *usual = parameter_by_synonym(word, false);
+    if (usual)
+        return usual;
     for (const struct parameter *p = session_parameters; p->name; p++)
         if (parameter_is_number(p) && names_exact(parameter_words, p, word) >= 0)
             return p;

@@ -115,7 +115,6 @@ static bool is_history(const struct head *h)
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
-    bool usual;
     const struct parameter *p = parameter_find(v->name);
     reader_place(r, r->at);
     if (p && v->count == 0)
@@ -125,7 +124,7 @@ static const struct command *assignment_read(struct reader *r, const struct vari
     int k = v->count ? NAMES_UNKNOWN : names_find(parameter_names, NULL, "parameter", v->name, message);
     if (k == NAMES_CLOSE)
         problem_error(r->problem, "%s 'let %s = VALUE' defines a variable", message, v->name);
-    else if (v->count == 0 && (p = parameter_by_synonym(v->name, &usual)) != NULL)
+    else if (v->count == 0 && (p = parameter_by_synonym(v->name, true)) != NULL)
         problem_error(r->problem,
                       "'%s' is not a parameter; did you mean '%s'? 'let %s = VALUE' defines a variable",
                       v->name, p->name, v->name);
@@ -208,28 +207,29 @@ static const char *synonym_command(const char *word)
 
 /* Reports that no command has this name, and suggests what may have been meant. `k` and `message` are the
  * result of names_find for the name. */
-static void command_unknown(struct reader *r, const char *name, int k, char message[NAMES_MESSAGE])
+static void command_unknown(struct reader *r, const char *name, int k, const char *message)
 {
-    const char *suggested = k == NAMES_UNKNOWN ? synonym_command(name) : NULL;
-    bool usual;
-    const struct parameter *p = parameter_by_synonym(name, &usual);
-    char plain[2 * NAMES_MESSAGE];
-    snprintf(plain, sizeof plain, "unknown command '%s'", names_shown(name));
+    const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);
+    const struct parameter *named = parameter_find(name),
+                           *p = parameter_by_synonym(name, !command && k == NAMES_UNKNOWN);
     if (variable_find(&r->query->state->variables, name))
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
-    else if (!suggested && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
+    else if (!command && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
         problem_error(r->problem, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
                       name);
-    else if (p && (usual || (!suggested && !p->setting && k == NAMES_UNKNOWN)) &&
-             !effect_hint(name, message) && parameter_hint(name, plain, sizeof plain))
-        problem_error(r->problem, "%s", plain);
-    else if (effect_hint(name, message) || (!suggested && k != NAMES_UNKNOWN))
-        problem_error(r->problem, "%s", message);
-    else if (suggested)
-        problem_error(r->problem, "%s; did you mean '%s'?", message, suggested);
+    else if (named && named->effect)
+        problem_error(r->problem, "'%s' is an effect; enter 'effect %s'", name, effect_usage(named->which));
+    else if (p && p->effect)
+        problem_error(r->problem, "unknown command '%s'; did you mean 'effect %s'?", shown,
+                      effect_usage(p->which));
+    else if (p)
+        problem_error(r->problem, "unknown command '%s'; did you mean '%s'? '%s = VALUE' gives it a value",
+                      shown, p->name, p->name);
+    else if (command)
+        problem_error(r->problem, "%s; did you mean '%s'?", message, command);
     else
-        problem_error(r->problem, "%s; 'help' lists the commands", message);
+        problem_error(r->problem, k == NAMES_UNKNOWN ? "%s; 'help' lists the commands" : "%s", message);
 }
 
 /* Reads the name of a command, which may be abbreviated, and returns the command. Returns NULL with a problem

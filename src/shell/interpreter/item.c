@@ -239,26 +239,19 @@ static void names_all(names_list *list, char all[NAMES_ALL])
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)
 {
     char message[NAMES_MESSAGE], all[NAMES_ALL];
-    bool usual;
     offer_names(r, a->choices, NULL);
     *item = (struct item){.at = r->at};
     const char *word = item->word = read_word(r, false);
     if (!word)
         return false;
-    int k = names_find(a->choices, NULL, a->of, word, message);
+    int k = parameter_search(a->choices, a->of, word, message);
     item->number = k;
     if (k >= 0)
         return true;
-    const char *shown = names_shown(word);
+    if (k == NAMES_CLOSE)
+        return problem_error(r->problem, "%s", message);
     names_all(a->choices, all);
-    const struct parameter *suggested =
-        a->kind == ARGUMENT_EFFECT ? parameter_by_synonym(word, &usual) : NULL;
-    if (suggested && suggested->effect && k != NAMES_CLOSE)
-        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, shown,
-                             suggested->name);
-    if (k != NAMES_CLOSE)
-        return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, shown, all);
-    return problem_error(r->problem, "%s", message);
+    return problem_error(r->problem, "unknown %s '%s'; use one of: %s", a->of, names_shown(word), all);
 }
 
 bool item_parse_place(struct reader *r, const struct argument *a, struct item *item)
@@ -287,31 +280,25 @@ const char *model_names(const void *context, int k)
 const struct parameter *parameter_parse(struct reader *r, const char *form)
 {
     char message[NAMES_MESSAGE];
-    bool usual;
     reader_place(r, r->at);
     offer_names(r, model_names, NULL);
     char *word = read_word(r, false);
     if (!word)
         return NULL;
-    int k = names_find(model_names, NULL, "parameter", word, message);
+    int k = parameter_search(model_names, "parameter", word, message);
     if (k >= 0)
         return parameter_find(model_names(NULL, k));
-    const struct parameter *setting = parameter_find(word),
-                           *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(word, &usual) : NULL;
-    const char *shown = names_shown(word);
-    if (setting)
+    if (parameter_find(word))
         problem_error(r->problem,
                       "'%s' is a setting of the calculator; use a parameter of the model or an effect here",
-                      shown);
-    else if (suggested)
-        problem_error(r->problem, "unknown parameter '%s'; did you mean '%s'?", shown, suggested->name);
+                      word);
     else if (*r->at == ',')
         problem_error(r->problem, "',' separates values, not parameters; write only a blank before the next "
                                   "parameter, as in 'r 1 1.5 3 s 0.3, 0.5'");
-    else if (isalpha((unsigned char)*shown))
+    else if (isalpha((unsigned char)*word))
         problem_error(r->problem, "%s", message);
     else
-        problem_error(r->problem, "'%s' is not the name of a parameter; %s", shown, form);
+        problem_error(r->problem, "'%s' is not the name of a parameter; %s", names_shown(word), form);
     return NULL;
 }
 

@@ -88,7 +88,7 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     char message[NAMES_MESSAGE];
     const char *outer = r->stops;
     bool is_topic = a->kind == ARGUMENT_TOPIC,
-         has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE, usual;
+         has_value = i + 1 < ARGUMENTS_MAX && a[1].kind == ARGUMENT_VALUE;
     offer_names(r, a->choices, NULL);
     if (!has_value)
         offer_kind(r, OFFER_VARIABLE);
@@ -106,16 +106,13 @@ static bool topic_parse(struct reader *r, const struct argument *a, struct quest
     q->variable = v;
     if (v)
         return true;
-    int k = names_find(a->choices, NULL, a->of, word, message);
+    int k = parameter_search(a->choices, a->of, word, message);
     if (k < 0 && is_topic && is_expression_topic(word))
         k = names_exact(a->choices, NULL, "print");
     q->item[i].number = k;
     if (k < 0 && is_topic && topic_by_synonym(word, 0))
         return true;
     q->parameter = k >= 0 && !is_topic ? &session_parameters[k] : NULL;
-    const struct parameter *suggested = k < 0 ? parameter_by_synonym(word, &usual) : NULL;
-    if (suggested && (usual || k == NAMES_UNKNOWN))
-        return problem_error(r->problem, "unknown %s '%s'; did you mean '%s'?", a->of, word, suggested->name);
     return k >= 0 || problem_error(r->problem, "%s", message);
 }
 

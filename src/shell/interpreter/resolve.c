@@ -146,10 +146,9 @@ static int ans_resolve(struct resolver *r, struct tree *t)
 
 static int unknown(struct resolver *r, const struct tree *t)
 {
-    bool usual;
-    const struct parameter *suggested = parameter_by_synonym(t->name, &usual);
     const char *close = names_closest(value_names, r->state, t->name);
-    if (suggested && (usual || !close) && names_exact(value_names, r->state, suggested->name) >= 0)
+    const struct parameter *suggested = parameter_by_synonym(t->name, !close);
+    if (suggested && names_exact(value_names, r->state, suggested->name) >= 0)
         close = suggested->name;
     return fail(r, t,
                 close && strcmp(close, t->name) != 0 ? "'%s' has no value; did you mean '%s'?"

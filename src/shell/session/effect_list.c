@@ -63,14 +63,6 @@ const char *effect_names(const void *context, int k)
     return k < EFFECT_COUNT ? effect_at(k)->name : NULL;
 }
 
-bool effect_hint(const char *word, char message[NAMES_MESSAGE])
-{
-    int k = names_exact(effect_names, NULL, word);
-    if (k >= 0)
-        snprintf(message, NAMES_MESSAGE, "'%s' is an effect; enter 'effect %s'", word, effect_usage(k));
-    return k >= 0;
-}
-
 const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
 {
     const struct domq_effect *e = effect_at(name);

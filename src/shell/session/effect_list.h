@@ -23,10 +23,6 @@ const struct domq_effect *effect_at(int k);
 /* A names_list (see names.h) of all effects. */
 const char *effect_names(const void *context, int k);
 
-/* If the word is the name of an effect, writes a message that says how to turn the effect on, and returns
- * true. */
-bool effect_hint(const char *word, char message[NAMES_MESSAGE]);
-
 /* The usage of an effect, such as "friction MU", in memory of the block that contains the call. */
 enum { EFFECT_USAGE = 64 };
 #define effect_usage(name) effect_usage_write(name, (char[EFFECT_USAGE]){""})

@@ -3,6 +3,7 @@
 #include "answer/format.h"
 #include "language/names.h"
 #include "language/quad.h"
+#include <limits.h>
 #include <string.h>
 
 const char *parameter_names(const void *context, int k)
@@ -34,34 +35,28 @@ const struct parameter *parameter_find(const char *name)
     return p->name ? p : NULL;
 }
 
-const struct parameter *parameter_by_synonym(const char *word, bool *is_usual)
+const struct parameter *parameter_by_synonym(const char *word, bool any)
 {
     const struct parameter *found = NULL;
-    int first = -1;
+    int first = any ? INT_MAX : 1;
     for (const struct parameter *p = session_parameters; p->name && *word; p++) {
         int index = names_index(parameter_synonyms(p), ' ', word);
-        if (index >= 0 && (!found || index < first)) {
+        if (index >= 0 && index < first) {
             found = p;
             first = index;
         }
     }
-    *is_usual = first == 0;
     return found;
 }
 
-bool parameter_hint(const char *word, char *message, size_t size)
+int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE])
 {
-    bool is_usual;
-    const struct parameter *p = parameter_by_synonym(word, &is_usual);
-    size_t used = strlen(message);
-    if (!p)
-        return false;
-    if (p->effect)
-        snprintf(message + used, size - used, "; did you mean 'effect %s'?", effect_usage(p->which));
-    else
-        snprintf(message + used, size - used, "; did you mean '%s'? '%s = VALUE' gives it a value", p->name,
-                 p->name);
-    return true;
+    int k = names_find(list, NULL, what, word, message);
+    const struct parameter *p = k < 0 ? parameter_by_synonym(word, k == NAMES_UNKNOWN) : NULL;
+    if (!p || names_exact(list, NULL, p->name) < 0)
+        return k;
+    snprintf(message, NAMES_MESSAGE, "unknown %s '%s'; did you mean '%s'?", what, names_shown(word), p->name);
+    return NAMES_CLOSE;
 }
 
 const struct domq_effect_argument *parameter_value(const struct parameter *p, int i)

@@ -17,16 +17,13 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/*
- * Returns the parameter that has the word among its synonyms, or NULL. If several parameters have it, the
- * parameter in whose list the word comes first is returned. *is_usual is set to true if the word is the first
- * synonym in the list of that parameter, since most people call the parameter by its first synonym.
- */
-const struct parameter *parameter_by_synonym(const char *word, bool *is_usual);
+/* Returns the parameter that has the word as its first synonym, by which most people call the parameter. If
+ * `any` is true and there is no such parameter, returns the one in whose list of synonyms the word comes
+ * first. Returns NULL if there is none. */
+const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* If the word is a synonym of a parameter, appends a suggestion to a message, such as "; did you mean 's'? 's
- * = VALUE' gives it a value", and returns true. Otherwise returns false. */
-bool parameter_hint(const char *word, char *message, size_t size);
+/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests it. */
+int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.
  * Only effects have more than one value. */

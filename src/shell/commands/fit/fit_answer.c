@@ -28,18 +28,16 @@ bool fit_parse(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
     struct fit_given *g = q->parsed = reader_memory(r, sizeof *g);
-    bool more = g != NULL, usual;
+    bool more = g != NULL;
     while (more) {
         reader_place(r, r->at);
         offer_names(r, fit_names, NULL);
         const size_t length = strcspn(r->at, " \t,;>");
         snprintf(name, sizeof name, "%.*s", (int)length, r->at);
-        const int k = names_find(fit_names, NULL, "thing to fit", name, message);
-        const struct parameter *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
-        if (suggested)
-            return problem_error(r->problem, "%s; did you mean '%s'?", message, suggested->name);
+        const int k = parameter_search(fit_names, "thing to fit", name, message);
         if (k < 0)
-            return problem_error(r->problem, "%s; the form is 'fit friction, push FILE'", message);
+            return problem_error(
+                r->problem, k == NAMES_CLOSE ? "%s" : "%s; the form is 'fit friction, push FILE'", message);
         if (g->count == FIT_UNKNOWNS)
             return problem_error(r->problem, "at most %d parameters can be fitted at once", FIT_UNKNOWNS);
         const struct parameter *p = parameter_find(fit_names(NULL, k));

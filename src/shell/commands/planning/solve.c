@@ -87,19 +87,16 @@ static bool bound_parse(struct reader *r, const struct parameter *p, const char 
 bool solve_parse_parameter(struct reader *r, struct question *q)
 {
     char message[NAMES_MESSAGE] = "", name[32];
-    bool usual;
     struct solve_parsed *s = q->parsed = reader_memory(r, sizeof *s);
     if (!s)
         return false;
     offer_names(r, solve_names, NULL);
     size_t length = strcspn(r->at, " \t:;>");
     snprintf(name, sizeof name, "%.*s", (int)length, r->at);
-    int k = names_find(solve_names, NULL, "parameter", name, message);
-    const struct parameter *suggested = k == NAMES_UNKNOWN ? parameter_by_synonym(name, &usual) : NULL;
-    if (suggested)
-        return problem_error(r->problem, "%s; did you mean '%s'?", message, suggested->name);
+    int k = parameter_search(solve_names, "parameter", name, message);
     if (k < 0)
-        return problem_error(r->problem, "%s; the form is %s", message, form_of(r->problem));
+        return problem_error(r->problem, k == NAMES_CLOSE ? "%s" : "%s; the form is %s", message,
+                             form_of(r->problem));
     s->usual = &usual_ranges[k];
     s->parameter = parameter_find(s->usual->name);
     r->at = skip_blanks(r->at + length);
