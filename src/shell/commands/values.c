@@ -117,7 +117,7 @@ bool run_print(const struct query *query, struct answer *a, struct problem *prob
     if (!people)
         cell = cell_unbounded(q.value);
     if (people)
-        answer_say(a, "%s%s%s", quad_text(q.value, digits), *unit ? " " : "", unit);
+        answer_say(a, *unit ? "%s %s" : "%s", quad_text(q.value, digits), unit);
     else if (cell_vanishes(&a->style, cell)) {
         char reason[ANSWER_REASON];
         snprintf(reason, sizeof reason, "the value is nearer to 0 than %s precision can hold",
