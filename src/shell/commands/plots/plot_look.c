@@ -3,32 +3,6 @@
 #include "commands/plots/plots.h"
 #include <string.h>
 
-/* The words that choose the look. Of a pair of words for the two axes, the word for the x axis comes first.
- */
-enum look_word {
-    LOOK_WIDTH,
-    LOOK_HEIGHT,
-    LOOK_FONT,
-    LOOK_FAMILY,
-    LOOK_TITLE,
-    LOOK_XLABEL,
-    LOOK_YLABEL,
-    LOOK_XRANGE,
-    LOOK_YRANGE,
-    LOOK_XSCALE,
-    LOOK_YSCALE,
-    LOOK_LEGEND,
-    LOOK_WORDS
-};
-
-static const char *look_names(const void *context, int k)
-{
-    static const char *const names[] = {"width",  "height", "font",   "family", "title",  "xlabel", "ylabel",
-                                        "xrange", "yrange", "xscale", "yscale", "legend", NULL};
-    (void)context;
-    return names[k];
-}
-
 static const char *scale_names(const void *context, int k)
 {
     static const char *const names[] = {"linear", "log", NULL};
@@ -55,6 +29,32 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
                                                 .of = "place of the legend",
                                                 .choices = legend_names};
 
+/* A word, and how the values after it are parsed. The words for a text have no argument. */
+static const struct {
+    const char *name;
+    const struct argument *argument;
+    int values;
+} words[LOOK_WORDS] = {
+    [LOOK_WIDTH] = {"width", &height_argument, 1},
+    [LOOK_HEIGHT] = {"height", &height_argument, 1},
+    [LOOK_FONT] = {"font", &number_argument, 1},
+    [LOOK_FAMILY] = {"family", NULL, 1},
+    [LOOK_TITLE] = {"title", NULL, 1},
+    [LOOK_XLABEL] = {"xlabel", NULL, 1},
+    [LOOK_YLABEL] = {"ylabel", NULL, 1},
+    [LOOK_XRANGE] = {"xrange", &number_argument, 2},
+    [LOOK_YRANGE] = {"yrange", &number_argument, 2},
+    [LOOK_XSCALE] = {"xscale", &scale_argument, 1},
+    [LOOK_YSCALE] = {"yscale", &scale_argument, 1},
+    [LOOK_LEGEND] = {"legend", &legend_argument, 1},
+};
+
+static const char *look_names(const void *context, int k)
+{
+    (void)context;
+    return k < LOOK_WORDS ? words[k].name : NULL;
+}
+
 /* The limits of the width and height of a picture in a file, in cm, and of its font size, in points. */
 #define SIZE_LEAST 6
 #define MOST       30
@@ -64,88 +64,49 @@ static const struct argument height_argument = {.name = "LENGTH", .kind = ARGUME
 
 enum { FAMILY_LENGTH = 64 };
 
-/* If a value follows the word with the index k, makes the reader ready to parse it. */
-static bool value_begins(struct reader *r, int k)
+/* Parses the value of word k, or one of its two values. */
+static bool value_parse(struct reader *r, int k, struct item *item, const char **text)
 {
+    const struct argument *a = words[k].argument;
+    const char *no_unit = r->no_unit;
     r->last = false;
     reader_place(r, r->at);
-    return !reader_ends(r) ||
-           problem_error(
-               r->problem,
-               "the value of '%s' is missing, as in 'title \"Growth\" width 8 cm xrange 0 0.6 yscale log'",
-               look_names(NULL, k));
-}
-
-/* Parses a number or a length. A grid may follow it, so 's' and 'g' after a blank are parameters, not units.
- */
-static bool number_parse(struct reader *r, int k, struct item *item)
-{
-    const char *no_unit = r->no_unit;
-    r->no_unit = "sg";
-    bool good =
-        value_begins(r, k) && item_parse(r, k < LOOK_FONT ? &height_argument : &number_argument, item);
+    if (reader_ends(r))
+        return problem_error(
+            r->problem,
+            "the value of '%s' is missing, as in 'title \"Growth\" width 8 cm xrange 0 0.6 yscale log'",
+            words[k].name);
+    if (!a)
+        return (*text = read_text(r)) != NULL;
+    if (a->choices)
+        return item_parse_choice(r, a, item);
+    r->no_unit = "sg"; /* a grid may follow, so 's' and 'g' after a blank are parameters, not units */
+    bool good = item_parse(r, a, item);
     r->no_unit = no_unit;
     return good;
 }
 
-/* Parses the value, or the two ends of a range, that follow the word with the index k. */
-static bool word_parse(struct reader *r, struct look_parsed *p, int k)
-{
-    const char **const texts[] = {&p->look.family, &p->look.title, &p->look.x, &p->look.y};
-    struct item *range = p->range[k == LOOK_YRANGE], choice;
-    switch ((enum look_word)k) {
-    case LOOK_WIDTH:
-    case LOOK_HEIGHT:
-    case LOOK_FONT:
-        return number_parse(r, k, &p->size[k]);
-    case LOOK_XRANGE:
-    case LOOK_YRANGE:
-        return number_parse(r, k, &range[0]) && number_parse(r, k, &range[1]);
-    case LOOK_XSCALE:
-    case LOOK_YSCALE:
-        if (!value_begins(r, k) || !item_parse_choice(r, &scale_argument, &choice))
-            return false;
-        p->look.scale[k == LOOK_YSCALE] = choice.number == 0 ? CHART_LINEAR : CHART_LOG;
-        return true;
-    case LOOK_LEGEND:
-        if (!value_begins(r, k) || !item_parse_choice(r, &legend_argument, &choice))
-            return false;
-        p->look.legend = (enum chart_legend)choice.number;
-        return true;
-    case LOOK_FAMILY:
-    case LOOK_TITLE:
-    case LOOK_XLABEL:
-    case LOOK_YLABEL:
-    case LOOK_WORDS:
-        break;
-    }
-    const char **text = texts[k - LOOK_FAMILY];
-    if (!value_begins(r, k))
-        return false;
-    *text = read_text(r);
-    if (!*text)
-        return false;
-    /* The name of a font goes into a command of gnuplot, where a quote or a comma would end it. */
-    const size_t fine = strspn(*text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
-    return k != LOOK_FAMILY || ((*text)[fine] == '\0' && fine > 0 && fine < FAMILY_LENGTH) ||
-           problem_error(r->problem,
-                         "a family has letters, digits, blanks and '-', such as \"DejaVu Serif\"");
-}
-
 bool look_parse(struct reader *r, struct look_parsed *p)
 {
-    for (bool more = true; more && !reader_ends(r);) {
-        more = false;
+    while (!reader_ends(r)) {
+        int k = 0;
         r->last = false;
         offer_names(r, look_names, NULL);
-        for (int k = 0; k < LOOK_WORDS && !more; k++) {
-            const char *word = look_names(NULL, k);
-            more = word_is_next(r, word);
-            if (more)
-                r->at = skip_blanks(r->at + strlen(word));
-            if (more && !word_parse(r, p, k))
+        while (k < LOOK_WORDS && !word_is_next(r, words[k].name))
+            k++;
+        if (k == LOOK_WORDS)
+            return true;
+        r->at = skip_blanks(r->at + strlen(words[k].name));
+        for (int i = 0; i < words[k].values; i++)
+            if (!value_parse(r, k, &p->item[k][i], &p->text[k]))
                 return false;
-        }
+        /* The name of a font goes into a command of gnuplot, where a quote or a comma would end it. */
+        const char *family = k == LOOK_FAMILY ? p->text[k] : "a";
+        const size_t fine =
+            strspn(family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
+        if (family[fine] != '\0' || fine == 0 || fine >= FAMILY_LENGTH)
+            return problem_error(r->problem,
+                                 "a family has letters, digits, blanks and '-', such as \"DejaVu Serif\"");
     }
     return true;
 }
@@ -158,13 +119,13 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
         domq_real value;
         const bool is_font = k == LOOK_FONT;
         const double least = is_font ? FONT_LEAST : SIZE_LEAST, most = MOST;
-        if (!p->size[k].argument)
+        if (!p->item[k][0].argument)
             continue;
-        if (!item_bind(&p->size[k], text, query, NULL, &value, problem))
+        if (!item_bind(&p->item[k][0], text, query, NULL, &value, problem))
             return false;
         *number[k] = (double)value * (is_font ? 1 : 100);
         if (!(*number[k] >= least * (1 - 1e-12) && *number[k] <= most * (1 + 1e-12)))
-            return problem_error(problem, "%s is %.6g%s; it is %g .. %g%s", look_names(NULL, k), *number[k],
+            return problem_error(problem, "%s is %.6g%s; it is %g .. %g%s", words[k].name, *number[k],
                                  is_font ? "" : " cm", least, most, is_font ? " points" : " cm");
     }
     return true;
@@ -174,27 +135,36 @@ static bool size_bind(const struct look_parsed *p, const struct text *text, cons
 static bool range_bind(const struct look_parsed *p, const struct text *text, const struct query *query,
                        int axis, struct chart_look *look, struct problem *problem)
 {
+    const struct item *item = p->item[LOOK_XRANGE + axis];
     domq_real end[2];
-    if (!p->range[axis][0].argument)
+    look->has_range[axis] = item[0].argument;
+    if (!look->has_range[axis])
         return true;
     for (int k = 0; k < 2; k++)
-        if (!item_bind(&p->range[axis][k], text, query, NULL, &end[k], problem))
+        if (!item_bind(&item[k], text, query, NULL, &end[k], problem))
             return false;
     look->low[axis] = (double)end[0];
     look->high[axis] = (double)end[1];
-    look->has_range[axis] = true;
     return look->low[axis] < look->high[axis] ||
            problem_error(problem, "%s is %.6g .. %.6g; its second number must be larger than its first",
-                         look_names(NULL, LOOK_XRANGE + axis), look->low[axis], look->high[axis]);
+                         words[LOOK_XRANGE + axis].name, look->low[axis], look->high[axis]);
 }
 
 bool look_bind(const struct look_parsed *p, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem)
 {
-    *look = p->look;
-    for (int axis = 0; axis < 2; axis++)
+    *look = (struct chart_look){.family = p->text[LOOK_FAMILY],
+                                .title = p->text[LOOK_TITLE],
+                                .x = p->text[LOOK_XLABEL],
+                                .y = p->text[LOOK_YLABEL],
+                                .legend = (enum chart_legend)p->item[LOOK_LEGEND][0].number};
+    for (int axis = 0; axis < 2; axis++) {
+        const struct item *scale = &p->item[LOOK_XSCALE + axis][0];
+        if (scale->word)
+            look->scale[axis] = scale->number == 0 ? CHART_LINEAR : CHART_LOG;
         if (!range_bind(p, text, query, axis, look, problem))
             return false;
+    }
     if (!size_bind(p, text, query, look, problem))
         return false;
     return look->legend != CHART_LEGEND_RIGHT || !(look->width > 0 && look->width < LEGEND_LEAST) ||

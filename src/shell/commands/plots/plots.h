@@ -76,12 +76,32 @@ struct plot {
 bool plot_draw(const struct plot *plot, const struct chart_look *look, const struct query *query,
                struct answer *a, struct problem *problem);
 
-/* Parses all words about the look of a chart that come next, such as 'title "..." width 8 cm'. */
-struct look_parsed {
-    struct chart_look look;
-    struct item size[3];     /* width, height, font */
-    struct item range[2][2]; /* the ends of the x axis and of the y axis */
+/* The words that choose the look. Of a pair of words for the two axes, the word for the x axis comes first.
+ */
+enum look_word {
+    LOOK_WIDTH,
+    LOOK_HEIGHT,
+    LOOK_FONT,
+    LOOK_FAMILY,
+    LOOK_TITLE,
+    LOOK_XLABEL,
+    LOOK_YLABEL,
+    LOOK_XRANGE,
+    LOOK_YRANGE,
+    LOOK_XSCALE,
+    LOOK_YSCALE,
+    LOOK_LEGEND,
+    LOOK_WORDS
 };
+
+/* The values of the words that were typed. An item without an argument, or for a choice without a word, was
+ * not typed. */
+struct look_parsed {
+    struct item item[LOOK_WORDS][2];
+    const char *text[LOOK_WORDS];
+};
+
+/* Parses all words about the look of a chart that come next, such as 'title "..." width 8 cm'. */
 bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);
