@@ -2,8 +2,7 @@
 /*
  * Derivations: where a number comes from. A derivation is data. Each quantity has its equation as a text
  * that the expression parser reads, and a second text that computes the same number with the library. The
- * program shows the library's number. The equations are evaluated, too, so that a test can compare the two
- * numbers.
+ * program shows the library's number. A test evaluates the equations, and compares the two numbers.
  */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
@@ -19,7 +18,7 @@ enum {
     HAS_WALLS = 8,
     HAS_PAPER = 16,    /* the fuel is computed by the paper's closed form */
     HAS_DETACHED = 32, /* followers detach */
-    HAS_REACH = 64,    /* the reach limits the largest growth */
+    HAS_REACH = 64,    /* the reach 1/s limits the largest growth */
     HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
 };
 
@@ -41,24 +40,20 @@ struct symbol_names {
  * the first entry whose conditions the train fulfils is used. */
 struct derived {
     struct symbol_names names;
-    unsigned with, without; /* conditions, as bits */
+    unsigned with; /* conditions, as bits */
+    unsigned ends; /* conditions, as bits: with any of them no equation exists, and the derivation ends */
     enum sum sum;
     const char *equation; /* NULL where no equation in closed form exists, so that the derivation ends */
-    /* An expression that computes the quantity with the library; '@' stands for the value in the question. */
+    /* Where the number comes from: an expression that computes it with the library, in which '@' stands for
+     * the value in the question; '$' and the name of a parameter or effect; or '#' and the name of a member
+     * of struct domq_fall. NULL for a number that differs from term to term of a sum. */
     const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
     const char *words;  /* what the quantity is; where the derivation ends, also why */
+    bool is_given;      /* the number is given rather than derived */
 };
 extern const struct derived derived_list[];
-
-/* A number that is given rather than derived. */
-struct given {
-    struct symbol_names names;
-    const char *parameter; /* the parameter or effect whose value the number is, or NULL */
-    const char *unit, *words;
-};
-extern const struct given given_list[];
 
 /* A question, and the quantities that answer it. */
 struct explained {
@@ -78,17 +73,16 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 
 /* One number in a derivation. */
 struct step {
-    const struct derived *derived; /* NULL for a number that is given, and for a term of a sum */
-    const struct given *given;
-    const char *unit;
-    const struct tree *tree; /* the parsed equation, or NULL */
+    const struct derived *derived;
+    const char *name;                  /* derived->names.text[FORMULA_PLAIN] */
+    const char *number, *unit, *words; /* as in `derived`, but adapted to the train */
+    const struct tree *tree;           /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    domq_real computed; /* the value that the equation gives */
-    int depth;          /* 0 for an answer to the question */
+    int depth; /* 0 for an answer to the question */
 };
 
 struct derivation {
@@ -106,7 +100,8 @@ struct derivation {
     /* The tilts of the dominoes and their slopes: at launch, and at the head's tilt of the current sum. */
     struct chain {
         struct domq_link *link;
-        size_t count;
+        size_t count, room;
+        bool failed; /* there was no memory for another link */
     } launch, at;
     size_t i; /* index of the domino whose term is being computed */
 };
@@ -117,16 +112,6 @@ bool derivation_make(struct derivation *derivation, const struct query *query,
                      const struct explained *explained, domq_real value, const struct domq_fall *fall,
                      struct state *state, struct problem *problem);
 void derivation_end(struct derivation *derivation);
-
-/* Fills a chain with the tilts and slopes of all dominoes that matter when the head has this tilt. On
- * failure, sets *problem and returns false. */
-bool chain_fill(struct derivation *derivation, struct chain *chain, domq_real theta);
-/* Appends dominoes at theta_f, which have detached or lie at the end of the train, until the chain has
- * `count` dominoes. On failure, sets *problem and returns false. */
-bool chain_extend(struct derivation *derivation, struct chain *chain, size_t count);
-void chain_free(struct chain *chain);
-
-const char *step_words(const struct step *step);
 
 /* Writes the equation of a step with numbers in place of the names. For a sum, writes the first terms, and
  * the total of the other terms as one number. */

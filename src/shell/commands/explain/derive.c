@@ -30,15 +30,19 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Evaluates an expression that calls functions of the library or, after '#', reads a member of struct
- * domq_fall.
- * The result is NaN if the number does not exist. On failure, sets *problem and returns false. */
+/* Finds the number that the member `library` of a quantity describes. The result is NaN if the number does
+ * not exist. On failure, sets *problem and returns false. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
     const struct ans none = {.command = NULL};
     if (*expression == '#') {
         *value = fall_value(d->fall, expression + 1);
+        return true;
+    }
+    if (*expression == '$') {
+        *value = parameter_get(d->state, parameter_find(expression + 1));
+        *value = *value == EFFECT_OFF ? 0 : *value;
         return true;
     }
     fill_in(expression, isnan(d->height) ? d->theta : d->height, text, sizeof text);
@@ -57,36 +61,12 @@ static bool library_value(struct derivation *d, const char *expression, domq_rea
     return true;
 }
 
-/* ---- Names in equations ---- */
+/* ---- Sums ---- */
 
-static const struct derived *derived_find(unsigned has, const char *name)
+/* Returns the number with this name for the domino whose term is being computed. */
+static domq_real term_value(const struct derivation *d, const char *name)
 {
-    for (const struct derived *q = derived_list; q->names.text[0]; q++)
-        if (strcmp(q->names.text[0], name) == 0 && (q->with & has) == q->with && !(q->without & has))
-            return q;
-    return NULL;
-}
-
-static const struct given *given_find(const char *name)
-{
-    const struct given *g = given_list;
-    while (g->names.text[0] && strcmp(g->names.text[0], name) != 0)
-        g++;
-    return g;
-}
-
-static domq_real given_value(const struct derivation *d, const struct given *g)
-{
-    const char *name = g->names.text[0];
     const size_t i = d->i;
-    if (g->parameter) {
-        domq_real value = parameter_get(d->state, parameter_find(g->parameter));
-        return value == EFFECT_OFF ? 0 : value;
-    }
-    if (strcmp(name, "theta") == 0)
-        return d->theta;
-    if (strcmp(name, "H") == 0)
-        return d->height;
     return strcmp(name, "i") == 0         ? (domq_real)i
            : strcmp(name, "theta_i") == 0 ? d->at.link[i].theta
            : strcmp(name, "slope_i") == 0 ? d->at.link[i].slope
@@ -94,34 +74,52 @@ static domq_real given_value(const struct derivation *d, const struct given *g)
                                           : d->launch.link[i].theta;
 }
 
-/* Returns true for a name whose value differs from term to term of a sum. */
-static bool is_of_term(const struct given *g)
-{
-    const char *name = g->names.text[0];
-    size_t length = strlen(name);
-    return strcmp(name, "i") == 0 || (length > 2 && strcmp(name + length - 2, "_i") == 0);
-}
-
-/* ---- Steps ---- */
-
 static bool name_value(struct evaluation *e, const struct tree *t, struct quantity *result)
 {
-    const struct derivation *d = e->context;
     const struct step *step = t->refers;
-    *result = (struct quantity){.value = step->given && is_of_term(step->given) ? given_value(d, step->given)
-                                                                                : step->value};
+    *result =
+        (struct quantity){.value = step->derived->library ? step->value : term_value(e->context, step->name)};
     return true;
 }
 
-static domq_real equation_value(struct derivation *d, const struct tree *tree)
+static bool chain_add(const struct domq_link *link, void *context)
 {
-    struct expression_error error;
-    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
-    struct quantity result;
-    return expression_evaluate(&e, tree, &result) ? result.value : DOMQ_NAN;
+    struct chain *c = context;
+    if (c->count == c->room) {
+        size_t room = 2 * c->room + 64;
+        struct domq_link *more = realloc(c->link, room * sizeof *more);
+        c->failed = !more;
+        if (!more)
+            return false;
+        c->link = more;
+        c->room = room;
+    }
+    c->link[c->count++] = *link;
+    return true;
 }
 
-/* Adds up the terms of a sum. */
+/* Fills both chains with the tilts and slopes of all dominoes that matter: one when the head has this tilt,
+ * and one at launch. Both end with the same number of dominoes at theta_f, which have detached or lie at the
+ * end of the train, and whose terms are 0. */
+static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
+{
+    const struct scene *scene = &d->state->scene;
+    struct chain *const chain[] = {&d->at, &d->launch};
+    struct domq_angles angles = {.theta_f = DOMQ_NAN};
+    enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
+    for (int k = 0; k < 2 && status == DOM_OK; k++) {
+        chain[k]->count = 0;
+        status = domq_chain_walk(&scene->train, &scene->compute, k == 0 ? tilt : 0, chain_add, chain[k]);
+    }
+    const struct domq_link rest = {.theta = angles.theta_f, .slope = 0};
+    const size_t count = (d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2) + 2;
+    for (int k = 0; k < 2; k++)
+        while (status == DOM_OK && !chain[k]->failed && chain[k]->count < count)
+            (void)chain_add(&rest, chain[k]);
+    return status == DOM_OK && (d->at.failed || d->launch.failed) ? DOM_NO_MEMORY : status;
+}
+
+/* Computes the terms of a sum. */
 static bool sum_value(struct derivation *d, struct step *s)
 {
     const enum sum sum = s->derived->sum;
@@ -131,23 +129,23 @@ static bool sum_value(struct derivation *d, struct step *s)
     tilt = sum == SUM_LAUNCH ? 0 : tilt;
     if (isnan(tilt))
         return true;
-    if (!chain_fill(d, &d->at, tilt) || !chain_fill(d, &d->launch, 0))
-        return false;
-    /* The last terms are those of detached dominoes, and are 0. */
-    const size_t both = d->launch.count > d->at.count + 2 ? d->launch.count : d->at.count + 2;
-    if (!chain_extend(d, &d->at, both + 2) || !chain_extend(d, &d->launch, both + 2))
-        return false;
+    enum dom_status status = chains_fill(d, tilt);
     s->terms = d->launch.count - 1;
-    s->term = malloc(s->terms * sizeof *s->term);
+    s->term = status == DOM_OK ? arena_take(&d->arena, s->terms * sizeof *s->term) : NULL;
     if (!s->term)
-        return problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
-    s->computed = 0;
-    for (d->i = s->terms; d->i-- > 0;) /* the smallest terms first */
-        s->computed += s->term[d->i] = equation_value(d, s->tree);
+        return problem_status(d->problem, &d->state->scene, status == DOM_OK ? DOM_NO_MEMORY : status);
+    struct expression_error error;
+    struct evaluation e = {.error = &error, .symbol = name_value, .context = d, .angle = 1};
+    for (d->i = 0; d->i < s->terms; d->i++) {
+        struct quantity result;
+        s->term[d->i] = expression_evaluate(&e, s->tree, &result) ? result.value : DOMQ_NAN;
+    }
     while (s->terms > 1 && s->term[s->terms - 1] == 0)
         s->terms--;
     return true;
 }
+
+/* ---- Steps ---- */
 
 static struct step *step_add(struct derivation *d, const char *name, int depth);
 
@@ -171,46 +169,56 @@ static bool names_add(struct derivation *d, struct step *s, struct tree *t)
     return true;
 }
 
+/* Returns what the quantity is in words and, if its equation does not hold for this train, why. */
+static const char *words_of(struct derivation *d, const struct derived *q)
+{
+    const unsigned ends = q->ends & d->has;
+    char words[256];
+    int n =
+        snprintf(words, sizeof words, "%s%s", q->words,
+                 ends & HAS_FRICTION ? "; with friction no energy is conserved and the motion is integrated: "
+                                       "'help friction' has its equation"
+                                     : "; with rounded edges the contact is found by iteration: 'help "
+                                       "edges' has its equation");
+    return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
+}
+
+/* Adds a step for the quantity with this name, without its value. Returns NULL with a problem. */
 static struct step *step_begin(struct derivation *d, const char *name, int depth)
 {
-    if (d->count == STEPS_MOST) {
-        problem_error(d->problem, "a derivation has at most %d quantities", STEPS_MOST);
+    const struct derived *q = derived_list;
+    while (q->words && (strcmp(q->names.text[0], name) != 0 || (q->with & d->has) != q->with))
+        q++;
+    if (d->count == STEPS_MOST || !q->words) {
+        problem_error(d->problem,
+                      q->words ? "a derivation of %s has too many quantities"
+                               : "there is no equation of %s for this train",
+                      name);
         return NULL;
     }
     struct step *s = &d->step[d->count++];
-    *s = (struct step){.derived = derived_find(d->has, name), .computed = DOMQ_NAN, .value = DOMQ_NAN};
+    *s = (struct step){.derived = q, .name = q->names.text[0], .unit = q->unit, .value = DOMQ_NAN};
     s->depth = depth;
-    const struct given *given = s->derived ? NULL : given_find(name);
-    if (!s->derived && (!given || !given->names.text[0])) {
-        problem_error(d->problem, "there is no equation of %s for this train", name);
-        return NULL;
-    }
-    s->given = given;
-    s->unit = given ? given->unit : s->derived->unit;
+    s->number = q->ends & d->has ? "" : q->number;
+    s->words = words_of(d, q);
     if (d->fall && strcmp(s->unit, "mgh/2") == 0)
         s->unit = d->energy_unit;
-    return s;
+    if (s->words)
+        return s;
+    problem_status(d->problem, &d->state->scene, DOM_NO_MEMORY);
+    return NULL;
 }
 
 /* Returns the step for a quantity, with its value. Returns NULL with a problem. */
 static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
-    for (int k = 0; k < d->count; k++) {
-        const struct step *known = &d->step[k];
-        const char *known_name = (known->derived ? known->derived->names : known->given->names).text[0];
-        if (strcmp(known_name, name) == 0)
+    for (int k = 0; k < d->count; k++)
+        if (strcmp(d->step[k].name, name) == 0)
             return &d->step[k];
-    }
     struct step *s = step_begin(d, name, depth);
-    if (!s)
+    if (!s || (s->derived->library && !library_value(d, s->derived->library, &s->value)))
         return NULL;
-    if (s->given) {
-        s->value = is_of_term(s->given) ? DOMQ_NAN : given_value(d, s->given);
-        return s;
-    }
-    if (!library_value(d, s->derived->library, &s->value))
-        return NULL;
-    if (!s->derived->equation)
+    if (!s->derived->equation || s->derived->ends & d->has)
         return s;
     struct expression_error error;
     struct parse parse = {.text = s->derived->equation, .error = &error, .arena = &d->arena};
@@ -220,12 +228,7 @@ static struct step *step_add(struct derivation *d, const char *name, int depth)
         return NULL;
     }
     s->tree = tree;
-    if (!names_add(d, s, tree))
-        return NULL;
-    if (s->derived->sum)
-        return sum_value(d, s) ? s : NULL;
-    s->computed = equation_value(d, tree);
-    return s;
+    return names_add(d, s, tree) && (!s->derived->sum || sum_value(d, s)) ? s : NULL;
 }
 
 /* ---- Derivations ---- */
@@ -235,7 +238,7 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
     return (train->alpha != 0 ? HAS_SLOPE : 0u) | (train->mu != 0 ? HAS_FRICTION : 0u) |
            (train->rho != 0 ? HAS_EDGES : 0u) | (train->walls != 0 ? HAS_WALLS : 0u) |
            (train->fuel == DOM_FUEL_PAPER ? HAS_PAPER : 0u) | (detached ? HAS_DETACHED : 0u) |
-           (reach ? HAS_REACH : 0u);
+           (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
 /* If the question is about the largest growth at a separation, sets the separation of the train, sets the
@@ -303,9 +306,7 @@ bool derivation_make(struct derivation *d, const struct query *query, const stru
 
 void derivation_end(struct derivation *d)
 {
-    for (int k = 0; k < d->count; k++)
-        free(d->step[k].term);
-    chain_free(&d->launch);
-    chain_free(&d->at);
+    free(d->launch.link);
+    free(d->at.link);
     arena_free(&d->arena);
 }

@@ -109,16 +109,12 @@ static void step_row(struct answer *a, const struct derivation *d, const struct 
     int n = 0;
     char *equation = s->tree ? text_of(d, s, false) : NULL, *numbers = s->tree ? text_of(d, s, true) : NULL;
     for (int k = 0; k < s->count && n < (int)sizeof needs; k++)
-        n += snprintf(
-            needs + n, sizeof needs - (size_t)n, "%s%s", k ? " " : "",
-            (s->needs[k]->derived ? s->needs[k]->derived->names : s->needs[k]->given->names).text[0]);
+        n += snprintf(needs + n, sizeof needs - (size_t)n, "%s%s", k ? " " : "", s->needs[k]->name);
     struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
-               ROW(cell_word((s->derived ? s->derived->names : s->given->names).text[0]),
-                   equation ? cell_word(equation) : none, numbers ? cell_word(numbers) : none,
-                   cell_unbounded(s->value), cell_word(s->unit), cell_word(needs),
-                   cell_word(s->derived ? s->derived->number : ""), cell_count(s->depth),
-                   cell_word(step_words(s))),
+               ROW(cell_word(s->name), equation ? cell_word(equation) : none,
+                   numbers ? cell_word(numbers) : none, cell_unbounded(s->value), cell_word(s->unit),
+                   cell_word(needs), cell_word(s->number), cell_count(s->depth), cell_word(s->words)),
                NULL);
     free(equation);
     free(numbers);

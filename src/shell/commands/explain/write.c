@@ -16,11 +16,6 @@ struct writing {
     int digits;
 };
 
-static const struct symbol_names *names_of(const struct step *s)
-{
-    return s->derived ? &s->derived->names : &s->given->names;
-}
-
 static void name_write(const struct formula *f, const struct tree *t)
 {
     const struct step *s = t->refers;
@@ -31,14 +26,14 @@ static void name_write(const struct formula *f, const struct tree *t)
     if (is_number)
         formula_number(f, s->value, w->digits);
     else
-        fputs(names_of(s)->text[f->style], f->out);
+        fputs(s->derived->names.text[f->style], f->out);
     if (is_number && s->value < 0)
         putc(')', f->out);
 }
 
 static void step_name(const struct step *s, const struct formula *formula)
 {
-    fputs(names_of(s)->text[formula->style], formula->out);
+    fputs(s->derived->names.text[formula->style], formula->out);
 }
 
 static void step_symbols(const struct step *s, const struct formula *formula)
@@ -81,11 +76,6 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
         formula_write(&f, s->tree);
 }
 
-const char *step_words(const struct step *s)
-{
-    return s->derived ? s->derived->words : s->given->words;
-}
-
 /* ---- The whole derivation ---- */
 
 /* How a derivation is written. */
@@ -101,7 +91,7 @@ struct writer {
 static void words_write(const struct writer *w, const struct step *s)
 {
     char piece[ESCAPE_PIECE];
-    for (const char *c = step_words(s); *c; c++)
+    for (const char *c = s->words; *c; c++)
         if (w->tex && !w->markdown)
             fputs(escape_tex(*c, piece), w->formula.out);
         else
@@ -147,7 +137,7 @@ static void step_write(const struct writer *w, const struct step *s)
     FILE *out = w->formula.out;
     const char *open = w->markdown ? "$$\n\\begin{aligned}\n" : "\\[\n\\begin{aligned}\n",
                *close = w->markdown ? "\\end{aligned}\n$$\n" : "\\end{aligned}\n\\]\n";
-    const char *number = s->derived->number;
+    const char *number = s->number;
     words_write(w, s);
     fputs(w->tex ? "" : ":\n", out);
     if (w->tex && *number)
@@ -193,7 +183,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     bool more = false;
     for (int k = 0; k < w->derivation->count; k++) {
         const struct step *s = &w->derivation->step[k];
-        if (!s->derived || (s->depth > 0 && !deep))
+        if (s->derived->is_given || (s->depth > 0 && !deep))
             continue;
         step_write(w, s);
         if (!deep && s->count > 0) {
@@ -206,14 +196,14 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
         }
         putc('\n', out);
         for (int i = 0; i < s->count; i++)
-            more = more || (s->needs[i]->derived && !deep);
+            more = more || (!s->needs[i]->derived->is_given && !deep);
     }
     if (more && !w->tex)
         fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_shown(w->value).text);
     bool has_given = false;
     for (int k = 0; k < w->derivation->count; k++)
-        has_given = has_given || w->derivation->step[k].given;
+        has_given = has_given || w->derivation->step[k].derived->is_given;
     if (!deep || !has_given)
         return;
     fputs(w->tex ? "Given:\n\n" : "given:\n", out);
@@ -222,7 +212,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     for (int k = 0; k < w->derivation->count; k++) {
         const struct step *s = &w->derivation->step[k];
         const struct step list = {.needs = {s}, .count = 1};
-        if (s->given)
+        if (s->derived->is_given)
             needs_write(w, &list);
     }
     if (w->tex && !w->markdown)
