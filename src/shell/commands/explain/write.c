@@ -78,21 +78,46 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
 
 /* ---- The whole derivation ---- */
 
+/* The texts around an equation, its numbers and its value, and around a list of quantities. */
+enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, FROM, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
+enum dialect { PLAIN, MARKDOWN, TEX, DIALECTS };
+
+static const char *const texts[][DIALECTS] = {
+    [HEADING] = {":\n", ":\n\n", ":\n\n"},
+    [OPEN] = {"    ", "$$\n\\begin{aligned}\n", "\\[\n\\begin{aligned}\n"},
+    [EQUALS] = {" = ", " &= ", " &= "},
+    [JOIN] = {"\n      = ", " \\\\\n&= ", " \\\\\n&= "},
+    [CLOSE] = {"", "\\end{aligned}\n$$\n", "\\end{aligned}\n\\]\n"},
+    [FROM] = {"  from\n", "\nfrom\n\n", "\nfrom\n\n"},
+    [GIVEN] = {"given:\n", "Given:\n\n", "Given:\n\n"},
+    [LIST] = {"", "", "\\begin{itemize}\n"},
+    [ITEM] = {"    ", "- $", "\\item $"},
+    [MEANING] = {": ", "$: ", "$: "},
+    [END] = {"", "", "\\end{itemize}\n"},
+    [NO_VALUE] = {"no value: this train has no such cycle; 'why' says more", "\\text{no value}",
+                  "\\text{no value}"},
+};
+
 /* How a derivation is written. */
 struct writer {
     const struct derivation *derivation;
     struct formula formula;
+    enum dialect dialect;
     int digits;
-    bool tex, markdown;
     domq_real value; /* the value in the question, or NaN */
 };
+
+static void put(const struct writer *w, enum text text)
+{
+    fputs(texts[text][w->dialect], w->formula.out);
+}
 
 /* Writes what a quantity is, in words. */
 static void words_write(const struct writer *w, const struct step *s)
 {
     char piece[ESCAPE_PIECE];
     for (const char *c = s->words; *c; c++)
-        if (w->tex && !w->markdown)
+        if (w->dialect == TEX)
             fputs(escape_tex(*c, piece), w->formula.out);
         else
             putc(*c, w->formula.out);
@@ -118,16 +143,17 @@ static bool is_rounding(const struct writer *w, const struct step *s)
 /* Writes a value with its unit, which TeX sets in upright letters. */
 static void value_write(const struct writer *w, const struct step *s)
 {
-    const char *unit = s->unit;
+    FILE *out = w->formula.out;
+    if (!isfinite(s->value)) {
+        put(w, NO_VALUE);
+        return;
+    }
     if (is_rounding(w, s))
-        fputs("0", w->formula.out);
-    else if (isfinite(s->value))
-        formula_number(&w->formula, s->value, w->digits);
+        putc('0', out);
     else
-        fputs(w->tex ? "\\text{no value}" : "no value: this train has no such cycle; 'why' says more",
-              w->formula.out);
-    if (*unit && isfinite(s->value))
-        fprintf(w->formula.out, w->tex ? "\\,\\mathrm{%s}" : " %s", unit);
+        formula_number(&w->formula, s->value, w->digits);
+    if (*s->unit)
+        fprintf(out, w->dialect ? "\\,\\mathrm{%s}" : " %s", s->unit);
 }
 
 /* Writes one quantity: what it is, its equation, the equation with numbers, and the value, one below the
@@ -135,95 +161,80 @@ static void value_write(const struct writer *w, const struct step *s)
 static void step_write(const struct writer *w, const struct step *s)
 {
     FILE *out = w->formula.out;
-    const char *open = w->markdown ? "$$\n\\begin{aligned}\n" : "\\[\n\\begin{aligned}\n",
-               *close = w->markdown ? "\\end{aligned}\n$$\n" : "\\end{aligned}\n\\]\n";
-    const char *number = s->number;
     words_write(w, s);
-    fputs(w->tex ? "" : ":\n", out);
-    if (w->tex && *number)
-        fprintf(out, " (%s)", number);
-    fputs(w->tex ? ":\n\n" : "", out);
-    fputs(w->tex ? open : "    ", out);
+    if (w->dialect && *s->number)
+        fprintf(out, " (%s)", s->number);
+    put(w, HEADING);
+    put(w, OPEN);
     step_name(s, &w->formula);
+    put(w, EQUALS);
     if (s->tree) {
-        fputs(w->tex ? " &= " : " = ", out);
         step_symbols(s, &w->formula);
-        fprintf(out, !w->tex && *number ? "    (%s)\n" : "%s", w->tex ? " \\\\\n" : *number ? number : "\n");
-        fputs(w->tex ? "&= " : "      = ", out);
+        if (!w->dialect && *s->number)
+            fprintf(out, "    (%s)", s->number);
+        put(w, JOIN);
         step_numbers(w->derivation, s, &w->formula, w->digits);
-        fputs(w->tex ? " \\\\\n" : "\n     ", out);
+        put(w, JOIN);
     }
-    fputs(w->tex ? "&= " : " = ", out);
     value_write(w, s);
     putc('\n', out);
-    fputs(w->tex ? close : "", out);
+    put(w, CLOSE);
 }
 
-/* Writes the quantities that a shallow answer names but does not derive. */
-static void needs_write(const struct writer *w, const struct step *s)
+/* Writes a list of quantities that are named but not derived. */
+static void list_write(const struct writer *w, const struct step *const *list, int count)
 {
     FILE *out = w->formula.out;
-    for (int k = 0; k < s->count; k++) {
-        const struct step *need = s->needs[k];
-        fputs(!w->tex ? "    " : w->markdown ? "- $" : "\\item $", out);
-        step_name(need, &w->formula);
-        if (isfinite(need->value)) { /* a name in the terms of a sum has no single value */
+    put(w, LIST);
+    for (int k = 0; k < count; k++) {
+        put(w, ITEM);
+        step_name(list[k], &w->formula);
+        if (isfinite(list[k]->value)) { /* a name in the terms of a sum has no single value */
             fputs(" = ", out);
-            value_write(w, need);
+            value_write(w, list[k]);
         }
-        fputs(w->tex ? "$: " : ": ", out);
-        words_write(w, need);
+        put(w, MEANING);
+        words_write(w, list[k]);
         putc('\n', out);
     }
+    put(w, END);
 }
 
 static void derivation_write(const struct writer *w, const struct explained *e, bool deep)
 {
     FILE *out = w->formula.out;
+    const struct step *given[STEPS_MOST];
+    int count = 0;
     bool more = false;
     for (int k = 0; k < w->derivation->count; k++) {
         const struct step *s = &w->derivation->step[k];
+        if (s->derived->is_given)
+            given[count++] = s;
         if (s->derived->is_given || (s->depth > 0 && !deep))
             continue;
         step_write(w, s);
         if (!deep && s->count > 0) {
-            fputs(w->tex ? "\nfrom\n\n" : "  from\n", out);
-            if (w->tex && !w->markdown)
-                fputs("\\begin{itemize}\n", out);
-            needs_write(w, s);
-            if (w->tex && !w->markdown)
-                fputs("\\end{itemize}\n", out);
+            put(w, FROM);
+            list_write(w, s->needs, s->count);
         }
         putc('\n', out);
         for (int i = 0; i < s->count; i++)
             more = more || (!s->needs[i]->derived->is_given && !deep);
     }
-    if (more && !w->tex)
+    if (more && !w->dialect)
         fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_shown(w->value).text);
-    bool has_given = false;
-    for (int k = 0; k < w->derivation->count; k++)
-        has_given = has_given || w->derivation->step[k].derived->is_given;
-    if (!deep || !has_given)
-        return;
-    fputs(w->tex ? "Given:\n\n" : "given:\n", out);
-    if (w->tex && !w->markdown)
-        fputs("\\begin{itemize}\n", out);
-    for (int k = 0; k < w->derivation->count; k++) {
-        const struct step *s = &w->derivation->step[k];
-        const struct step list = {.needs = {s}, .count = 1};
-        if (s->derived->is_given)
-            needs_write(w, &list);
+    if (deep && count > 0) {
+        put(w, GIVEN);
+        list_write(w, given, count);
     }
-    if (w->tex && !w->markdown)
-        fputs("\\end{itemize}\n", out);
 }
 
 /* Writes a file for a lesson. */
 static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
     FILE *out = w->formula.out;
-    if (w->markdown)
+    if (w->dialect == MARKDOWN)
         fprintf(out, "# Where %s comes from\n\n", e->name);
     else
         fprintf(out,
@@ -233,7 +244,7 @@ static void document_write(const struct writer *w, const struct explained *e, bo
     if (*verdict)
         fprintf(out, "%s\n\n", verdict);
     derivation_write(w, e, deep);
-    if (!w->markdown)
+    if (w->dialect == TEX)
         fputs("\\end{document}\n", out);
 }
 
@@ -287,11 +298,10 @@ bool explain_write(struct answer *a, const struct derivation *d, const struct ex
     const struct ending *ending = a->path ? ending_of(a->path) : NULL;
     const bool is_document = ending && ending->is_document;
     struct writer w = {.derivation = d, .digits = (int)a->style.digits, .value = bound->value};
-    w.tex = is_document;
-    w.markdown = is_document && strcmp(ending->text, ".md") == 0;
+    w.dialect = !is_document ? PLAIN : strcmp(ending->text, ".md") == 0 ? MARKDOWN : TEX;
     answer_plan(a, NULL);
     w.formula = (struct formula){.out = a->out,
-                                 .style = w.tex               ? FORMULA_TEX
+                                 .style = is_document         ? FORMULA_TEX
                                           : a->layout.letters ? FORMULA_LETTERS
                                                               : FORMULA_PLAIN};
     if (is_document && strcmp(ending->text, ".pdf") == 0)
