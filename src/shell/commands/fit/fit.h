@@ -98,17 +98,14 @@ bool fit_solve(struct fit *fit, struct problem *problem);
 bool fit_make(const struct query *query, struct fit *fit, struct problem *problem);
 void fit_free(struct fit *fit);
 
-/* The command: its parser, its answer, and the picture of its answer. */
+/* The command: its parser and its answer. */
 extern const struct column fit_columns[];
 const char *fit_names(const void *context, int k); /* a names_list of the parameters that can be fitted */
 bool fit_parse(struct reader *reader, struct question *question);
 bool run_fit(const struct query *query, struct answer *a, struct problem *problem);
 
-/* Fits the parameters, and adds a point to the chart for each measurement: x is the value that the model
- * gives, and y the value that was measured. */
-struct chart;
-bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
-               struct problem *problem);
+/* Draws a chart with a point for each measurement: x is the value that the model gives, and y the value that
+ * was measured. */
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The picture of a fit: measurements against the values that the model gives with the fitted parameters. */
+/* The picture of a fit, for 'plot fit' and for 'fit ... > FILE': measurements against the values that the
+ * model gives with the fitted parameters. */
 #include "commands/fit/fit.h"
-#include "picture/show.h"
+#include "commands/plots/plots.h"
 #include <string.h>
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
@@ -55,10 +56,12 @@ static void points_draw(struct chart *chart, const struct fit *f, const struct a
     chart_point(chart, line, most, most);
 }
 
-bool fit_chart(const struct query *query, const struct answer *a, struct chart *chart,
-               struct problem *problem)
+static bool fit_draw(const struct query *query, struct answer *a, struct chart *chart,
+                     struct problem *problem)
 {
     struct fit f;
+    if (!chart)
+        return run_fit(query, a, problem);
     const bool done = fit_make(query, &f, problem);
     if (done)
         points_draw(chart, &f, &a->style);
@@ -68,11 +71,29 @@ bool fit_chart(const struct query *query, const struct answer *a, struct chart *
 
 bool picture_fit(const struct query *query, struct answer *a, struct problem *problem)
 {
-    if (!picture_ready(a, problem))
+    const struct plot plot = {.run = fit_draw, .title = ""};
+    const struct chart_look usual = {.title = NULL};
+    return plot_draw(&plot, &usual, query, a, problem);
+}
+
+bool plot_fit_parse(struct reader *r, struct question *q)
+{
+    struct question *fit = q->parsed = reader_memory(r, sizeof *fit);
+    if (!fit)
         return false;
-    struct chart chart = chart_make();
-    if (fit_chart(query, a, &chart, problem))
-        return chart_show(&chart, a, query->scene->compute.interrupt, problem);
-    chart_free(&chart);
-    return false;
+    *fit = (struct question){.key = -1, .command = command_find("fit")};
+    return question_parse(r, fit);
+}
+
+bool plot_fit(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
+{
+    const struct question *fit = query->given->bound;
+    struct call call;
+    if (!fit)
+        return problem_error(
+            problem,
+            "'plot fit' needs a parameter and a file of measurements, as in 'plot fit friction FILE'");
+    const bool done = question_bind(fit, query, &call, problem) && fit_draw(&call.query, a, chart, problem);
+    arena_free(&call.given.memory);
+    return done;
 }

@@ -57,18 +57,6 @@ static void axis_label(const struct axis *a, struct chart_axis *to)
     to->logarithmic = a->logarithmic;
 }
 
-static void value_label(const struct query *query, const struct points *p, char *label, size_t size)
-{
-    const struct command *command = p->shape.command;
-    const char *key = command->principal ? command->principal : command->columns[0].key;
-    const struct column *c = command->columns;
-    while (c->key && strcmp(c->key, key) != 0)
-        c++;
-    bool angle = c->key && column_is_angle(c), expression = command_is_print(command);
-    const char *unit = angle ? style_angle_unit(&query->state->settings.style) : c->key ? c->unit : "";
-    snprintf(label, size, "%s%s%s", expression ? p->shape.typed : key, *unit ? " in " : "", unit);
-}
-
 /* Returns true if the values of an axis are evenly spaced, as a map needs them. On a logarithmic axis,
  * compares their logarithms. */
 static bool is_even(const struct points *p, int axis)
@@ -86,48 +74,50 @@ static bool is_even(const struct points *p, int axis)
     return a->count > 1;
 }
 
-/* Draws curves along the axis with index `over`. If there is another axis, draws a curve for each of its
- * values. */
+/* Returns the name of the number that is plotted if there is one answer: its expression, or the key of its
+ * column. */
+static const char *value_name(const struct points *p)
+{
+    const struct command *c = p->shape.command;
+    return command_is_print(c) ? p->shape.typed : c->principal ? c->principal : c->columns[0].key;
+}
+
+/* Writes a name with its unit. */
+static void label(char *to, size_t size, const char *name, const char *unit)
+{
+    snprintf(to, size, "%s%s%s%s", name, *name && *unit ? " " : "", *unit ? "in " : "", unit);
+}
+
+/* Draws curves along the axis with index `over`: one for each answer of a list, or one for each value of the
+ * other axis. If the units of several answers differ, the legend names them. */
 static void curves_draw(struct chart *chart, const struct points *p, int over)
 {
+    const struct plot_rows *rows = p->rows;
     const struct grid *grid = p->shape.grid;
     size_t second = grid->axes == 1 ? 1 : grid->axis[1].count, along = grid->axis[over].count;
-    size_t family = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
+    size_t values = grid->points / along, step = over == 0 ? second : 1, turn = over == 0 ? 1 : second;
+    bool several = p->shape.answers > 1, is_one = true;
+    for (size_t k = 1; k < p->shape.answers; k++)
+        is_one = is_one && strcmp(rows->unit[p->column + (int)k], rows->unit[p->column]) == 0;
     axis_label(&grid->axis[over], &chart->x);
-    for (size_t k = 0; k < family; k++) {
-        const struct plot_row *row = &p->rows->row[k * turn];
-        char word[64] = "";
-        if (grid->axes > 1 && over == 1)
+    label(chart->y.label, sizeof chart->y.label, several ? "" : value_name(p),
+          is_one ? rows->unit[p->column] : "");
+    for (size_t k = 0; k < values * p->shape.answers; k++) {
+        const int column = p->column + (several ? (int)k : 0);
+        const struct plot_row *row = &rows->row[several ? 0 : k * turn];
+        const char *name = rows->key[column] + (strncmp(rows->key[column], "print ", 6) == 0 ? 6 : 0);
+        char word[64 + 24] = "";
+        if (several)
+            label(word, sizeof word, name, is_one ? "" : rows->unit[column]);
+        else if (grid->axes > 1 && over == 1)
             snprintf(word, sizeof word, "%s = %s", grid->axis[0].parameter->name, row->word);
         else if (grid->axes > 1)
             snprintf(word, sizeof word, "%s = %.6g", grid->axis[1].parameter->name, row->number[1]);
         struct chart_curve *curve =
             chart_curve(chart, along <= MARKED ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s", word);
         for (size_t i = 0; i < along; i++)
-            chart_point(chart, curve, row[i * step].number[over], row[i * step].number[p->column]);
+            chart_point(chart, curve, row[i * step].number[over], row[i * step].number[column]);
     }
-}
-
-/* Draws a curve for each answer of a list. If their units differ, the legend names them. */
-static void answers_draw(struct chart *chart, const struct points *p)
-{
-    const struct plot_rows *rows = p->rows;
-    const char *unit = rows->unit[p->column];
-    bool is_one = true;
-    axis_label(&p->shape.grid->axis[0], &chart->x);
-    for (size_t k = 1; k < p->shape.answers; k++)
-        is_one = is_one && strcmp(rows->unit[p->column + (int)k], unit) == 0;
-    for (size_t k = 0; k < p->shape.answers; k++) {
-        const int column = p->column + (int)k;
-        const char *name = rows->key[column], *unit_name = is_one ? "" : rows->unit[column];
-        name += strncmp(name, "print ", 6) == 0 ? 6 : 0;
-        struct chart_curve *curve =
-            chart_curve(chart, rows->count <= MARKED ? CHART_MARKED : CHART_LINE, inks[k], (int)k, "%s%s%s",
-                        name, *unit_name ? " in " : "", unit_name);
-        for (size_t i = 0; i < rows->count; i++)
-            chart_point(chart, curve, rows->row[i].number[0], rows->row[i].number[column]);
-    }
-    snprintf(chart->y.label, sizeof chart->y.label, "%s%s", is_one && *unit ? "in " : "", is_one ? unit : "");
 }
 
 static void map_draw(struct chart *chart, const struct points *p)
@@ -144,6 +134,7 @@ static void map_draw(struct chart *chart, const struct points *p)
         j = first->number[1] > last->number[1] ? cells[1] - 1 - j : j;
         value[j * cells[0] + i] = value_at(p, k);
     }
+    label(chart->map.label, sizeof chart->map.label, value_name(p), p->rows->unit[p->column]);
     chart->map.across = (int)cells[0];
     chart->map.down = (int)cells[1];
     for (int k = 0; k < AXES; k++) {
@@ -191,18 +182,10 @@ bool plot_sweep_draw(const struct query *query, const struct plot_rows *rows, st
                  several       ? p.none == 1 ? "lacks an answer" : "lack an answer"
                  : p.none == 1 ? "has no answer"
                                : "have no answer");
-    if (several) {
-        answers_draw(chart, &p);
-        return true;
-    }
     if (over >= 0)
         curves_draw(chart, &p, over);
     else
         map_draw(chart, &p);
-    if (over >= 0)
-        value_label(query, &p, chart->y.label, sizeof chart->y.label);
-    else
-        value_label(query, &p, chart->map.label, sizeof chart->map.label);
     return true;
 }
 

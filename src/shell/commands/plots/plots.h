@@ -106,7 +106,7 @@ bool look_parse(struct reader *reader, struct look_parsed *parsed);
 bool look_bind(const struct look_parsed *parsed, const struct text *text, const struct query *query,
                struct chart_look *look, struct problem *problem);
 
-/* Parses the arguments of 'fit', and stores them as a question in q->parsed. */
+/* Parses the arguments of 'fit' after 'plot fit', and stores them as a question in q->parsed. */
 bool plot_fit_parse(struct reader *reader, struct question *q);
 
 /* plot_sweep draws a sweep that was typed as 'sweep' or as 'plot sweep'. plot_sweep_draw makes the chart of
