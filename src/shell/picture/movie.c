@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/movie.h"
+#include "io/terminal.h"
 #include <string.h>
 #include <strings.h>
+
+enum { FRAME_LEAST = 170, FRAME_MOST = 420 }; /* the minimum and maximum height of a frame, in pixels */
 
 /* The formats of films, and the options of ffmpeg for each format. */
 enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
@@ -40,33 +43,45 @@ bool movie_named(const char *path, struct problem *problem)
                kind->ending);
 }
 
-bool movie_begin(struct movie *m, const char *path, int width, int height, int delay,
+bool movie_begin(struct movie *m, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
     char terminal[96], options[160];
     if (!movie_named(path, problem))
         return false;
-    *m = (struct movie){.kind = kind_of(path), .delay = delay};
+    *m = (struct movie){.kind = kind_of(path), .delay = delay, .frames = frames};
+    m->sheet = sheet_of(stage, FRAME_LEAST, FRAME_MOST);
     escape_text(path, m->shown, sizeof m->shown);
     const char *wrong = file_push(&m->file, path, false, interrupt);
     if (wrong)
         return problem_error(problem, "cannot write '%s': %s", m->shown, wrong);
     bool ffmpeg = m->kind->ffmpeg;
+    int height = (int)m->sheet.height;
     height += ffmpeg ? height % 2 : 0; /* these formats store colours in blocks of 2 x 2 pixels */
-    snprintf(terminal, sizeof terminal, "size %d,%d font 'sans,14' fontscale 0.72 noenhanced", width, height);
+    snprintf(terminal, sizeof terminal, "size %d,%d font 'sans,14' fontscale 0.72 noenhanced", SHEET_WIDTH,
+             height);
     if (ffmpeg)
         snprintf(options, sizeof options, "pngcairo %s", terminal);
     else
         snprintf(options, sizeof options, "gif animate delay %d loop 0 %s optimize", delay, terminal);
     if (ffmpeg)
-        m->frames = temporary_open(problem);
-    if ((m->frames || !ffmpeg) &&
-        picture_begin(&m->picture, ffmpeg ? m->frames : m->file->out, options, interrupt, problem))
+        m->drawn = temporary_open(problem);
+    if ((m->drawn || !ffmpeg) &&
+        picture_begin(&m->picture, ffmpeg ? m->drawn : m->file->out, options, interrupt, problem))
         return true;
-    if (m->frames)
-        fclose(m->frames);
+    if (m->drawn)
+        fclose(m->drawn);
     (void)output_pop(&m->file, false);
     return false;
+}
+
+void movie_frame(struct movie *m, const struct stage *stage)
+{
+    FILE *script = m->picture.script;
+    fprintf(script, "unset label\nunset arrow\n");
+    sheet_palette(&m->sheet, (int)(m->frame % 2), script);
+    stage_script(stage, &m->sheet, script);
+    progress_show((double)++m->frame / (double)m->frames);
 }
 
 static bool movie_convert(struct movie *m, struct problem *problem)
@@ -83,14 +98,14 @@ static bool movie_convert(struct movie *m, struct problem *problem)
     /* ffmpeg writes to a file, because in a pipe it could not go back to write the duration of the film. The
      * other elements of argv are NULL. */
     argv[n] = "file:/dev/stdout";
-    return program_run((char *const *)argv, m->frames, m->file->out, what, m->picture.interrupt, problem);
+    return program_run((char *const *)argv, m->drawn, m->file->out, what, m->picture.interrupt, problem);
 }
 
 bool movie_end(struct movie *m, bool whole, struct problem *problem)
 {
-    bool drawn = picture_end(&m->picture, whole, problem) && (!m->frames || movie_convert(m, problem));
-    if (m->frames)
-        fclose(m->frames);
+    bool drawn = picture_end(&m->picture, whole, problem) && (!m->drawn || movie_convert(m, problem));
+    if (m->drawn)
+        fclose(m->drawn);
     const char *wrong = output_pop(&m->file, drawn);
     return drawn && (!wrong || problem_error(problem, "cannot write '%s': %s", m->shown, wrong));
 }

@@ -6,13 +6,16 @@
 #include "io/output.h"
 #include "language/names.h"
 #include "picture/picture.h"
+#include "picture/stage.h"
 
 struct movie {
     struct picture picture; /* the picture whose script contains a plot command for each frame */
+    struct sheet sheet;     /* the size of all frames, and the part of the stage that the next frame shows */
     struct output *file;
     const struct movie_kind *kind;
-    FILE *frames; /* the frames for ffmpeg, or NULL for a gif */
-    int delay;
+    FILE *drawn;             /* the drawn frames for ffmpeg, or NULL for a gif */
+    int delay;               /* the time between two frames, in hundredths of a second */
+    size_t frames, frame;    /* the number of all frames, and of the frames written so far */
     char shown[NAMES_SHOWN]; /* the name of the file in messages */
 };
 
@@ -20,10 +23,14 @@ struct movie {
  * reports a problem and returns false. */
 bool movie_named(const char *path, struct problem *problem);
 
-/* Begins an animation of width x height pixels, with frames `delay` hundredths of a second apart. Returns
- * false with a problem on failure. */
-bool movie_begin(struct movie *movie, const char *path, int width, int height, int delay,
+/* Begins an animation whose frames are `delay` hundredths of a second apart. All frames have the size of the
+ * picture of `stage`, whose caption must have as many lines as the captions of the frames. Returns false with
+ * a problem on failure. */
+bool movie_begin(struct movie *movie, const char *path, const struct stage *stage, size_t frames, int delay,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
+
+/* Adds a frame to the script. */
+void movie_frame(struct movie *movie, const struct stage *stage);
 
 /* Ends the animation. If `whole` is true, the script is complete, and the film is written to the file.
  * Otherwise discards the film and returns false. */

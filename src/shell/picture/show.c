@@ -135,34 +135,15 @@ void script_head(const struct answer *a, const char *terminal)
     fprintf(a->out, ".pdf'\n");
 }
 
-/* Writes the script of a picture, which contains the data, instead of the picture. */
-static bool show_script(const struct answer *a, const struct chart *chart, const struct stage *stage)
-{
-    char terminal[TERMINAL_TEXT] = "";
-    const struct sheet sheet = stage ? sheet_of(stage, STAGE_LEAST, STAGE_MOST) : (struct sheet){.width = 0};
-    if (stage)
-        sheet_terminal(&sheet, ".pdf", terminal, sizeof terminal);
-    else if (chart)
-        chart_terminal(chart, a->path, terminal, sizeof terminal);
-    script_head(a, terminal);
-    if (stage)
-        stage_script(stage, &sheet, a->out);
-    else
-        chart_script(chart, a->out);
-    return true;
-}
-
-/* Draws with gnuplot, into a file or on a terminal that can show pictures. */
+/* Draws with gnuplot, into a file or on a terminal that can show pictures, or writes only the script. */
 static bool show_drawn(const struct answer *a, const struct chart *chart, const struct stage *stage,
                        const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    struct picture picture;
+    struct picture picture = {.script = a->out};
     struct sheet sheet;
-    char terminal[TERMINAL_TEXT] = "";
+    char terminal[TERMINAL_TEXT];
     int width = SHEET_WIDTH, height = STAGE_MOST;
-    FILE *drawing = a->path ? a->out : temporary_open(problem);
-    if (!drawing)
-        return false;
+    const bool is_script = a->path && ending_of(a->path)->is_script;
     if (!a->path)
         graphics_size(a->out, &width, &height);
     if (stage) {
@@ -173,16 +154,19 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     if (!a->path)
         graphics_terminal(a->out, width, height, stage != NULL, terminal, sizeof terminal);
     else if (stage)
-        sheet_terminal(&sheet, a->path, terminal, sizeof terminal);
-    else if (chart)
+        sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
+    else
         chart_terminal(chart, a->path, terminal, sizeof terminal);
-    bool drawn = picture_begin(&picture, drawing, terminal, interrupt, problem);
+    FILE *drawing = a->path ? a->out : temporary_open(problem);
+    if (is_script)
+        script_head(a, terminal);
+    bool drawn = drawing && (is_script || picture_begin(&picture, drawing, terminal, interrupt, problem));
     if (drawn && stage)
         stage_script(stage, &sheet, picture.script);
     else if (drawn)
         chart_script(chart, picture.script);
-    drawn = drawn && picture_end(&picture, true, problem);
-    if (!a->path) {
+    drawn = drawn && (is_script || picture_end(&picture, true, problem));
+    if (!a->path && drawing) {
         drawn = drawn && graphics_write(drawing, a->out);
         fclose(drawing);
     }
@@ -192,8 +176,6 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
 static bool show(const struct answer *a, const struct chart *chart, const struct stage *stage,
                  const volatile sig_atomic_t *interrupt, struct problem *problem)
 {
-    if (is_filed(a) && ending_of(a->path)->is_script)
-        return show_script(a, chart, stage);
     if (by_gnuplot(a))
         return show_drawn(a, chart, stage, interrupt, problem);
     return show_text(a, chart, stage) || problem_error(problem, "%s", dom_status_text(DOM_NO_MEMORY));

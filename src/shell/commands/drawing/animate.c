@@ -11,6 +11,15 @@
 #include "language/quad.h"
 #include <stdlib.h>
 
+bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
+{
+    if (f->answer)
+        return watch(f);
+    return movie_begin(&f->movie, f->query->given->word[0], stage, f->frames, f->delay,
+                       f->query->scene->compute.interrupt, f->problem) &&
+           movie_end(&f->movie, watch(f), f->problem);
+}
+
 /* ---- The row ---- */
 
 enum { FRAMES_MOST = 3000 };
@@ -45,7 +54,7 @@ static void follow_front(struct row_film *f, size_t head, double time)
         at += (fabs(more) > 1e-9 * size ? (growth - 1) * size / more : part) * (next->foot - at);
         size *= growth;
     }
-    sheet_follow(&f->film.sheet, at, 2.6 * size);
+    sheet_follow(&f->film.movie.sheet, at, 2.6 * size);
 }
 
 static bool row_frame(const struct domq_moment *m, void *context)
@@ -70,7 +79,7 @@ static bool row_frame(const struct domq_moment *m, void *context)
     if (f->follows)
         follow_front(f, m->head, (double)m->time);
     f->row.stage.count += f->towers;
-    film_frame(&f->film, &f->row.stage);
+    movie_frame(&f->film.movie, &f->row.stage);
     f->row.stage.count -= f->towers;
     return true;
 }

@@ -169,7 +169,7 @@ static enum dom_status train_frame(struct train_film *f, size_t frame)
                                                : "the train does not get over its barrier");
         stage.ruler = f->ruler;
         stage_place(&stage, f, p);
-        film_frame(&f->film, &stage);
+        movie_frame(&f->film.movie, &stage);
     }
     stage_free(&stage);
     return status;
