@@ -21,6 +21,7 @@ enum fit_kind { FIT_SPEEDS, FIT_ANGLES, FIT_HITS };
 
 /* One measurement, in SI units. */
 struct fit_point {
+    size_t run;      /* index of the run to which the measurement belongs */
     double gap;      /* for a speed */
     size_t domino;   /* for a hit and an angle: the number of the domino, from 1 */
     double time;     /* for an angle: its time on the clock of its run */
@@ -66,7 +67,9 @@ struct fit {
     struct fit_data data;
     struct fit_unknown unknown[FIT_UNKNOWNS];
     int unknowns;
-    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS];
+    int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
+    size_t free_count;
+    double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
     double spread; /* the sum of the squares of residual / error, divided by the degrees of freedom */
     size_t
         freedom; /* the degrees of freedom: the number of measurements minus the number of fitted numbers */
@@ -84,6 +87,12 @@ bool fit_compute(struct fit *fit, const double *value, const double *clock, doub
 
 /* For angles, estimates the times at which the motions of the runs begin. Returns false with fit->problem. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
+
+/* Returns true if measurement k is the first one of its run. */
+static inline bool fit_is_first(const struct fit *fit, size_t k)
+{
+    return k == fit->data.run[fit->data.point[k].run].first;
+}
 
 /* Returns the error by which the residual of measurement k is divided. If errors are not known, all speeds
  * have the same relative error, and all times and angles the same error. */

@@ -115,51 +115,44 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
     *c = (struct column){NULL, NULL, NULL, 0};
 }
 
-/* Finds the measured number and the fitted number of point k. If times are compared as intervals, these
- * numbers are differences of times. */
-static void compared(const struct fit *f, const struct fit_run *run, size_t k, double *measured_,
-                     double *fitted)
+/* Finds the measured number, the fitted number and the residual of point k. If times are compared as
+ * intervals, these numbers are differences of times; the first hit of a run has none, and returns false. */
+static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {
-    const bool first = k == run->first;
-    *measured_ =
-        f->data.point[k].measured - (f->data.intervals && !first ? f->data.point[k - 1].measured : 0);
-    *fitted = f->computed[k] - (f->data.intervals && !first ? f->computed[k - 1] : 0);
-    if (f->data.intervals && first)
-        *measured_ = *fitted = (double)NAN;
+    *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);
+    *fitted = f->computed[k] - (f->data.intervals && k > 0 ? f->computed[k - 1] : 0);
+    *residual = f->data.kind == FIT_SPEEDS ? *measured_ / *fitted - 1 : *measured_ - *fitted;
+    return !(f->data.intervals && fit_is_first(f, k));
 }
 
 static void rows_write(struct answer *a, const struct fit *f)
 {
-    for (size_t i = 0; i < f->data.runs; i++)
-        for (size_t k = f->data.run[i].first;
-             k < f->data.run[i].first + f->data.run[i].count && !answer_lost(a); k++) {
-            const struct fit_point *p = &f->data.point[k];
-            struct cell cell[ANSWER_COLUMNS];
-            int n = 0;
-            double value, fitted;
-            compared(f, &f->data.run[i], k, &value, &fitted);
-            if (isnan(value)) /* the first hit of a run has no interval */
-                continue;
-            if (f->data.kind == FIT_SPEEDS)
-                cell[n++] = cell_real((domq_real)p->gap);
-            else {
-                cell[n++] = cell_real((domq_real)f->data.run[i].number);
-                cell[n++] = cell_count((domq_real)p->domino);
-            }
-            if (f->data.kind == FIT_ANGLES)
-                cell[n++] = cell_real((domq_real)p->time);
-            cell[n++] = cell_real((domq_real)value);
-            cell[n++] = cell_narrow((domq_real)fitted, 4);
-            cell[n++] =
-                cell_narrow((domq_real)(f->data.kind == FIT_SPEEDS ? value / fitted - 1 : value - fitted), 2);
-            for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
-                cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
-                cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
-                for (int v = 0; v < u; v++)
-                    cell[n++] = cell_narrow((domq_real)f->correlation[v][u], 4);
-            }
-            answer_row(a, cell, NULL);
+    for (size_t k = 0; k < f->data.points && !answer_lost(a); k++) {
+        const struct fit_point *p = &f->data.point[k];
+        struct cell cell[ANSWER_COLUMNS];
+        int n = 0;
+        double value, fitted, residual;
+        if (!compared(f, k, &value, &fitted, &residual))
+            continue;
+        if (f->data.kind == FIT_SPEEDS)
+            cell[n++] = cell_real((domq_real)p->gap);
+        else {
+            cell[n++] = cell_real((domq_real)f->data.run[p->run].number);
+            cell[n++] = cell_count((domq_real)p->domino);
         }
+        if (f->data.kind == FIT_ANGLES)
+            cell[n++] = cell_real((domq_real)p->time);
+        cell[n++] = cell_real((domq_real)value);
+        cell[n++] = cell_narrow((domq_real)fitted, 4);
+        cell[n++] = cell_narrow((domq_real)residual, 2);
+        for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
+            cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
+            cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
+            for (int v = 0; v < u; v++)
+                cell[n++] = cell_narrow((domq_real)f->correlation[v][u], 4);
+        }
+        answer_row(a, cell, NULL);
+    }
 }
 
 /* ---- In words ---- */
@@ -206,14 +199,13 @@ static void residuals_say(struct answer *a, const struct fit *f)
                                                                   "All times have the same weight."};
     double most = 0;
     size_t worst = 0;
-    for (size_t i = 0; i < f->data.runs; i++)
-        for (size_t k = f->data.run[i].first; k < f->data.run[i].first + f->data.run[i].count; k++) {
-            double value, fitted;
-            compared(f, &f->data.run[i], k, &value, &fitted);
-            const double left = fabs(f->data.kind == FIT_SPEEDS ? value / fitted - 1 : value - fitted);
-            worst = left > most ? k : worst;
-            most = fmax(most, left);
-        }
+    for (size_t k = 0; k < f->data.points; k++) {
+        double value, fitted, residual;
+        if (!compared(f, k, &value, &fitted, &residual))
+            continue;
+        worst = fabs(residual) > most ? k : worst;
+        most = fmax(most, fabs(residual));
+    }
     if (f->data.intervals)
         answer_say(
             a, "The measured times drift away from those of the model, as they do if the gaps of a row are "

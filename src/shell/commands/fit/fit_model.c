@@ -83,10 +83,11 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 
 /* ---- Angles ---- */
 
-/* Tilts at a list of times, which must not decrease. */
+/* A list of tilts to find: those of the dominoes and at the times of these points. Times must not decrease.
+ */
 struct watch {
-    const double *time;
-    const size_t *domino; /* the number of the domino whose tilt is wanted at each time */
+    const struct fit_point *point;
+    double clock; /* the time of the points at which the motion begins */
     size_t count, done;
     double *tilt;
 };
@@ -94,7 +95,7 @@ struct watch {
 static bool tilt_keep(const struct domq_moment *moment, void *context)
 {
     struct watch *w = context;
-    w->tilt[w->done] = (double)moment->tilt[w->domino[w->done] - 1];
+    w->tilt[w->done] = (double)moment->tilt[w->point[w->done].domino - 1];
     w->done++;
     return true;
 }
@@ -102,11 +103,11 @@ static bool tilt_keep(const struct domq_moment *moment, void *context)
 /* Before a push, a domino has the tilt with which it was set up. */
 static void tilts_before(struct watch *w, const struct scene_row *row)
 {
-    for (; w->done < w->count && w->time[w->done] < 0; w->done++)
-        w->tilt[w->done] = (double)row->domino[w->domino[w->done] - 1].lean;
+    for (; w->done < w->count && w->point[w->done].time < w->clock; w->done++)
+        w->tilt[w->done] = (double)row->domino[w->point[w->done].domino - 1].lean;
 }
 
-/* Fills in the tilts of a run at times that are counted from the beginning of its motion. */
+/* Fills in the tilts of a run. */
 static bool tilts_find(struct fit *f, const double *value, const struct fit_run *run, struct watch *w)
 {
     struct trial t;
@@ -121,7 +122,7 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
     if (!engine && fits && w->done < w->count) {
         domq_real *time = malloc((w->count - w->done) * sizeof *time);
         for (size_t k = w->done; k < w->count && time; k++)
-            time[k - w->done] = (domq_real)w->time[k];
+            time[k - w->done] = (domq_real)(w->point[k].time - w->clock);
         status =
             time ? domq_row_watch(&row.row, &row.compute, time, w->count - w->done, tilt_keep, w, &verdict)
                  : DOM_NO_MEMORY;
@@ -136,29 +137,19 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-static bool angles_compute(struct fit *f, const double *value, const struct fit_run *run, double clock,
-                           double *computed)
+/* Returns the time at which the first domino of a list of points first reaches an angle, by linear
+ * interpolation, or NaN. */
+static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
-    double *time = malloc(run->count * sizeof *time);
-    size_t *domino = malloc(run->count * sizeof *domino);
-    struct watch w = {time, domino, run->count, 0, &computed[run->first]};
-    for (size_t k = 0; k < run->count && time && domino; k++) {
-        time[k] = f->data.point[run->first + k].time - clock;
-        domino[k] = f->data.point[run->first + k].domino;
+    const struct fit_point *last = point;
+    for (const struct fit_point *p = point + 1; p < point + count; p++) {
+        if (p->domino != point->domino)
+            continue;
+        if (last->measured < angle && p->measured >= angle)
+            return last->time +
+                   (p->time - last->time) * (angle - last->measured) / (p->measured - last->measured);
+        last = p;
     }
-    bool done = time && domino ? tilts_find(f, value, run, &w)
-                               : problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
-    free(time);
-    free(domino);
-    return done;
-}
-
-/* Returns the time at which a list of tilts first reaches a level, by linear interpolation, or NaN. */
-static double level_time(const double *time, const double *tilt, size_t count, double level)
-{
-    for (size_t k = 1; k < count; k++)
-        if (tilt[k - 1] < level && tilt[k] >= level)
-            return time[k - 1] + (time[k] - time[k - 1]) * (level - tilt[k - 1]) / (tilt[k] - tilt[k - 1]);
     return (double)NAN;
 }
 
@@ -168,26 +159,19 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
 {
     enum { STEPS = 400 };
     const struct fit_point *first = &f->data.point[run->first];
-    double time[STEPS], tilt[STEPS], most = 0, length = first[run->count - 1].time - first->time;
-    size_t domino[STEPS], n = 0;
-    double *measured = malloc(2 * run->count * sizeof *measured), *at;
-    if (!measured)
-        return problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
-    at = measured + run->count;
+    struct fit_point model[STEPS];
+    double tilt[STEPS] = {0}, most = 0, length = first[run->count - 1].time - first->time;
     for (size_t k = 0; k < run->count; k++)
-        if (first[k].domino == first->domino) {
-            at[n] = first[k].time;
-            measured[n++] = first[k].measured;
+        if (first[k].domino == first->domino)
             most = fmax(most, first[k].measured);
-        }
-    for (int k = 0; k < STEPS; k++) {
-        time[k] = 2 * length * (k + 0.5 - STEPS / 2.0) / STEPS;
-        domino[k] = first->domino;
-    }
-    struct watch w = {time, domino, STEPS, 0, tilt};
+    for (int k = 0; k < STEPS; k++)
+        model[k] =
+            (struct fit_point){.domino = first->domino, .time = 2 * length * (k + 0.5 - STEPS / 2.0) / STEPS};
+    struct watch w = {model, 0, STEPS, 0, tilt};
     bool done = tilts_find(f, value, run, &w);
-    *clock = level_time(at, measured, n, most / 2) - level_time(time, tilt, STEPS, most / 2);
-    free(measured);
+    for (int k = 0; k < STEPS; k++)
+        model[k].measured = tilt[k];
+    *clock = angle_time(first, run->count, most / 2) - angle_time(model, STEPS, most / 2);
     return done && (isfinite(*clock) ||
                     problem_no_answer(&f->problem,
                                       "run %g: no line shows domino %zu before it passes half of its largest "
@@ -233,10 +217,14 @@ bool fit_compute(struct fit *f, const double *value, const double *clock, double
     bool done = true;
     for (size_t k = 0; k < d->runs && done; k++) {
         const struct fit_run *run = &d->run[k];
-        done = d->kind == FIT_HITS ? hits_compute(f, value, run, computed)
-                                   : angles_compute(f, value, run, clock[k], computed);
-        if (done && d->kind == FIT_HITS)
-            clock_add(f, run, computed);
+        if (d->kind == FIT_HITS) {
+            done = hits_compute(f, value, run, computed);
+            if (done)
+                clock_add(f, run, computed);
+        } else {
+            struct watch w = {&d->point[run->first], clock[k], run->count, 0, &computed[run->first]};
+            done = tilts_find(f, value, run, &w);
+        }
     }
     return done;
 }

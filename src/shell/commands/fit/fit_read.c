@@ -97,6 +97,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
         return csv_wrong(&csv->file, csv->row.at, "out of memory");
     d->has_errors = known;
     d->point = more;
+    point.run = d->runs - 1;
     d->point[d->points++] = point;
     return true;
 }

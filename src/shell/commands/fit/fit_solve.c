@@ -8,19 +8,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The numbers that are fitted: the unknowns that are not at a limit and, for angles, the clocks of the runs.
- */
-static size_t free_count(const struct fit *f)
+/* Finds the unknowns that are not at a limit, and forgets the correlations of an earlier search. */
+static void free_find(struct fit *f)
 {
-    size_t count = 0;
-    for (int i = 0; i < f->unknowns; i++)
-        count += !f->unknown[i].is_at_limit;
-    return count;
+    f->free_count = 0;
+    for (int i = 0; i < f->unknowns; i++) {
+        if (!f->unknown[i].is_at_limit)
+            f->free[f->free_count++] = i;
+        for (int j = 0; j < i; j++)
+            f->correlation[j][i] = (double)NAN;
+    }
 }
 
+/* Returns how many numbers are fitted: the free unknowns and, for angles, the clocks of the runs. */
 static size_t numbers_of(const struct fit *f)
 {
-    return free_count(f) + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
+    return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
 }
 
 static size_t residuals_of(const struct fit *f)
@@ -42,39 +45,34 @@ static double inside(const struct fit_unknown *u, double value)
     return value > highest ? 2 * highest - value : value;
 }
 
-/* Fills in the residuals, each divided by its error. */
-static void residuals_fill(const struct fit *f, gsl_vector *residual)
+/* Fills in the residuals, each divided by its error, and returns the sum of their squares. */
+static double residuals_fill(const struct fit *f, gsl_vector *residual)
 {
     const struct fit_data *d = &f->data;
+    double squares;
     size_t n = 0;
-    for (size_t i = 0; i < d->runs; i++)
-        for (size_t k = d->run[i].first; k < d->run[i].first + d->run[i].count; k++) {
-            double left = f->computed[k] - d->point[k].measured;
-            if (d->intervals && k == d->run[i].first)
-                continue;
-            if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one gap */
-                left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
-                       sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
-            gsl_vector_set(residual, n++, left / fit_error(f, k));
-        }
+    for (size_t k = 0; k < d->points; k++) {
+        double left = f->computed[k] - d->point[k].measured;
+        if (d->intervals && fit_is_first(f, k))
+            continue;
+        if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one gap */
+            left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
+                   sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
+        gsl_vector_set(residual, n++, left / fit_error(f, k));
+    }
+    gsl_blas_ddot(residual, residual, &squares);
+    return squares;
 }
 
-/* Fills in the values of all unknowns. Returns the clocks of the runs, which follow the unknowns in *x. */
+/* Fills in the values of all unknowns. Returns the clocks of the runs, which follow the free unknowns in *x.
+ */
 static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
 {
-    size_t n = 0;
     for (int i = 0; i < f->unknowns; i++)
-        value[i] = f->unknown[i].is_at_limit ? f->unknown[i].value : inside(&f->unknown[i], x->data[n++]);
-    return x->data + n;
-}
-
-/* Returns the place of an unknown among the fitted numbers. */
-static size_t place_of(const struct fit *f, int i)
-{
-    size_t place = 0;
-    while (i-- > 0)
-        place += !f->unknown[i].is_at_limit;
-    return place;
+        value[i] = f->unknown[i].value;
+    for (size_t n = 0; n < f->free_count; n++)
+        value[f->free[n]] = inside(&f->unknown[f->free[n]], x->data[n]);
+    return x->data + f->free_count;
 }
 
 /* Returns false where the model has no answer. The residuals are then so large that the search turns back. */
@@ -102,14 +100,11 @@ static double step_of(const struct fit *f, size_t i, double x)
 {
     const bool engine = scene_has_engine(f->query->scene);
     const double relative = engine ? 0.02 : fmax(1e-5, 10 * sqrt((double)f->query->scene->compute.tol));
-    const size_t unknowns = free_count(f);
-    if (i >= unknowns) {
-        const struct fit_run *run = &f->data.run[i - unknowns];
+    if (i >= f->free_count) {
+        const struct fit_run *run = &f->data.run[i - f->free_count];
         return relative * (f->data.point[run->first + run->count - 1].time - f->data.point[run->first].time);
     }
-    const struct fit_unknown *u = f->unknown;
-    for (size_t n = 0; u->is_at_limit || n++ < i; u++)
-        ;
+    const struct fit_unknown *u = &f->unknown[f->free[i]];
     return relative * fmax(fabs(x), (u->highest - u->lowest) / 50);
 }
 
@@ -169,10 +164,9 @@ static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
         double squares = HUGE_VAL;
         for (i = 0; i < f->unknowns; i++)
             value[i] = start_of(f, i, k[i]);
-        if (fit_clocks(f, value, at) && fit_compute(f, value, at, f->computed)) {
-            residuals_fill(f, residual);
-            gsl_blas_ddot(residual, residual, &squares);
-        } else if (first.kind == PROBLEM_NONE)
+        if (fit_clocks(f, value, at) && fit_compute(f, value, at, f->computed))
+            squares = residuals_fill(f, residual);
+        else if (first.kind == PROBLEM_NONE)
             first = f->problem;
         if (squares < least) {
             least = squares;
@@ -213,19 +207,13 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
         gsl_multifit_nlinear_covar(J, 1e-7, covariance);
     }
     const double factor = f->data.has_errors ? fmax(f->spread, 1) : f->spread;
-    for (int i = 0; i < f->unknowns && done; i++) {
-        const size_t a = place_of(f, i);
+    for (size_t a = 0; a < f->free_count && done; a++) {
         const double variance = gsl_matrix_get(covariance, a, a), norm = gsl_vector_get(size, a);
-        if (f->unknown[i].is_at_limit)
-            continue;
-        f->unknown[i].deviation = variance > 0 && norm > 0 ? sqrt(factor * variance) / norm : HUGE_VAL;
-        for (int j = 0; j < i; j++) {
-            const size_t b = place_of(f, j);
-            f->correlation[j][i] =
-                f->unknown[j].is_at_limit
-                    ? (double)NAN
-                    : gsl_matrix_get(covariance, a, b) / sqrt(variance * gsl_matrix_get(covariance, b, b));
-        }
+        f->unknown[f->free[a]].deviation =
+            variance > 0 && norm > 0 ? sqrt(factor * variance) / norm : HUGE_VAL;
+        for (size_t b = 0; b < a; b++)
+            f->correlation[f->free[b]][f->free[a]] =
+                gsl_matrix_get(covariance, a, b) / sqrt(variance * gsl_matrix_get(covariance, b, b));
     }
     gsl_matrix_free(J);
     gsl_matrix_free(covariance);
@@ -249,10 +237,9 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
         x ? gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &usual, problem.n, problem.p) : NULL;
     int info = 0, status = GSL_ENOMEM;
     if (w) {
-        for (int i = 0; i < f->unknowns; i++)
-            if (!f->unknown[i].is_at_limit)
-                gsl_vector_set(x, place_of(f, i), f->unknown[i].value);
-        memcpy(x->data + free_count(f), clock, (x->size - free_count(f)) * sizeof *clock);
+        for (size_t n = 0; n < f->free_count; n++)
+            gsl_vector_set(x, n, f->unknown[f->free[n]].value);
+        memcpy(x->data + f->free_count, clock, (x->size - f->free_count) * sizeof *clock);
         status = gsl_multifit_nlinear_init(x, &problem, w);
     }
     if (status == GSL_SUCCESS)
@@ -260,12 +247,11 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     if (info == GSL_ENOPROG) /* the starting point is already the minimum */
         status = GSL_SUCCESS;
     if (w && !is_interrupted(f)) {
-        double value[FIT_UNKNOWNS], squares;
+        double value[FIT_UNKNOWNS];
         gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
         residuals_at(f, x, residual); /* computes the measurements at the minimum once more */
-        gsl_blas_ddot(residual, residual, &squares);
-        f->spread = squares / (double)f->freedom;
-        memcpy(clock, values_of(f, x, value), (x->size - free_count(f)) * sizeof *clock);
+        f->spread = residuals_fill(f, residual) / (double)f->freedom;
+        memcpy(clock, values_of(f, x, value), (x->size - f->free_count) * sizeof *clock);
         for (int i = 0; i < f->unknowns; i++)
             f->unknown[i].value = value[i];
         if (!deviations_find(f, gsl_multifit_nlinear_jac(w)))
@@ -303,19 +289,18 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;
     do {
+        free_find(f);
         status = numbers_of(f) > 0 ? minimum_search(f, clock, residual) : GSL_SUCCESS;
     } while (limit_take(f, status == GSL_SUCCESS ? 1e-6 : 1e-3));
-    if (numbers_of(f) == 0) {
-        double value[FIT_UNKNOWNS], squares;
-        for (int i = 0; i < f->unknowns; i++)
-            value[i] = f->unknown[i].value;
-        if (!fit_compute(f, value, clock, f->computed))
-            return GSL_EDOM;
-        residuals_fill(f, residual);
-        gsl_blas_ddot(residual, residual, &squares);
-        f->spread = squares / (double)f->freedom;
-    }
-    return status;
+    if (numbers_of(f) > 0)
+        return status;
+    double value[FIT_UNKNOWNS];
+    for (int i = 0; i < f->unknowns; i++)
+        value[i] = f->unknown[i].value;
+    if (!fit_compute(f, value, clock, f->computed))
+        return GSL_EDOM;
+    f->spread = residuals_fill(f, residual) / (double)f->freedom;
+    return GSL_SUCCESS;
 }
 
 /* Returns the sum of the squared differences of successive residuals, divided by the sum of the squared
@@ -323,13 +308,12 @@ static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 static double drift_of(const struct fit *f, const gsl_vector *residual)
 {
     double steps = 0, all = 0;
-    for (size_t i = 0; i < f->data.runs; i++)
-        for (size_t k = f->data.run[i].first; k < f->data.run[i].first + f->data.run[i].count; k++) {
-            const double here = gsl_vector_get(residual, k);
-            all += here * here;
-            if (k > f->data.run[i].first)
-                steps += pow(here - gsl_vector_get(residual, k - 1), 2);
-        }
+    for (size_t k = 0; k < f->data.points; k++) {
+        const double here = gsl_vector_get(residual, k);
+        all += here * here;
+        if (!fit_is_first(f, k))
+            steps += pow(here - gsl_vector_get(residual, k - 1), 2);
+    }
     return steps / all;
 }
 
@@ -337,6 +321,7 @@ static int fit_once(struct fit *f)
 {
     for (int i = 0; i < f->unknowns; i++)
         f->unknown[i].is_at_limit = false;
+    free_find(f);
     const size_t clocks = f->data.kind == FIT_HITS && !f->data.intervals ? f->data.runs : 0;
     gsl_vector *residual = gsl_vector_alloc(residuals_of(f));
     double *clock = calloc(f->data.runs, sizeof *clock);
