@@ -45,10 +45,16 @@ static bool wrong_word(struct reader *r, bool many, const char *usage)
                          usage);
 }
 
+/* Checks that nothing follows. */
+static bool end_parse(struct reader *r, const char *usage)
+{
+    reader_place(r, r->at);
+    return reader_ends(r) || wrong_word(r, true, usage);
+}
+
 static bool value_parse(struct reader *r, struct draw_parsed *p, enum draw_value value)
 {
     reader_place(r, r->at);
-    p->what.has[value] = true;
     return reader_ends(r) ? problem_error(r->problem, "%s is missing", arguments[value].name)
                           : item_parse(r, &arguments[value], &p->item[value]);
 }
@@ -63,16 +69,12 @@ static bool moment_parse(struct reader *r, struct draw_parsed *p)
     bool domino = reader_takes(r, "domino");
     p->what.end = !domino && reader_takes(r, "end");
     r->last = !domino;
-    if (domino && reader_ends(r)) {
-        reader_place(r, r->at);
+    reader_place(r, r->at);
+    if (domino && reader_ends(r))
         return problem_error(r->problem, "the number of the domino is missing, as in 'draw at domino 8'");
-    }
     if (!domino && !p->what.end && is_stray(r))
         return wrong_word(r, false, draw_usage);
-    if (!p->what.end && !value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME))
-        return false;
-    reader_place(r, r->at);
-    return reader_ends(r) || wrong_word(r, true, draw_usage);
+    return (p->what.end || value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME)) && end_parse(r, draw_usage);
 }
 
 bool draw_parse(struct reader *r, struct question *q)
@@ -81,13 +83,11 @@ bool draw_parse(struct reader *r, struct question *q)
     if (!p || reader_takes(r, "at"))
         return p && moment_parse(r, p);
     p->what.tower = reader_takes(r, "tower");
-    if (p->what.tower) {
-        reader_place(r, r->at);
-        return reader_ends(r) || wrong_word(r, true, draw_usage);
-    }
+    if (p->what.tower)
+        return end_parse(r, draw_usage);
     p->what.train = reader_takes(r, "train");
     while (!reader_ends(r)) {
-        bool full = p->what.forces || p->what.has[DRAW_TILT];
+        bool full = p->what.forces || p->item[DRAW_TILT].argument;
         reader_place(r, r->at);
         r->last = false;
         if (!p->what.forces && reader_takes(r, "forces"))
@@ -103,8 +103,9 @@ bool draw_parse(struct reader *r, struct question *q)
 bool film_parse(struct reader *r, struct question *q)
 {
     struct draw_parsed *p = q->parsed = reader_memory(r, sizeof *p);
-    while (p && !reader_ends(r)) {
-        bool counted = p->what.has[DRAW_CYCLES] || p->what.tower, good = true;
+    bool good = p != NULL;
+    while (good && !reader_ends(r)) {
+        bool counted = p->item[DRAW_CYCLES].argument || p->what.tower;
         reader_place(r, r->at);
         r->last = false;
         if (reader_takes(r, "speed"))
@@ -121,10 +122,8 @@ bool film_parse(struct reader *r, struct question *q)
             p->what.column = r->problem->place;
             good = value_parse(r, p, DRAW_CYCLES);
         }
-        if (!good)
-            return false;
     }
-    return p != NULL;
+    return good;
 }
 
 /* ---- Binding ---- */
@@ -135,26 +134,18 @@ static bool value_check(enum draw_value value, struct quantity quantity, struct 
 {
     domq_real number = quantity.value;
     bool plain = quantity_bare(quantity);
-    switch (value) {
-    case DRAW_TIME:
+    if (value == DRAW_TIME)
         return quantity_plain(quantity) || quantity_alike(quantity, (struct quantity){.time = 1}) ||
                problem_error(problem, "the moment is a time in s, not %s; an example is 'draw at 2.5 s'",
                              expression_kind(quantity));
-    case DRAW_SPEED:
-        if (plain && number >= (domq_real)0.001 && number <= 1000)
-            return true;
+    if (value == DRAW_SPEED && !(plain && number >= (domq_real)0.001 && number <= 1000))
         return problem_error(problem, plain ? "the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 "
                                               "half as fast"
                                             : "the speed is a plain number");
-    case DRAW_RATE:
-        plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
-        if (plain && number >= 1 && number <= 50)
-            return true;
-        return problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"
-                                            : "the rate is a plain number");
-    default:
-        return true;
-    }
+    plain = plain || quantity_alike(quantity, (struct quantity){.time = -1});
+    return value != DRAW_RATE || (plain && number >= 1 && number <= 50) ||
+           problem_error(problem, plain ? "the rate must be from 1 to 50 frames per second"
+                                        : "the rate is a plain number");
 }
 
 static const struct draw_what usual = {.value = {[DRAW_SPEED] = 1, [DRAW_RATE] = 25}};
@@ -175,6 +166,7 @@ bool draw_bind(const struct question *q, const struct query *query, struct argum
     memcpy(what->value, usual.value, sizeof what->value);
     for (int k = 0; k < DRAW_VALUES; k++) {
         struct quantity quantity;
+        what->has[k] = p->item[k].argument;
         if (what->has[k] && (!item_bind(&p->item[k], q->text, query, &quantity, &what->value[k], problem) ||
                              !value_check((enum draw_value)k, quantity, problem)))
             return false;
