@@ -302,3 +302,16 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
                              angle_text(query, theta, 10).text, angle_text(query, stop.value, 10).text);
     return true;
 }
+
+bool cycle_events(const struct query *query, const struct domq_compute *compute,
+                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem)
+{
+    enum dom_status status = domq_cycle_events(&query->scene->train, compute, event, count);
+    *stops = status == DOM_STOPS;
+    if (status == DOM_NO_FUEL)
+        return train_comes_to(query, problem, 0);
+    if (status == DOM_NO_MARGIN)
+        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
+                                      "ever; use a slightly smaller r");
+    return status == DOM_OK || *stops || problem_status(problem, query->scene, status);
+}

@@ -36,6 +36,11 @@ extern const char walk_no_start[];
  * false. */
 bool train_comes_to(const struct query *query, struct problem *problem, domq_real theta);
 
+/* Finds the events of a cycle for a picture of the cycle, and sets *stops to whether the train stops. If no
+ * cycle can be shown, sets *problem and returns false. */
+bool cycle_events(const struct query *query, const struct domq_compute *compute,
+                  struct domq_event event[DOM_EVENTS_MAX], int *count, bool *stops, struct problem *problem);
+
 /* Formats an angle in the session's unit for a sentence, for example as "28.65 deg" or "0.5 rad". */
 struct measured angle_text(const struct query *query, domq_real theta, int digits);
 

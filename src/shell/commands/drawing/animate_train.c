@@ -78,7 +78,6 @@ static bool train_film_make(struct train_film *f)
 {
     struct domq_event events[DOM_EVENTS_MAX];
     int count = 0;
-    struct problem *problem = f->film.problem;
     const struct scene *scene = f->film.query->scene;
     f->train = scene->train;
     f->compute = scene->compute;
@@ -90,15 +89,8 @@ static bool train_film_make(struct train_film *f)
     f->film.delay = FRAMES_DELAY;
     if (!cycles_count(f))
         return false;
-    enum dom_status status = domq_cycle_events(&f->train, &f->compute, events, &count);
-    if (status == DOM_NO_MARGIN)
-        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
-                                      "ever; use a slightly smaller r");
-    if (status == DOM_NO_FUEL)
-        return train_comes_to(f->film.query, problem, 0);
-    if (status != DOM_OK && status != DOM_STOPS)
-        return problem_status(problem, scene, status);
-    f->stops = status == DOM_STOPS;
+    if (!cycle_events(f->film.query, &f->compute, events, &count, &f->stops, f->film.problem))
+        return false;
     f->cycles = f->stops ? 1 : f->cycles;
     f->duration = (double)events[count - 1].time;
     struct place last = place_at(f, (double)INFINITY);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "commands/drawing/tower.h"
+#include "interpreter/symbols.h"
 #include "language/quad.h"
 #include <math.h>
 #include <stdlib.h>
@@ -29,15 +30,10 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
     if (!isfinite(dominoes) || dominoes < 1 || dominoes > most)
         return problem_no_answer(problem, "there is no row to draw: the last 'count' needs %s dominoes",
                                  dominoes == 0 ? "no" : "too many");
-    *state = *query->state;
-    *changed = *query;
-    changed->state = state;
-    changed->scene = &state->scene;
-    changed->next = NULL;
-    state->scene.train.r = ans->cells[COUNT_GROWTH].number;
-    effect_put(&state->scene, DOM_EFFECT_row, dominoes, NULL);
+    const struct assigned assigned[] = {{parameter_find("r"), ans->cells[COUNT_GROWTH].number, NULL},
+                                        {parameter_find("row"), dominoes, NULL}};
     *height = (double)ans->cells[COUNT_HEIGHT].number;
-    return true;
+    return query_with(query, assigned, 2, state, changed, problem);
 }
 
 /* Adds a larger copy of the first dominoes. */

@@ -281,14 +281,12 @@ bool derivation_make(struct derivation *d, const struct query *query, const stru
                      struct problem *problem)
 {
     bool reach = false, of_height = e->value && strcmp(e->value, "H") == 0;
-    *state = *query->state;
+    *d = (struct derivation){.state = state, .problem = problem, .fall = fall};
+    if (!query_with(query, NULL, 0, state, &d->query, problem))
+        return false;
     state->variables = (struct variables){.list = NULL}; /* a variable must not hide a quantity */
     state->settings.style.angle = ANGLE_RAD;
-    *d = (struct derivation){.query = *query, .state = state, .problem = problem, .fall = fall};
     d->energy_unit = scene_has_masses(&state->scene) ? "J" : "mgh/2";
-    d->query.state = state;
-    d->query.scene = &state->scene;
-    d->query.next = NULL;
     d->theta = e->value && strcmp(e->value, "theta") == 0 ? value : DOMQ_NAN;
     d->height = of_height ? value : DOMQ_NAN;
     if (!train_set(d, e, value, &reach) || !conditions_find(d, reach))

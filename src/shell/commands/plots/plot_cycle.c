@@ -38,18 +38,16 @@ static double angle_shown(const struct cycle *c, domq_real theta)
 static bool cycle_find(struct cycle *c, struct problem *problem)
 {
     const struct scene *scene = c->query->scene;
+    bool stops;
     enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &c->angles);
-    if (status == DOM_OK)
-        status = domq_cycle_events(&scene->train, &scene->compute, c->event, &c->events);
-    if (status == DOM_NO_FUEL)
-        return train_comes_to(c->query, problem, 0);
-    if (status == DOM_NO_MARGIN)
-        return problem_error(problem, "the margin is 0 within rounding, so that the cycle would last for "
-                                      "ever; use a slightly smaller r");
+    if (status != DOM_OK)
+        return problem_status(problem, scene, status);
+    if (!cycle_events(c->query, &scene->compute, c->event, &c->events, &stops, problem))
+        return false;
     c->end = c->angles.theta_c;
-    if (status == DOM_STOPS)
+    if (stops)
         c->end = quad_smaller(c->end, BEYOND_STOP * c->event[c->events - 1].theta);
-    return status == DOM_OK || status == DOM_STOPS || problem_status(problem, scene, status);
+    return true;
 }
 
 static bool tilts_link(const struct domq_link *link, void *context)
