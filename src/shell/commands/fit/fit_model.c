@@ -159,8 +159,10 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
 {
     enum { STEPS = 400 };
     const struct fit_point *first = &f->data.point[run->first];
-    struct fit_point model[STEPS];
+    struct fit_point *model = calloc(STEPS, sizeof *model);
     double tilt[STEPS] = {0}, most = 0, length = first[run->count - 1].time - first->time;
+    if (!model)
+        return problem_status(&f->problem, f->query->scene, DOM_NO_MEMORY);
     for (size_t k = 0; k < run->count; k++)
         if (first[k].domino == first->domino)
             most = fmax(most, first[k].measured);
@@ -172,6 +174,7 @@ static bool run_clock(struct fit *f, const double *value, const struct fit_run *
     for (int k = 0; k < STEPS; k++)
         model[k].measured = tilt[k];
     *clock = angle_time(first, run->count, most / 2) - angle_time(model, STEPS, most / 2);
+    free(model);
     return done && (isfinite(*clock) ||
                     problem_no_answer(&f->problem,
                                       "run %g: no line shows domino %zu before it passes half of its largest "
