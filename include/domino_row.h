@@ -525,8 +525,8 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * placement fall before the changes, and study[1] how many fall after them. The search itself uses other
  * random rows, whose numbers follow those of the placement. If the given row is within the limits, the
  * result is the given row unless the search finds one of which more fall. Otherwise the result is the best
- * row found within the limits, even if fewer fall, or the given row if none was found. The
- * same seed gives the same result, whatever placement->parallel is.
+ * row found within the limits, even if fewer fall; if none was found, the result is the given row, and
+ * study[1].rows is 0. The same seed gives the same result, whatever placement->parallel is.
  *
  * The search runs the model in double. If the row has an engine, the engine runs only the rows that study[0]
  * and study[1] count. Calls progress, which may be NULL. After DOM_INTERRUPTED the result is the best row so

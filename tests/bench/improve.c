@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROW   "set q hollow; effect friction 0.3; design 8 m; "
-#define GAPS  ROW "effect placement 6.4 mm; "
-#define KINDS "effect error_thickness 1 %; effect error_friction 0.05; effect error_slope 0.3 deg; "
+#define ROW  "set q hollow; effect friction 0.3; design 8 m; "
+#define GAPS ROW "effect placement 6.4 mm; "
+/* Boards are sold within limits. Of the row before the changes, 8.6 % fail with these errors. */
+#define KINDS "effect error_thickness 1 % uniform; effect error_friction 0.05; effect error_slope 0.3 deg; "
 #define ALL   ROW "effect placement 3 mm; " KINDS
 #define COUNT "set output csv; set header off; placement 20000"
 

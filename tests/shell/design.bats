@@ -129,6 +129,11 @@ END
     run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
+    wrong 'design 1 m grid 1 m' 'with a grid of 1 m no gap before domino 2 is narrower than domino 1 is tall, 4.8 cm'
+    run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
+    grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
+    run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'
+    grep -q 'other boards, or a finer grid, may help' <<<"$output"
     wrong "$scene; design 1 m falls 2" "'falls' is a probability up to 99.99 %"
     wrong "$scene; design 1 m falls 2 m" "'falls' is a probability up to 99.99 %"
 }

@@ -124,6 +124,14 @@ TEST(limits_are_kept)
     }
     limits.hall = given[COUNT - 1].height;
     assert_int_equal(improve(), DOM_BAD_HALL);
+    /* the walls do not fit into any board: no row is within the limits */
+    scene_begin();
+    row.walls = given[0].thickness / 3;
+    limits.board = &row.walls;
+    limits.boards = 1;
+    assert_int_equal(improve(), DOM_OK);
+    assert_int_equal(study[1].rows, 0);
+    assert_memory_equal(found, given, sizeof given);
 }
 
 /* A dom_parallel that runs the tasks in reverse order. */

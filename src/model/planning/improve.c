@@ -289,8 +289,9 @@ enum dom_status dom_row_improve(const struct dom_row *row, const struct dom_comp
         return s.status;
     }
     memcpy(domino, row->domino, n * sizeof *domino);
-    study[1] = study[0];
     s.given_allowed = s.is_allowed = shape_keeps(&s.shape, row->domino);
+    if (s.given_allowed)
+        study[1] = study[0];
     if ((study[0].fall == study[0].rows && s.given_allowed) || n < 2)
         return DOM_OK;
     s.chance =

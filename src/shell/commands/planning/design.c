@@ -132,11 +132,29 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
+/* Returns true if there is a design for the wish once its boards and its grid are left out, and then writes
+ * that they are the reason why there is none. */
+static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
+{
+    struct domq_design d;
+    const bool found = domq_design_find(&query->scene->train, wish, &query->scene->compute, &d) == DOM_OK &&
+                       d.limit == DOM_DESIGN_FITS;
+    if (found)
+        snprintf(
+            reason, REASON,
+            "infeasible: rows with safety %s are possible, but no row with these boards and this grid was "
+            "found; enter other boards or a finer grid, or leave them out",
+            measured(wish->safety, "", 6).text);
+    return found;
+}
+
 /* ---- The answer ---- */
 
 /* Checks that the wish does not contradict itself. If it does, sets *problem and returns false. */
-static bool wish_check(struct problem *problem, const struct domq_wish *w)
+static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_real grid)
 {
+    if (!grid_check(grid, w->first, problem))
+        return false;
     if (!(w->height > w->first))
         return problem_no_answer(
             problem,
@@ -306,12 +324,12 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
     char reason[REASON];
     struct scene_engine engine;
     design_columns_choose(a, falls);
-    if (!wish_check(problem, &wish) ||
+    if (!wish_check(problem, &wish, w->grid) ||
         !(falls ? design_falls(query, a, &wish, limits, w->falls, &d, &study, reason, problem)
                 : design_find(query, &wish, limits, &engine, &d, problem)))
         return false;
     answer_holds(a, d.limit == DOM_DESIGN_FITS);
-    if (d.limit != DOM_DESIGN_FITS && !falls)
+    if (d.limit != DOM_DESIGN_FITS && !falls && !(limits && limits_forbid(query, &wish, reason)))
         infeasible_text(query, &wish, &d, reason, sizeof reason);
     if (d.limit != DOM_DESIGN_FITS)
         return design_none(a, &d, reason, file, problem);

@@ -83,15 +83,18 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
 }
 
 /* Writes that no number of dominoes is enough, and with which number the largest share of the rows falls. */
-static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish, domq_real falls,
-                       char reason[REASON])
+static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
+                       const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {
     size_t best = 0;
     for (size_t i = 1; i < count; i++)
         best = tried[i].study.fall > tried[best].study.fall ? i : best;
     if (count == 0)
-        snprintf(reason, REASON, "infeasible: no row of this height falls here, even with exact measures%s",
-                 isfinite(wish->hall) ? "; a longer hall may help" : "; a smaller friction may help");
+        snprintf(reason, REASON,
+                 "infeasible: no row of this height falls here, even without errors; %s may help",
+                 limits                 ? "other boards, or a finer grid,"
+                 : isfinite(wish->hall) ? "a longer hall"
+                                        : "a smaller friction");
     else
         snprintf(reason, REASON,
                  "infeasible: no number of dominoes falls with %s; with %zu dominoes %zu of %zu rows fall; "
@@ -139,6 +142,6 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
     if (answer_for_people(a) && !a->sink && count > 0)
         table_write(a, tried, count, scene_mass(query->scene) > 0);
     if (design->limit != DOM_DESIGN_FITS)
-        none_write(tried, count, wish, falls, reason);
+        none_write(tried, count, wish, limits, falls, reason);
     return true;
 }

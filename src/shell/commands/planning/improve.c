@@ -85,6 +85,8 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
         return problem_error(problem,
                              "without 'sizes' only gaps change, and not thicknesses or masses; enter "
                              "'improve sizes ...'");
+    if (!grid_check(w->grid, i->scene.domino[0].height, problem))
+        return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
         return problem_error(problem, "the masses of this row are not known; 'set mass' gives that of its "
                                       "first domino, or leave out the wish 'mass'");
@@ -166,10 +168,21 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                    scene_engine_why(query->scene));
     if (i->changed == 0)
         return;
+    if (i->study[1].fall < i->study[0].fall)
+        answer_say(a, "The row as it was is outside these limits.");
     changes_list(a, i);
     answer_say(a, "With its last domino fallen the row is %s long; it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,
                query->next ? " 'row > hall.csv' writes the row, and 'undo' takes the changes back." : "");
+}
+
+/* Reports that no row within the limits falls, and names the wishes that limit the row. Returns false. */
+static bool limits_unmet(const struct wishes *w, struct problem *problem)
+{
+    return problem_no_answer(
+        problem, "no row within these limits was found that falls; enter other values of%s%s%s%s%s",
+        w->boards > 0 ? " 'boards'" : "", isfinite(w->mass) ? " 'mass'" : "", w->grid > 0 ? " 'grid'" : "",
+        w->has_hall ? " 'hall'" : "", ", or leave some of them out");
 }
 
 /* Reports why there is no improvement. Returns false. */
@@ -178,9 +191,12 @@ static bool improvement_none(const struct query *query, struct problem *problem,
 {
     if (status == DOM_BAD_HALL)
         return problem_no_answer(problem,
-                                 "a hall of %s has no room for these dominoes, even without gaps; enter a "
-                                 "longer hall",
-                                 measured(i->limits.hall, "m", 6).text);
+                                 "a hall of %s has no room for %s, even without gaps; enter a longer "
+                                 "hall%s%s",
+                                 measured(i->limits.hall, "m", 6).text,
+                                 i->limits.boards > 0 ? "dominoes of these boards" : "these dominoes",
+                                 i->limits.boards > 0 ? ", or thinner boards" : "",
+                                 i->limits.grid > 0 ? ", or a finer grid" : "");
     return row_status(query, problem, status);
 }
 
@@ -192,7 +208,9 @@ bool improve_row(const struct query *query, const struct wishes *w, struct answe
     enum dom_status status = good ? domq_row_improve(&i.scene.row, &i.scene.compute, &i.placement, &i.limits,
                                                      progress_count, NULL, i.domino, i.study)
                                   : DOM_OK;
-    const bool interrupted = status == DOM_INTERRUPTED && i.study[0].rows > 0 && !a->sink;
+    const bool interrupted = status == DOM_INTERRUPTED && i.study[1].rows > 0 && !a->sink;
+    if (good && status == DOM_OK && (i.study[1].rows == 0 || (i.study[1].fall == 0 && i.study[0].fall > 0)))
+        good = limits_unmet(w, problem);
     if (good && (status == DOM_OK || interrupted)) {
         i.after = length_of(i.domino, i.scene.row.count);
         for (size_t k = 0; k < i.scene.row.count; k++)

@@ -74,6 +74,10 @@ struct wishes {
 };
 extern const struct wishes usual_wishes;
 
+/* Returns true if a row whose first domino has this height can have gaps on the grid. Otherwise reports the
+ * problem. */
+bool grid_check(domq_real grid, domq_real first, struct problem *problem);
+
 /* ---- The row of 'design' and 'improve' ---- */
 
 /* Gives the row of the scene the gaps of other dominoes and, if `sizes` is true, their sizes and the ratios

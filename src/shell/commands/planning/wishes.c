@@ -140,6 +140,16 @@ bool improve_parse(struct reader *r, struct question *q)
     return wishes_parse(r, improve_wishes, q);
 }
 
+bool grid_check(domq_real grid, domq_real first, struct problem *problem)
+{
+    return grid < first ||
+           problem_no_answer(
+               problem,
+               "with a grid of %s no gap before domino 2 is narrower than domino 1 is tall, %s; "
+               "enter a finer grid",
+               measured(grid, "m", 6).text, measured(first, "m", 6).text);
+}
+
 /* ---- Binding ---- */
 
 static int compare(const void *a, const void *b)
