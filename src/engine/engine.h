@@ -88,6 +88,9 @@ struct engine_fall {
      * ratio. The ratio is 0 if anything other than the tip of the box behind it, on its back face, has
      * touched the foremost box. */
     double slowest;
+    /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
+     * it would have balanced on its lower front corner. 1 if it came beyond its balance. */
+    double climbed;
     /* true if two boxes have touched in any way other than with the tip of one on the back face of the
      * next */
     bool other_contact;
@@ -149,7 +152,7 @@ extern const struct engine_grain engine_coarsest;
 
 /*
  * Runs a row repeatedly, and halves the length of the steps until the verdict no longer changes. A coarse run
- * in which all boxes certainly fall is not repeated if `times` is false. If `times` is true, continues until
+ * whose verdict is certain is not repeated if `times` is false. If `times` is true, continues until
  * the times of all hits change by less than ENGINE_AGREES. Ends in any case when the resolution is
  * ENGINE_FINEST. `hit` is the same as for engine_run, but must not be NULL if `times` is true.
  */

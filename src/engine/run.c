@@ -118,17 +118,19 @@ static void step(struct run *r)
     w->cp->cpSpaceStep(w->space, r->dt);
     if (w->head > head) {
         r->calm = CALM;
-        r->rest = r->most = r->fastest = 0;
+        r->rest = r->most = r->fastest = w->fall->climbed = 0;
         note_state(r);
     } else if (r->calm > 0)
         r->calm--;
 }
 
-/* Returns true if box k is beyond its balance on the lower front corner, so that gravity pulls it down. */
-static bool is_tipped(const struct world *w, size_t k)
+/* Returns the angle in rad by which box k would have to turn forwards to balance on its lower front corner.
+ * The angle is negative if the box is beyond its balance, so that gravity pulls it down. */
+static double to_balance(const struct world *w, size_t k)
 {
-    const cpVect arm = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), world_foot(w, k));
-    return cpvcross(arm, world_gravity(w->row)) < 0;
+    const cpVect arm = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), world_foot(w, k)),
+                 gravity = world_gravity(w->row);
+    return atan2(cpvcross(arm, gravity), -cpvdot(arm, gravity));
 }
 
 /* Returns true once the head lies on the floor, or has rested for so long that it has stopped for good. If
@@ -152,12 +154,16 @@ static bool ends(struct run *r, bool verdict_only)
     r->fastest = fmax(r->fastest, spin);
     if (r->fastest > 0)
         w->fall->slowest = fmin(w->fall->slowest, spin / r->fastest);
-    if (verdict_only && faster && head + 1 == w->row->count && r->calm == 0 && is_tipped(w, head)) {
+    if (verdict_only && faster && head + 1 == w->row->count && r->calm == 0 && to_balance(w, head) < 0) {
         w->fall->lies = w->fall->all = true;
         return true;
     }
-    bool moves = hinged ? spin * r->unit >= rests : tilt > r->most && spin * r->unit >= rests;
-    r->most = fmax(r->most, tilt);
+    const bool higher = tilt > r->most;
+    bool moves = (hinged || higher) && spin * r->unit >= rests;
+    if (higher) {
+        r->most = tilt;
+        w->fall->climbed = tilt / (tilt + fmax(to_balance(w, head), 0));
+    }
     r->rest = moves ? 0 : r->rest + r->dt;
     w->fall->seconds = w->now;
     return r->rest > (hinged ? hinged_rest : any_rest) * r->unit;

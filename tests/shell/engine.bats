@@ -28,6 +28,9 @@ scene='set q hollow; set s 0.3; set r 1.3; effect row 5; effect push 5'
     study="$scene; effect placement 3 mm; effect feet 0.4; placement 20"
     first=$(json "set threads 1; $study")
     same 'two threads' "$first" "$(json "set threads 2; $study")"
+    study="$scene; effect row 3; effect feet 0.4; tolerance"
+    first=$(json "set threads 1; $study")
+    same 'windows with two threads' "$first" "$(json "set threads 2; $study")"
     first=$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")
     same again "$first" "$(json "$scene; effect feet 0.3; effect bounce 0.4; fall")"
     # The unit of lengths does not matter.

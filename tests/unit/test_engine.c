@@ -190,7 +190,7 @@ TEST(verdicts_of_coarse_steps)
 {
     static const struct engine_grain fine = {800, 1e-4};
     uint64_t seed = 5;
-    int fall = 0, coarse = 0;
+    int fall = 0, coarse[2] = {0, 0};
     for (int i = 0; i < 24; i++) {
         struct boxes b;
         struct engine_settled settled;
@@ -204,10 +204,11 @@ TEST(verdicts_of_coarse_steps)
         assert_int_equal(engine_run(&b.row, &fine, NULL, b.hit, NULL, NULL, &b.fall), ENGINE_OK);
         assert_int_equal(settled.fall.all, b.fall.all);
         fall += b.fall.all;
-        coarse += settled.grain.steps < engine_coarsest.steps;
+        coarse[b.fall.all] += settled.grain.steps < engine_coarsest.steps;
     }
-    print_message("# %d of 24 rows fall, %d of them certainly with coarse steps\n", fall, coarse);
-    assert_true(fall > 6 && fall < 18 && coarse > 4);
+    print_message("# %d of 24 rows fall; coarse steps decide %d of them, and %d of the others\n", fall,
+                  coarse[1], coarse[0]);
+    assert_true(fall > 6 && fall < 18 && coarse[0] > 2 && coarse[1] > 4);
 }
 
 TEST(rows_end)
@@ -272,4 +273,47 @@ TEST(the_library_asks_an_engine)
     assert_true(study.fall > 20 && study.fall < 180);
     const double now = 0;
     assert_status(dom_row_watch(&row, NULL, &now, 1, NULL, NULL, &verdict), DOM_NO_METHOD);
+}
+
+/* An engine in which rows fall if the gap before domino 2 is in a window. */
+struct gaps {
+    double low, high;
+    int runs;
+};
+
+static enum dom_status in_gaps(const struct dom_row *row, const struct dom_compute *compute, bool times,
+                               dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
+{
+    struct gaps *gaps = row->engine->own;
+    const double gap = row->domino[1].gap;
+    (void)compute, (void)times, (void)visit, (void)context;
+    gaps->runs++;
+    *verdict = (struct dom_verdict){
+        .end = gap >= gaps->low && gap <= gaps->high ? DOM_ROW_FALLS : DOM_ROW_STOPS, .domino = 2};
+    return DOM_OK;
+}
+
+/* Checks that a window has at most three digits, and that it ends at most a percent from its edges, and never
+ * beyond them. */
+TEST(windows_of_an_engine_take_few_runs)
+{
+    static const double edges[][2] = {{0.05123, 0.23456}, {0.0876, 0.1011}, {0.0999, 0.9876}, {0, 1}};
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+        struct gaps gaps = {.low = edges[i][0], .high = edges[i][1]};
+        const struct dom_engine engine = {.run = in_gaps, .own = &gaps};
+        struct dom_domino domino[2];
+        struct dom_window w;
+        char text[2][32];
+        grown(1, domino, 2, NULL);
+        const struct dom_row row = {.domino = domino, .count = 2, .g = 1, .push = 1, .engine = &engine};
+        assert_status(dom_row_windows(&row, NULL, DOM_WINDOW_GAP, NULL, NULL, &w), DOM_OK);
+        snprintf(text[0], sizeof *text, "%.3g", w.low);
+        snprintf(text[1], sizeof *text, "%.3g", w.high);
+        assert_near("three digits", w.low, strtod(text[0], NULL), 1e-15);
+        assert_near("three digits", w.high, strtod(text[1], NULL), 1e-15);
+        assert_true(w.low >= gaps.low && w.low <= 1.01 * gaps.low);
+        assert_true(w.high <= gaps.high && w.high >= 0.99 * gaps.high);
+        print_message("# %d runs\n", gaps.runs);
+        assert_true(gaps.runs <= 35);
+    }
 }

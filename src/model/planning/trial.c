@@ -261,19 +261,42 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
+/* Does the same as value_edge for a row that an engine runs. Each trial takes long and is accurate only to
+ * one percent, so the values between `good` and `bad` that are tried have few digits, and the search ends
+ * half a percent from the edge. */
+static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
+{
+    const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),
+                   near = fmax(digit, fmax(fabs(good), fabs(bad)) * VALUE_DIGITS_OF_ENGINE / 2);
+    bool ends = false;
+    while (!ends) {
+        const dom_real x = round((good + bad) / 2 / digit) * digit;
+        ends = !(fabs(good - bad) > near && x > fmin(good, bad) && x < fmax(good, bad));
+        if (!ends)
+            *(falls_with(x, t) ? &good : &bad) = x;
+    }
+    return good;
+}
+
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
 {
+    if (t->row.engine)
+        return value_edge_engine(t, good, bad);
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad)));
-    good = edge_find(falls_with, t, good, bad, digit / (t->row.engine ? 2 : 8), 0);
+    good = edge_find(falls_with, t, good, bad, digit / 8, 0);
     const dom_real rounded = (good > bad ? ceil(good / digit) : floor(good / digit)) * digit;
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The first steps are short, so that a small change is found. */
+/* The first steps are short, so that a small change is found. With an engine, each value has few digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {
-    dom_real part = (dom_real)i / (dom_real)trial_steps(t);
-    return value + (end - value) * part * part * part;
+    const dom_real part = (dom_real)i / (dom_real)trial_steps(t);
+    const dom_real x = value + (end - value) * part * part * part;
+    if (!t->row.engine || x == end)
+        return x;
+    const dom_real rounded = round(x / value_digit(t, x)) * value_digit(t, x);
+    return fmin(fmax(rounded, fmin(value, end)), fmax(value, end));
 }
 
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i)

@@ -87,7 +87,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     bool open = true;
     for (int i = 1; i <= trial_steps(t) && end != now && !*others && t->status == DOM_OK; i++) {
         dom_real x = value_step(t, now, end, i);
-        bool falls = falls_with(x, t);
+        bool falls = x == good || falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
             /* t->ends is from the last trial in which the row did not fall, which is the trial closest to the

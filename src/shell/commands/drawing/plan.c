@@ -77,7 +77,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     }
     scene->row.floor = false;
     p->back = malloc(count * sizeof *p->back);
-    enum dom_status status = p->back ? windows_find(scene, &p->windows) : DOM_NO_MEMORY;
+    enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
     for (size_t k = 0; k < count && p->back; k++)
         p->back[k] =
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;

@@ -88,7 +88,8 @@ struct windows {
     bool falls;
 };
 
-/* Finds all windows of the row. The caller frees w->kind[0], which holds all of them. */
-enum dom_status windows_find(const struct scene_row *scene, struct windows *w);
+/* Finds all windows of the row, with as many threads as the query's settings allow. The caller frees
+ * w->kind[0], which holds all of them. */
+enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w);
 
 #endif

@@ -5,6 +5,8 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include "parallel/workers.h"
+#include <stdatomic.h>
 #include <stdlib.h>
 
 const struct column tolerance_columns[] = {
@@ -32,12 +34,6 @@ const struct column tolerance_columns[] = {
 };
 
 enum { KINDS = WINDOW_KINDS };
-
-static void search_progress(size_t done, size_t of, void *context)
-{
-    const int *search = context;
-    progress_show((*search + (double)done / (double)of) / KINDS);
-}
 
 /* Returns the distance of the current value from the nearer end of its window. The distance is negative if
  * the value is outside the window, and NaN if there is no window. */
@@ -77,13 +73,52 @@ static void lean_to_top(struct domq_window *lean, domq_real height)
     lean->high = height * quad(sin)(lean->high);
 }
 
-enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
+/* The search for all windows. Each kind of window is a task, and the tasks run in parallel. */
+struct search {
+    struct windows *windows;
+    enum dom_status status[KINDS];
+    atomic_size_t done; /* the number of windows found so far */
+    bool is_muted;      /* progress is muted in the thread that has started the search */
+};
+
+static void search_progress(size_t done, size_t of, void *context)
+{
+    struct search *s = context;
+    const double all = (double)(s->windows->count * KINDS), now = (double)++s->done;
+    (void)done, (void)of;
+    const bool was_muted = progress_mute(s->is_muted);
+    progress_show(now / all);
+    progress_mute(was_muted);
+}
+
+/* Finds the windows of one kind. Leans are computed only in the model, and only with sharp edges. */
+static void search_kind(size_t kind, void *context)
+{
+    struct search *s = context;
+    const struct scene_row *scene = s->windows->scene;
+    const bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE,
+               leans = !scene->row.engine && scene->row.rho == 0;
+    s->status[kind] = DOM_OK;
+    if (leans || kind != DOM_WINDOW_PLUMB)
+        s->status[kind] = domq_row_windows(&scene->row, &scene->compute, (enum dom_window_of)kind,
+                                           search_progress, s, s->windows->kind[kind] + from_second);
+}
+
+static enum dom_status search_run(const struct query *query, struct windows *w)
+{
+    struct task_pool pool = {.threads = query->state->settings.threads,
+                             .interrupt = query->scene->compute.interrupt};
+    struct search search = {.windows = w, .is_muted = progress_mute(false)};
+    progress_mute(search.is_muted);
+    enum dom_status status = workers_tasks(KINDS, search_kind, &search, &pool);
+    for (int kind = 0; kind < KINDS && status == DOM_OK; kind++)
+        status = search.status[kind];
+    return status;
+}
+
+enum dom_status windows_find(const struct query *query, const struct scene_row *scene, struct windows *w)
 {
     const struct domq_row *row = &scene->row;
-    const bool leans =
-        !row->engine &&
-        row->rho == 0; /* the library computes leans only in the model, and only with sharp edges */
-    int search = 0;
     struct domq_verdict v;
     *w = (struct windows){.scene = scene, .count = row->count};
     w->kind[0] = malloc(KINDS * w->count * sizeof **w->kind);
@@ -95,13 +130,8 @@ enum dom_status windows_find(const struct scene_row *scene, struct windows *w)
         w->kind[0][i] = (struct domq_window){.now = DOMQ_NAN, .low = DOMQ_NAN, .high = DOMQ_NAN};
     enum dom_status status = domq_row_run(row, &scene->compute, false, NULL, NULL, &v);
     w->falls = status == DOM_OK && v.end == DOM_ROW_FALLS;
-    for (; search < KINDS; search++) {
-        const enum dom_window_of kind = (enum dom_window_of)search;
-        bool from_second = kind == DOM_WINDOW_GAP || kind == DOM_WINDOW_PLACE;
-        if (status == DOM_OK && (leans || kind != DOM_WINDOW_PLUMB))
-            status = domq_row_windows(row, &scene->compute, kind, search_progress, &search,
-                                      w->kind[kind] + from_second);
-    }
+    if (status == DOM_OK)
+        status = search_run(query, w);
     for (size_t k = 0; k < w->count; k++)
         lean_to_top(&w->kind[DOM_WINDOW_PLUMB][k], scene->domino[k].height);
     if (status == DOM_OK)
@@ -328,7 +358,7 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
     if (!scene_row_make(query->scene, &scene, problem))
         return false;
     scene.row.floor = false;
-    enum dom_status status = windows_find(&scene, &w);
+    enum dom_status status = windows_find(query, &scene, &w);
     if (status == DOM_OK) {
         columns_choose(a, &w);
         for (size_t k = 0; k < w.count && !answer_lost(a); k++)
