@@ -213,7 +213,7 @@ bool run_count(const struct query *query, struct answer *a, struct problem *prob
     if (domq_count_find(first, height, train.r, query_compute(query), &count) != DOM_OK)
         return problem_no_answer(
             problem, "H = %s m, h = %s m, r = %s: the number of dominoes cannot be counted in %s precision",
-            quad_shown(height).text, quad_shown(first).text, quad_shown(train.r).text,
+            quad_text(height, 10), quad_text(first, 10), quad_text(train.r, 10),
             domq_arithmetic(query->scene->compute.precision)->name);
     if (!tower_find(query, &train, count.dominoes, &t, problem))
         return false;

@@ -50,8 +50,8 @@ static bool height_likely(const struct query *query, struct problem *problem)
     return problem_error(problem,
                          "a height of %s without a unit would be %s, and it is %s now; write 'set h %s m', "
                          "or the unit that you mean",
-                         quad_shown(given->number[1]).text, measured(given->number[1], "m", 6).text,
-                         measured(now, "m", 4).text, quad_shown(given->number[1]).text);
+                         quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text,
+                         measured(now, "m", 4).text, quad_text(given->number[1], 10));
 }
 
 /* Prints that s and r do not change a row whose dominoes come from a file. */

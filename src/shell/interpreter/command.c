@@ -162,7 +162,7 @@ struct quantity argument_unit(const struct argument *a)
 static bool out_of_range(struct problem *problem, const struct argument *a, domq_real value, const char *is,
                          const char *range)
 {
-    return problem_no_answer(problem, "%s = %s is %s; %s is %s", a->name, quad_shown(value).text, is, a->name,
+    return problem_no_answer(problem, "%s = %s is %s; %s is %s", a->name, quad_text(value, 10), is, a->name,
                              range);
 }
 
@@ -185,7 +185,7 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
                                  "%.17g]; 'thetac' gives its upper end",
-                                 a->name, quad_shown(style_angle(style, theta)).text, style_angle_unit(style),
+                                 a->name, quad_text(style_angle(style, theta), 10), style_angle_unit(style),
                                  a->name, (double)style_angle(style, angles.theta_c));
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
     return true;

@@ -166,7 +166,8 @@ int command_principal(const struct command *command);
  */
 int command_values(const struct command *command, int *fewest);
 
-/* The usage of a command, such as "rmax [S]", in memory of the block that contains the call. */
+/* Returns the usage of a command, such as "rmax [S]". The text lives until the end of the block that contains
+ * the call. */
 enum { USAGE_SIZE = 96 };
 #define command_usage(command) command_usage_write(command, (char[USAGE_SIZE]){""})
 const char *command_usage_write(const struct command *command, char usage[USAGE_SIZE]);

@@ -291,7 +291,7 @@ bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESS
                                          : "too small";
     if (is)
         snprintf(message, CSV_MESSAGE, "%s = %s%s%s is %s; the range of %s is %s", c->name,
-                 quad_shown(value).text, *c->unit ? " " : "", c->unit, is, c->name, c->range);
+                 quad_text(value, 10), *c->unit ? " " : "", c->unit, is, c->name, c->range);
     return !is;
 }
 

@@ -40,8 +40,8 @@ const char *names_closest(names_list *list, const void *context, const char *tex
 
 enum { NAMES_SHOWN = 64 };
 
-/* A copy of a text that can be shown in a message: it is shortened if necessary, and control characters are
- * escaped. As with all such macros, the copy lives until the end of the block that contains the call. */
+/* Returns a copy of a text that can be shown in a message: the copy is shortened if necessary, and control
+ * characters are escaped. The copy lives until the end of the block that contains the call. */
 #define names_shown(text) escape_text(text, (char[NAMES_SHOWN]){""}, NAMES_SHOWN)
 
 #endif

@@ -45,13 +45,6 @@ const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT])
     return text;
 }
 
-struct quad_shown quad_shown(domq_real value)
-{
-    struct quad_shown shown = {""};
-    quad_write(value, 10, shown.text);
-    return shown;
-}
-
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT])
 {
     while (strcmp(quad_write(growth, digits, text), "1") == 0 && growth != 1)

@@ -38,20 +38,14 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
 /* WIDE_DIGITS is enough for an exact round trip, and WIDE_TEXT is the size of a buffer for any number. */
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
-/* Writes a number with `digits` significant digits, as printf does with "%.*g". Returns `text`. The text of
- * the macro lives until the end of the block that contains the call. */
+/* Writes a number with `digits` significant digits, as printf does with "%.*g". Returns `text`. The text that
+ * quad_text returns lives until the end of the block that contains the call. Messages show 10 digits. */
 const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 #define quad_text(value, digits) quad_write(value, digits, (char[WIDE_TEXT]){""})
 
 /* The same for a growth, with more digits if a growth other than 1 would be rounded to 1. */
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
-
-/* Returns a number as text with 10 significant digits, for messages. A caller uses quad_shown(x).text. */
-struct quad_shown {
-    char text[WIDE_TEXT];
-};
-struct quad_shown quad_shown(domq_real value);
 
 /* Writes a number with enough digits for an exact round trip: 15 significant digits, or more if necessary,
  * but not more than `most`, without trailing zeros. Returns `text`. */

@@ -39,19 +39,21 @@ void quantity_multiply(struct quantity *quantity, struct quantity by, int power)
  * as "h" or "mgh/2"; for these the function returns the plain number 1. */
 struct quantity expression_unit(const char *unit);
 
-/* Writes the unit of a quantity, such as "m^2 s^-1" if `between` is " ", or "" for a plain number. A unit in
- * which `between` is "*" can be typed after a number. Returns `text`. */
+/* Writes the unit of a quantity, or "" for a plain number. The base units are separated by `between`: " "
+ * gives "m^2 s^-1" for people, and "*" gives "m^2*s^-1", which can be typed after a number. Returns `text`.
+ */
 enum { UNIT_TEXT = 64 };
 const char *unit_write(struct quantity quantity, const char *between, char text[UNIT_TEXT]);
 
-/* The unit of a quantity for people, in memory of the block that contains the call. */
+/* Returns the unit of a quantity for people. The text lives until the end of the block that contains the
+ * call. */
 #define expression_unit_text(quantity) unit_write(quantity, " ", (char[UNIT_TEXT]){""})
 
 /* The largest exponent of a unit that can be typed. */
 enum { UNIT_POWER_MOST = 9 };
 
-/* A phrase for messages that says what kind of quantity this is, such as "a length", "a time" or "in
- * m^2 s^-1", in memory of the block that contains the call. */
+/* Returns a phrase for messages that says what kind of quantity this is, such as "a length", "a time" or "in
+ * m^2 s^-1". The phrase lives until the end of the block that contains the call. */
 #define expression_kind(quantity) kind_write(quantity, (char[UNIT_TEXT]){""})
 const char *kind_write(struct quantity quantity, char text[UNIT_TEXT]);
 

@@ -35,7 +35,8 @@ bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);
 
-/* The left side of a definition, such as "x" or "f(s, d)", in memory of the block that contains the call. */
+/* Returns the left side of a definition, such as "x" or "f(s, d)". The text lives until the end of the block
+ * that contains the call. */
 enum { VARIABLE_HEAD = (EXPRESSION_ARGUMENTS + 1) * (VARIABLE_NAME + 2) };
 #define variable_head(variable) variable_head_write(variable, (char[VARIABLE_HEAD]){""})
 const char *variable_head_write(const struct variable *variable, char text[VARIABLE_HEAD]);

@@ -23,7 +23,8 @@ const struct domq_effect *effect_at(int k);
 /* A names_list (see names.h) of all effects. */
 const char *effect_names(const void *context, int k);
 
-/* The usage of an effect, such as "friction MU", in memory of the block that contains the call. */
+/* Returns the usage of an effect, such as "friction MU". The text lives until the end of the block that
+ * contains the call. */
 enum { EFFECT_USAGE = 64 };
 #define effect_usage(name) effect_usage_write(name, (char[EFFECT_USAGE]){""})
 const char *effect_usage_write(int name, char usage[EFFECT_USAGE]);

@@ -7,8 +7,8 @@
 #include "session/query.h"
 #include "session/row.h"
 
-/* The values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or "off",
- * in memory of the block that contains the call. */
+/* Returns the values of an effect in the form that messages show, such as "0.2", "1 m, 0.1", "record.csv" or
+ * "off". The text lives until the end of the block that contains the call. */
 enum { EFFECT_SETTING = 256 }; /* room for the longest file name and a NUL byte */
 #define effect_setting(scene, name) effect_setting_write(scene, name, (char[EFFECT_SETTING]){""})
 const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING]);

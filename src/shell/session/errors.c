@@ -71,7 +71,7 @@ const char *errors_text(const struct domq_error error[DOM_ERROR_COUNT], char tex
     for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++)
         if (error[k].size > 0)
             n += snprintf(text + n, (size_t)(ERRORS_TEXT - n), "%s%s %s%s%s%s", n ? ", " : "",
-                          error_names(NULL, k), quad_shown(error[k].size).text, *error_unit(k) ? " " : "",
+                          error_names(NULL, k), quad_text(error[k].size, 10), *error_unit(k) ? " " : "",
                           error_unit(k), error[k].uniform ? " uniform" : "");
     return text;
 }

@@ -245,16 +245,16 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     parameter_range(state, p, i, range, sizeof range);
     if (broken)
         return problem_no_answer(problem, "%s = %s is not a whole number; %s is a whole number in %s",
-                                 of->name, quad_shown(value).text, of->name, range);
+                                 of->name, quad_text(value, 10), of->name, range);
     if (p->of_precision && value > 0 && value < lowest)
         return problem_no_answer(
             problem, "%s = %s is below what %s precision can give; %s is a number in %s%s", p->name,
-            quad_shown(value).text, arithmetic->name, p->name, range,
+            quad_text(value, 10), arithmetic->name, p->name, range,
             state->scene.compute.precision == DOM_QUAD ? "" : "; a higher precision allows smaller values");
     if (p->effect)
         snprintf(meaning, sizeof meaning, ", the %s,", of->meaning);
     return problem_no_answer(problem, "%s = %s is out of range; %s%s is a number in %s%s%s%s", of->name,
-                             quad_shown(value).text, of->name, meaning, range, *of->unit ? " " : "", of->unit,
+                             quad_text(value, 10), of->name, meaning, range, *of->unit ? " " : "", of->unit,
                              p->words && !p->effect ? ", or one of its words" : "");
 }
 

@@ -138,12 +138,12 @@ static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measur
         problem,
         "a %s of %s without a unit would be %s, but domino %zu is %s%s; write '%s %s', or the "
         "unit that you mean",
-        row_measure_names(NULL, (int)measure), quad_shown(value).text, measured(value, unit, 6).text,
+        row_measure_names(NULL, (int)measure), quad_text(value, 10), measured(value, unit, 6).text,
         k + !is_gap, measured(tall, unit, 4).text,
         is_gap || measure == MEASURE_HEIGHT ? " tall"
         : is_mass                           ? " now"
                                             : " thick",
-        quad_shown(value).text, write);
+        quad_text(value, 10), write);
 }
 
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,

@@ -114,12 +114,12 @@ enum row_measure domino_misfit(const struct domq_domino *d, domq_real slope, cha
     const domq_real ratio = d->thickness / d->height;
     if (!((double)ratio >= 1e-12 && (double)ratio <= 100)) {
         snprintf(message, MISFIT_MESSAGE, "thickness / height = %s is out of range; it is 1e-12 .. 100",
-                 quad_shown(ratio).text);
+                 quad_text(ratio, 10));
         return MEASURE_THICKNESS;
     }
     if (2 * d->radius > d->thickness) {
         snprintf(message, MISFIT_MESSAGE, "radius = %s m is more than %s m, half of the thickness",
-                 quad_shown(d->radius).text, quad_shown(d->thickness / 2).text);
+                 quad_text(d->radius, 10), quad_text(d->thickness / 2, 10));
         return MEASURE_RADIUS;
     }
     return d->lean == 0 || lean_stands(d, slope, message) ? ROW_MEASURES : MEASURE_LEAN;

@@ -123,7 +123,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
         return problem_no_answer(problem,
                                  "edges with a radius of %s h do not fit: the radius is at most half of the "
                                  "thickness; the largest that fits is 'effect edges %.6g'",
-                                 quad_shown(t->rho).text, (double)(t->d / 2));
+                                 quad_text(t->rho, 10), (double)(t->d / 2));
     if (status == DOM_NO_STAND) {
         domq_real lean[2];
         domq_lean_limits(&(struct domq_domino){.height = 1, .thickness = t->d}, 0, t->rho, lean);
@@ -134,8 +134,8 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
                                  "r s = %s > %.6g: the head falls past the next domino without touching it; "
                                  "at s = %s r may be up to "
                                  "%s%.17g",
-                                 quad_shown(t->r * t->s).text, (double)(domq_train_reach(t) * t->s),
-                                 quad_shown(t->s).text, t->rho == 0 ? "1/s = " : "",
+                                 quad_text(t->r * t->s, 10), (double)(domq_train_reach(t) * t->s),
+                                 quad_text(t->s, 10), t->rho == 0 ? "1/s = " : "",
                                  (double)domq_train_reach(t));
     if (status == DOM_NO_METHOD && domq_dynamics(t) && t->fuel == DOM_FUEL_PAPER)
         return problem_no_answer(

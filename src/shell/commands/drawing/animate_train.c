@@ -71,7 +71,7 @@ static bool cycles_count(struct train_film *f)
     return problem_no_answer(f->film.problem,
                              "N = %s is not a count; N is an integer in 1 .. %d, the most cycles that one "
                              "picture can show at this r",
-                             quad_shown(cycles).text, most);
+                             quad_text(cycles, 10), most);
 }
 
 static bool train_film_make(struct train_film *f)

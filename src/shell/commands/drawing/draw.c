@@ -73,7 +73,7 @@ static bool domino_time(struct problem *problem, domq_real domino, const struct 
     if (!(domino >= 1 && domino <= (domq_real)count) || domino != quad(floor)(domino))
         return problem_no_answer(
             problem, "there is no domino %s: this row has %zu; 'draw at domino %zu' shows the last",
-            quad_shown(domino).text, count, count);
+            quad_text(domino, 10), count, count);
     size_t number = (size_t)domino;
     *time = (domq_real)falling_row_hit(row, number - 1);
     return !isnan(*time) || number <= end ||

@@ -223,7 +223,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     }
     if (more && !w->dialect)
         fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
-                isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_shown(w->value).text);
+                isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
     if (deep && count > 0) {
         put(w, GIVEN);
         list_write(w, given, count);

@@ -163,7 +163,7 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
     if (!(w->safety > 1))
         return problem_no_answer(
             problem, "safety %s is not above 1, with which a domino just falls; 'safety 2' is usual",
-            quad_shown(w->safety).text);
+            quad_text(w->safety, 10));
     return w->hall > w->height ||
            problem_no_answer(problem,
                              "a hall of %s has no room for the last domino, which is %s long when it has "

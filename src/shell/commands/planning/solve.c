@@ -174,7 +174,7 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
         return false;
     if (!(s->from < s->to))
         return problem_error(problem, "the range from %s to %s is empty: FROM must be less than TO",
-                             quad_shown(s->from).text, quad_shown(s->to).text);
+                             quad_text(s->from, 10), quad_text(s->to, 10));
     return !parsed->value.at || item_bind(&parsed->value, q->text, query, &s->value, &number, problem);
 }
 
@@ -192,12 +192,12 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
     const char *name = v->parameter->name, *unit = v->parameter->value->unit, *question = v->question->name;
-    const struct quad_shown value = quad_shown(v->value.value);
+    const char *value = quad_text(v->value.value, 10);
     const bool below = s->most.f < 0; /* the answer is always below the value */
     const struct scan_point *nearest = below ? &s->most : &s->least;
     char range[192];
     unit = strcmp(unit, "h") == 0 ? "" : unit;
-    snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_shown(v->from).text, quad_shown(v->to).text,
+    snprintf(range, sizeof range, "%s = %s .. %s%s%s", name, quad_text(v->from, 10), quad_text(v->to, 10),
              *unit ? " " : "", unit);
     if (s->answers == 0)
         snprintf(text, size, "%s has no answer for any %s: %s", question, range, s->no_answer);
@@ -205,12 +205,12 @@ static void no_root_text(const struct scan *s, char *text, size_t size)
         snprintf(text, size, "%s: %s for %s %s", question, v->question->command->holds,
                  s->most.f > 0 ? "every" : "no", range);
     else if (below || s->least.f > 0)
-        snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", question, value.text,
-                 range, below ? "largest" : "smallest", quad_shown(nearest->f + v->value.value).text, name,
-                 quad_shown(nearest->x).text);
+        snprintf(text, size, "%s is never %s for %s: the %s value is %s, at %s = %s", question, value, range,
+                 below ? "largest" : "smallest", quad_text(nearest->f + v->value.value, 10), name,
+                 quad_text(nearest->x, 10));
     else
-        snprintf(text, size, "%s is never %s for %s: it jumps over this value at %s = %s", question,
-                 value.text, range, name, quad_shown(s->jump).text);
+        snprintf(text, size, "%s is never %s for %s: it jumps over this value at %s = %s", question, value,
+                 range, name, quad_text(s->jump, 10));
 }
 
 /* Sets *problem and returns false if the answer and the value have different units, or if the answer is
@@ -231,8 +231,8 @@ static bool scan_check(const struct scan *s, struct problem *problem)
     return problem_no_answer(
         problem,
         "%s does not depend on %s: it is %s everywhere in %s .. %s; 'sensitivity' shows what it depends on",
-        v->question->name, v->parameter->name, quad_shown(highest).text, quad_shown(v->from).text,
-        quad_shown(v->to).text);
+        v->question->name, v->parameter->name, quad_text(highest, 10), quad_text(v->from, 10),
+        quad_text(v->to, 10));
 }
 
 static void scan_answer(const struct scan *s, struct answer *a)

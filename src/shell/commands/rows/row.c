@@ -221,7 +221,7 @@ static bool value_bind(const struct change_parsed *parsed, const struct quantity
             problem,
             "a change of the %s by %s needs a unit, as in '%+.4g %s'; with '%%' it is a share "
             "of the %s, as in '+10 %%'",
-            name, quad_shown(value->value).text, (double)value->value, unit, name);
+            name, quad_text(value->value, 10), (double)value->value, unit, name);
     change->how = is_relative ? CHANGE_BY : CHANGE_TO;
     change->is_bare = is_bare;
     return true;

@@ -265,7 +265,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
     if (!(call.share > 0 && call.share < 1))
         return problem_error(problem,
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
-                             quad_shown(call.share).text);
+                             quad_text(call.share, 10));
     if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
                      false /* how many studies the search takes is not known */, &t))
         return false;

@@ -126,7 +126,7 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
     axis->count = (size_t)n;
     if (n == 1 && axis->from != axis->to)
         return problem_error(problem, "%s: one value cannot cover %s to %s; enter an N of at least 2", name,
-                             quad_shown(axis->from).text, quad_shown(axis->to).text);
+                             quad_text(axis->from, 10), quad_text(axis->to, 10));
     if (axis->logarithmic) {
         problem->place = text_column(text, parsed->log_at);
         return (axis->from > 0 && axis->to > 0) ||
@@ -137,7 +137,7 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
            problem_error(
                problem,
                "%s takes whole numbers, but %s to %s in %zu values are not all whole; enter another N", name,
-               quad_shown(axis->from).text, quad_shown(axis->to).text, axis->count);
+               quad_text(axis->from, 10), quad_text(axis->to, 10), axis->count);
 }
 
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
