@@ -132,8 +132,8 @@ static void effects_say(const struct query *query, struct answer *a)
     bool row = query->scene->effect[DOM_EFFECT_row].on;
     answer_say(a,
                "Each time is for one answer: %s. The code of an effect that is off does not run. placement "
-               "is timed for one random row, which may stop early, and feet and bounce for one run of the "
-               "rigid-body engine, of which an answer needs two or more.",
+               "is timed for one random row, which may stop early. feet and bounce are timed for one run of "
+               "the rigid-body engine; an answer needs two or more runs.",
                row ? "whether the whole row falls" : "whether the train goes on ('barrier')");
     answer_say(a,
                "The methods are, from the quickest to the slowest: balance, the energy balance; motion, the "

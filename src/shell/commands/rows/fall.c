@@ -16,10 +16,11 @@ const struct column fall_columns[] = {
     {"barrier", "mgh/2", "energy that is needed to tip this domino over", 9},
     {"margin", "mgh/2", "kinetic - barrier", 9},
     {"energy", "share", "kinetic / barrier; at 100 % the domino just tips over", 6},
-    {"floor", "", "friction that feet need while this domino falls; with 'effect floor'", 5},
-    {"floor_hit", "", "friction that feet need in the instant when this domino is hit; with 'effect floor'",
-     9},
-    {"slid", "m", "how far the foot of the domino has slid (negative: backwards); with 'effect feet'", 7},
+    {"floor", "", "friction that feet need while this domino falls (only with 'effect floor')", 5},
+    {"floor_hit", "",
+     "friction that feet need in the instant when this domino is hit (only with 'effect floor')", 9},
+    {"slid", "m", "how far the foot of the domino has slid (negative: backwards) (only with 'effect feet')",
+     7},
     {NULL, NULL, NULL, 0},
 };
 

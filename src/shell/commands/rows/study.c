@@ -207,7 +207,7 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
         others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
     return problem_no_answer(problem,
                              others
-                                 ? "even without the error of the %s less than the share P falls; "
+                                 ? "even without the error of the %s fewer rows fall than P asks for; "
                                    "enter a smaller P, or make the other errors smaller"
                                  : "even with an exact %s the row does not fall; 'mend' finds a change that "
                                    "saves it",
@@ -248,7 +248,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
                ROW(cell_real(call->share), cell_narrow(b->sigma, digits), cell_narrow(b->low, digits),
                    cell_narrow(b->high, digits), cell_count((domq_real)call->trials->placement.rows),
                    cell_word(error_names(NULL, (int)call->kind))),
-               any ? "more than the share P falls even with the largest errors that are tried"
+               any ? "more rows fall than P asks for, even with the largest errors that are tried"
                : interrupted && !answer_for_people(a) ? "interrupted: the answer is between low and high"
                                                       : NULL);
 }

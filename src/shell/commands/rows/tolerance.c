@@ -29,7 +29,7 @@ const struct column tolerance_columns[] = {
     {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
     {"friction_high", "", "the largest such friction; the search ends at 2, or at 4 times the friction now",
      8},
-    {"first", "", "whether the place or the height of this domino has the least room of all, or both", 6},
+    {"first", "", "'place' or 'height' if that of this domino has the least room of all, or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
