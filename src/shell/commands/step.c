@@ -19,15 +19,11 @@ static const struct column cycle_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The tilts of the head and its first two followers. */
-struct followers {
-    domq_real theta[3];
-};
-
+/* Stores the tilts of the head and its first two followers. */
 static bool follower_add(const struct domq_link *k, void *context)
 {
-    struct followers *f = context;
-    f->theta[k->i] = k->theta;
+    domq_real *theta = context;
+    theta[k->i] = k->theta;
     return k->i < 2;
 }
 
@@ -54,13 +50,14 @@ static bool cycle_row(const struct domq_state *s, const struct domq_event *event
     const struct query *query = table->query;
     struct walk_units u = walk_units(query, 1);
     /* domq_chain_walk stops at the first domino that has detached. Detached dominoes lie at theta_f. */
-    struct followers f = {{s->theta, table->angles.theta_f, table->angles.theta_f}};
-    table->status = domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, &f);
+    domq_real theta[] = {s->theta, table->angles.theta_f, table->angles.theta_f};
+    table->status =
+        domq_chain_walk(&query->scene->train, &query->scene->compute, s->theta, follower_add, theta);
     if (table->status != DOM_OK)
         return false;
     answer_cells(table->answer, cell_word(event ? dom_event_text(event->kind) : ""),
-                 CELL_TIMES(*s, time, u.tau), cell_angle(s->theta), cell_angle(f.theta[1]),
-                 cell_angle(f.theta[2]), cell_omega(s->omegasq, s->error.omegasq, u.tau),
+                 CELL_TIMES(*s, time, u.tau), cell_angle(s->theta), cell_angle(theta[1]),
+                 cell_angle(theta[2]), cell_omega(s->omegasq, s->error.omegasq, u.tau),
                  CELL_TIMES(*s, kinetic, u.energy), CELL_TIMES(*s, climbed, u.energy));
     table->last = *s;
     return !answer_lost(table->answer);
@@ -182,33 +179,19 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 
 /* ---- Moving ---- */
 
-/* Moves to the next event, which may be in the next cycle. Returns false if there is none. */
-static bool walk_forward(struct walk *w)
+/* Moves to the next event, or to the last one before the current position, which may be in another cycle.
+ * Returns false if there is none. */
+static bool walk_step(struct walk *w, bool forward)
 {
-    if (w->event + 1 < w->count) {
-        w->event++;
-    } else if (w->verdict == DOM_OK && w->cycle < CYCLES_MAX) {
-        w->cycle++;
-        w->event = 0;
-    } else {
+    const bool is_between = w->theta > w->events[w->event].theta;
+    const int cycles = w->verdict == DOM_OK ? CYCLES_MAX : 1, at = (w->cycle - 1) * w->count + w->event +
+                                                                   (forward      ? 1
+                                                                    : is_between ? 0
+                                                                                 : -1);
+    if (at < 0 || at >= cycles * w->count)
         return false;
-    }
-    w->theta = w->events[w->event].theta;
-    return true;
-}
-
-/* Moves to the last event before the current position. Returns false if there is none. */
-static bool walk_backward(struct walk *w)
-{
-    bool is_between = w->theta > w->events[w->event].theta;
-    if (!is_between && w->event > 0) {
-        w->event--;
-    } else if (!is_between && w->cycle > 1) {
-        w->cycle--;
-        w->event = w->count - 1;
-    } else if (!is_between) {
-        return false;
-    }
+    w->cycle = at / w->count + 1;
+    w->event = at % w->count;
     w->theta = w->events[w->event].theta;
     return true;
 }
@@ -234,7 +217,7 @@ static bool walk_by(const struct query *query, struct answer *a, struct problem 
     bool moved = begun, goes_on = true;
     /* A new walk begins at the launch of the first cycle, which counts as its first step forward. */
     for (steps -= begun && forward; goes_on && steps > 0; steps--) {
-        goes_on = forward ? walk_forward(w) : walk_backward(w);
+        goes_on = walk_step(w, forward);
         moved = moved || goes_on;
     }
     return (!(moved || goes_on) || walk_answer(query, a, problem, w)) &&

@@ -15,6 +15,7 @@
 #include "io/target.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -98,38 +99,35 @@ static bool file_fill(const struct file *f, int file)
     struct stat old, text;
     fstat(file, &old);
     fstat(fileno(o->out), &text);
-    int reason = o->append ? 0 : system_reserve(file, 0, text.st_size);
-    bool has_room = reason == 0;
-    bool is_copied = has_room && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
-    reason = has_room ? errno : reason;
+    errno = o->append ? 0 : system_reserve(file, 0, text.st_size);
+    bool is_copied = errno == 0 && text_copy(o->out, o->append ? repeated_head(f) : 0, file);
+    int reason = errno;
     bool is_cut = (is_copied && o->append) || ftruncate(file, is_copied ? text.st_size : old.st_size) == 0;
     bool is_closed = close(file) == 0;
     errno = is_copied ? errno : reason;
     return is_copied && is_cut && is_closed;
 }
 
+enum { REPLACEMENT = PATH_MAX + 32 }; /* the size of a buffer for the name of a replacement */
+
 /* Creates the replacement, with the group and mode of the target if the target exists. Returns -1 if that is
  * not allowed. */
-static int replacement_open(const struct target *t, char **name)
+static int replacement_open(const struct target *t, char name[REPLACEMENT])
 {
     mode_t mask = umask(0);
     umask(mask);
     int folder = (int)(strrchr(t->path, '/') - t->path);
-    if (asprintf(name, "%.*s/.domino.XXXXXX", folder, t->path) < 0) {
-        *name = NULL;
-        return -1;
-    }
-    int file = mkostemp(*name, O_CLOEXEC);
+    snprintf(name, REPLACEMENT, "%.*s/.domino.XXXXXX", folder, t->path);
+    int file = mkostemp(name, O_CLOEXEC);
     /* The group comes first, because changing it clears bits of the mode. */
     if (file >= 0 && (!t->exists || fchown(file, (uid_t)-1, t->status.st_gid) == 0) &&
         fchmod(file, t->exists ? t->status.st_mode & 0777 : 0666 & ~mask) == 0)
         return file;
     if (file >= 0) {
         close(file);
-        unlink(*name);
+        unlink(name);
     }
-    free(*name);
-    *name = NULL;
+    *name = '\0';
     return -1;
 }
 
@@ -141,9 +139,7 @@ static int file_lock(const struct file *f)
     int file = io_open(f->target.path, flags, 0666, f->interrupt);
     if (file < 0 || io_lock(file, SECONDS, f->interrupt))
         return file;
-    int reason = errno;
     close(file);
-    errno = reason;
     return -1;
 }
 
@@ -154,20 +150,19 @@ static bool file_commit(const struct file *f)
     const struct target *t = &f->target;
     bool in_place =
         f->output.append || (t->exists && (t->status.st_nlink > 1 || t->status.st_uid != geteuid()));
-    char *replacement = NULL;
+    char replacement[REPLACEMENT] = "";
     sigset_t before = io_block();
-    int file = in_place ? -1 : replacement_open(t, &replacement);
+    int file = in_place ? -1 : replacement_open(t, replacement);
     if (file < 0 && (in_place || t->exists)) {
         io_unblock(&before);
         file = file_lock(f);
         before = io_block();
     }
-    bool is_written = file >= 0 && file_fill(f, file) && (!replacement || rename(replacement, t->path) == 0);
+    bool is_written = file >= 0 && file_fill(f, file) && (!*replacement || rename(replacement, t->path) == 0);
     int reason = errno;
-    if (replacement && !is_written)
+    if (*replacement && !is_written)
         unlink(replacement);
     io_unblock(&before);
-    free(replacement);
     errno = reason;
     return is_written;
 }

@@ -175,11 +175,8 @@ FILE *io_stream(int file, const char *mode, const volatile sig_atomic_t *interru
     if (!waits)
         fcntl(file, F_SETFL, fcntl(file, F_GETFL) & ~O_NONBLOCK);
     FILE *stream = waits ? cookie_stream(&channel, sizeof channel, mode, functions) : fdopen(file, mode);
-    if (!stream) {
-        int reason = errno;
+    if (!stream)
         close(file);
-        errno = reason;
-    }
     return stream;
 }
 
