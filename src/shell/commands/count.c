@@ -65,7 +65,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
         status = domq_limit_rmax(train, compute, &t->limit);
     if (status != DOM_OK)
         return query_status(query, problem, status);
-    t->growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, false};
+    t->growths = (struct start_growths){DOMQ_NAN, false};
     if (!start_find(query, train, dominoes + 1, &t->start, problem) ||
         (t->limit.ends != DOM_END_NONE &&
          !start_growths_find(query, train, t->limit.r_max, &t->growths, problem)))

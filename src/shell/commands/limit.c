@@ -132,7 +132,7 @@ static bool run_rmax(const struct query *query, struct answer *a, struct problem
     if (!query_status(query, problem, limits_find(train, query_compute(query), &exact, &paper)))
         return false;
     struct domq_limit used = train.fuel == DOM_FUEL_PAPER ? paper : exact;
-    struct start_growths growths = {DOMQ_NAN, DOMQ_NAN, false};
+    struct start_growths growths = {DOMQ_NAN, false};
     const char *missing = no_growth(used);
     char reason[START_TEXT];
     if (a->out && !a->sink) {

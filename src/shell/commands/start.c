@@ -80,7 +80,7 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     struct scene scene = start_scene(query, train, START_SEARCHED);
     struct scene_row made;
     struct domq_row_growth found;
-    *growths = (struct start_growths){DOMQ_NAN, DOMQ_NAN, scene_has_engine(&scene)};
+    *growths = (struct start_growths){DOMQ_NAN, scene_has_engine(&scene)};
     scene.train.r = 1;
     if (growths->has_engine)
         return true;
@@ -95,12 +95,9 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
     free(made.domino);
     if (!row_status(query, problem, status))
         return false;
-    growths->r_min = found.r_min;
-    growths->r_max = found.r_max < highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
-                         ? round_digits(found.r_max, START_DIGITS, false)
-                         : highest;
-    if (isnan(found.r_max))
-        growths->r_max = DOMQ_NAN;
+    growths->r_max = found.r_max >= highest * (1 - quad_larger(START_SAME, 4 * made.compute.tol))
+                         ? highest
+                         : round_digits(found.r_max, START_DIGITS, false);
     return true;
 }
 

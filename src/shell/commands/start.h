@@ -22,14 +22,13 @@ struct start {
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem);
 
-/* The smallest and the largest growth at which a row of a train's dominoes starts. Both are NaN if there is
- * no such growth. */
 struct start_growths {
-    domq_real r_min, r_max;
-    bool has_engine; /* true if both are NaN because the rigid-body engine would take too long to find them */
+    domq_real
+        r_max; /* the largest growth at which a row of a train's dominoes starts; NaN if there is none */
+    bool has_engine; /* r_max is NaN because the rigid-body engine would take too long to find it */
 };
 
-/* Finds the growths, up to `highest`, at which a row of the train's dominoes starts. On failure, sets
+/* Finds the largest growth, up to `highest`, at which a row of the train's dominoes starts. On failure, sets
  * *problem and returns false. */
 bool start_growths_find(const struct query *query, const struct domq_train *train, domq_real highest,
                         struct start_growths *growths, struct problem *problem);

@@ -18,8 +18,7 @@ bool row_run_begin(const struct query *query, struct problem *problem, struct ro
     if (scene->report.hit)
         return true;
     row_run_free(run);
-    query_status(query, problem, DOM_NO_MEMORY);
-    return false;
+    return query_status(query, problem, DOM_NO_MEMORY);
 }
 
 static bool fall_keep(const struct domq_fall *fall, void *context)
