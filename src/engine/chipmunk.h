@@ -8,8 +8,10 @@
 
 #include "engine.h"
 #include <chipmunk/chipmunk.h>
+#include <chipmunk/chipmunk_structs.h>
 
-/* The functions that are looked up in the library: X(name). */
+/* The functions that are looked up in the library: X(name). Members of a body, a shape or a constraint are
+ * read from its struct. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \
@@ -28,13 +30,9 @@
     X(cpSpaceRemoveConstraint)                                                                               \
     X(cpBodyNew)                                                                                             \
     X(cpBodyFree)                                                                                            \
-    X(cpBodyGetPosition)                                                                                     \
     X(cpBodySetPosition)                                                                                     \
-    X(cpBodyGetAngle)                                                                                        \
     X(cpBodySetAngle)                                                                                        \
-    X(cpBodyGetVelocity)                                                                                     \
     X(cpBodySetVelocity)                                                                                     \
-    X(cpBodyGetAngularVelocity)                                                                              \
     X(cpBodySetAngularVelocity)                                                                              \
     X(cpBodyLocalToWorld)                                                                                    \
     X(cpBodyGetVelocityAtWorldPoint)                                                                         \
@@ -42,8 +40,6 @@
     X(cpSegmentShapeNew)                                                                                     \
     X(cpShapeFree)                                                                                           \
     X(cpShapeSetFilter)                                                                                      \
-    X(cpShapeSetUserData)                                                                                    \
-    X(cpShapeGetUserData)                                                                                    \
     X(cpPivotJointNew)                                                                                       \
     X(cpRotaryLimitJointNew)                                                                                 \
     X(cpConstraintFree)                                                                                      \

@@ -26,8 +26,7 @@ static const double hinged_rest = 0.1,
 /* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
  * rows need a twentieth of this. */
 static const double most_work = 30;
-enum { CALM = 2 };     /* number of short steps after a hit */
-enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose drift is recorded */
+enum { CALM = 2 }; /* number of short steps after a hit */
 
 struct run {
     struct world world;
@@ -74,13 +73,13 @@ static double time_to_hit(const struct world *w)
 /* Records how far hinges have drifted, and sets how fast they are pulled back. */
 static void look_at_hinges(struct world *w, double unit)
 {
+    const double left =
+        exp(-hinge_rate / unit); /* the fraction of the drift that remains after 1 unit of time */
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
-        /* The fraction of the drift that remains after one unit of time. */
-        const double left = exp(-hinge_rate / unit);
+        const double drift = cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height;
         if (k + FOREMOST > w->head)
-            w->fall->drift =
-                fmax(w->fall->drift, cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height);
+            w->fall->drift = fmax(w->fall->drift, drift);
         w->cp->cpConstraintSetErrorBias(b->hinge, left);
         w->cp->cpConstraintSetErrorBias(b->limit, left);
     }
@@ -128,8 +127,7 @@ static void step(struct run *r)
  * The angle is negative if the box is beyond its balance, so that gravity pulls it down. */
 static double to_balance(const struct world *w, size_t k)
 {
-    const cpVect arm = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), world_foot(w, k)),
-                 gravity = world_gravity(w->row);
+    const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = world_gravity(w->row);
     return atan2(cpvcross(arm, gravity), -cpvdot(arm, gravity));
 }
 

@@ -10,22 +10,20 @@ static const double parallel = 0.999;
 static const double rough = 1000;
 /* Tilt in rad at which a released box starts, measured from the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
-enum { FOREMOST = 4 }; /* number of boxes, counted back from the head, whose penetration is recorded */
 
 /* The engine measures angles anticlockwise, from x to y, whereas boxes fall clockwise, towards positive x. */
 double world_tilt(const struct world *w, size_t k)
 {
-    return -w->cp->cpBodyGetAngle(w->body[k].body);
+    return -w->body[k].body->a;
 }
 
 double world_spin(const struct world *w, size_t k)
 {
-    return -w->cp->cpBodyGetAngularVelocity(w->body[k].body);
+    return -w->body[k].body->w;
 }
 
 struct motion world_motion(const struct world *w, size_t k)
 {
-    /* Reads the members of the body itself, because this function is called in each iteration. */
     const cpBody *body = w->body[k].body;
     return (struct motion){body->v, body->w * w->row->box[k].height / 2};
 }
@@ -61,7 +59,7 @@ double world_kinetic(const struct world *w)
 {
     double sum = 0;
     for (size_t k = 0; k < w->count; k++) {
-        cpVect v = w->cp->cpBodyGetVelocity(w->body[k].body);
+        cpVect v = w->body[k].body->v;
         double spin = world_spin(w, k);
         sum += (w->row->box[k].mass * cpvlengthsq(v) + w->body[k].moment * spin * spin) / 2;
     }
@@ -79,7 +77,7 @@ double world_energy(const struct world *w)
     for (size_t k = 0; k < w->count; k++) {
         const struct engine_box *box = &w->row->box[k];
         cpVect stood = cpvadd(w->body[k].corner, cpv(-box->thickness / 2, box->height / 2));
-        cpVect moved = cpvsub(w->cp->cpBodyGetPosition(w->body[k].body), stood);
+        cpVect moved = cpvsub(w->body[k].body->p, stood);
         sum -= box->mass * cpvdot(world_gravity(w->row), moved);
     }
     return sum;
@@ -119,7 +117,7 @@ void world_stand(struct world *w)
     w->count++;
     cp->cpBodySetPosition(b->body, cpvadd(b->corner, cpv(-d / 2, h / 2)));
     cp->cpShapeSetFilter(b->shape, touches(w, k));
-    cp->cpShapeSetUserData(b->shape, b);
+    b->shape->userData = b;
     if (w->floor)
         return;
     b->hinge = cp->cpSpaceAddConstraint(w->space, cp->cpPivotJointNew(ground, b->body, b->corner));
@@ -198,7 +196,7 @@ static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
     w->cp->cpArbiterSetRestitution(arbiter, floor ? 0 : w->row->bounce);
     if (floor)
         return cpTrue;
-    const struct body *one = w->cp->cpShapeGetUserData(a), *other = w->cp->cpShapeGetUserData(b);
+    const struct body *one = a->userData, *other = b->userData;
     size_t i = (size_t)(one - w->body), j = (size_t)(other - w->body);
     size_t front = i > j ? i : j;
     note_touch(w, arbiter, front);

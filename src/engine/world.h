@@ -5,7 +5,9 @@
 
 #include "chipmunk.h"
 #include "engine.h"
-#include <chipmunk/chipmunk_structs.h>
+
+/* The number of boxes, counted back from the head, whose penetration and drift are recorded. */
+enum { FOREMOST = 4 };
 
 /* The velocity of the centre of a box, and the velocities of its upper and lower end relative to the
  * centre. */

@@ -49,10 +49,16 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
     return 4 * (double)box.inertia - 3;
 }
 
-/* Converts the dominoes of a row to the engine's units. Returns false unless all sizes and masses are finite
- * and positive; gaps may be 0. */
-static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engine_box *box)
+/* Converts a row to the engine's units. The caller frees *box, which may be NULL. Returns DOM_BAD_HEIGHT
+ * unless all sizes and masses are finite and positive; gaps may be 0. */
+static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
+                                   struct engine_box **boxes)
 {
+    const struct scene_engine *own = row->engine->own;
+    const struct unit unit = unit_of(row);
+    struct engine_box *box = *boxes = malloc(row->count * sizeof *box);
+    if (!box)
+        return DOM_NO_MEMORY;
     for (size_t k = 0; k < row->count; k++) {
         const struct domq_domino *d = &row->domino[k];
         box[k] = (struct engine_box){(double)d->height / unit.length,
@@ -63,23 +69,17 @@ static bool boxes_fill(const struct domq_row *row, struct unit unit, struct engi
                                      (double)d->radius / unit.length};
         if (!(box[k].height > 0 && box[k].thickness > 0 && box[k].gap >= 0 && box[k].mass > 0) ||
             !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
-            return false;
+            return DOM_BAD_HEIGHT;
     }
-    return true;
-}
-
-static struct engine_row row_of(const struct domq_row *row, struct unit unit, const struct engine_box *box)
-{
-    const struct scene_engine *own = row->engine->own;
-    struct engine_row engine = own->effects;
-    engine.box = box;
-    engine.count = row->count;
-    engine.feet = fmax(engine.feet + (double)row->feet, 0);
-    engine.push = (double)row->push * unit.time;
-    engine.mu = (double)row->mu;
-    engine.slope = (double)row->alpha;
-    engine.radius = (double)row->rho;
-    return engine;
+    *engine = own->effects;
+    engine->box = box;
+    engine->count = row->count;
+    engine->feet = fmax(engine->feet + (double)row->feet, 0);
+    engine->push = (double)row->push * unit.time;
+    engine->mu = (double)row->mu;
+    engine->slope = (double)row->alpha;
+    engine->radius = (double)row->rho;
+    return DOM_OK;
 }
 
 static enum dom_status status_of(enum engine_status status)
@@ -158,30 +158,28 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
 {
     const struct scene_engine *own = row->engine->own;
     const struct unit unit = unit_of(row);
+    struct engine_row engine;
+    struct engine_box *box;
     struct engine_settled settled = {.same = false};
-    struct engine_box *box = malloc(row->count * sizeof *box);
-    struct engine_hit *hit = malloc(row->count * sizeof *hit);
-    enum dom_status status = box && hit ? DOM_OK : DOM_NO_MEMORY;
-    if (status == DOM_OK && !boxes_fill(row, unit, box))
-        status = DOM_BAD_HEIGHT;
-    if (status == DOM_OK) {
-        const struct engine_row engine = row_of(row, unit, box);
-        status = status_of(engine_settle(&engine, times, compute->interrupt, times ? hit : NULL, &settled));
-        if (status == DOM_OK && times && !settled.same)
-            status = DOM_NOT_CONVERGED;
-    }
-    if (status == DOM_OK) {
-        const double seconds = times ? settled.fall.seconds * unit.time : (double)NAN;
-        verdict_fill(&settled.fall, row, seconds, verdict);
-        if (times)
-            hits_scale(hit, unit, settled.fall.hits);
-        if (times && own->report) {
+    const struct engine_fall *fall = &settled.fall;
+    struct engine_hit *hit = times ? malloc(row->count * sizeof *hit) : NULL;
+    enum dom_status status = row_convert(row, &engine, &box);
+    if (times && !hit)
+        status = DOM_NO_MEMORY;
+    if (status == DOM_OK)
+        status = status_of(engine_settle(&engine, times, compute->interrupt, hit, &settled));
+    if (status == DOM_OK && times && !settled.same)
+        status = DOM_NOT_CONVERGED;
+    if (status == DOM_OK)
+        verdict_fill(fall, row, times ? fall->seconds * unit.time : (double)NAN, verdict);
+    if (status == DOM_OK && times) {
+        hits_scale(hit, unit, fall->hits);
+        if (own->report) {
             own->report->settled = settled;
-            own->report->seconds = seconds;
-            memcpy(own->report->hit, hit, settled.fall.hits * sizeof *hit);
+            memcpy(own->report->hit, hit, fall->hits * sizeof *hit);
         }
-        if (times && visit)
-            hits_visit(hit, &settled.fall, visit, context);
+        if (visit)
+            hits_visit(hit, fall, visit, context);
     }
     free(hit);
     free(box);
@@ -193,16 +191,14 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
 static enum dom_status run_once(const struct domq_row *row, const struct domq_compute *compute,
                                 const struct engine_grain *grain, engine_visit *visit, void *context)
 {
-    const struct unit unit = unit_of(row);
     struct engine_fall fall;
-    struct engine_box *box = malloc(row->count * sizeof *box);
-    if (!box)
-        return DOM_NO_MEMORY;
-    boxes_fill(row, unit, box);
-    const struct engine_row engine = row_of(row, unit, box);
-    enum engine_status status = engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall);
+    struct engine_row engine;
+    struct engine_box *box;
+    enum dom_status status = row_convert(row, &engine, &box);
+    if (status == DOM_OK)
+        status = status_of(engine_run(&engine, grain, compute->interrupt, NULL, visit, context, &fall));
     free(box);
-    return status_of(status);
+    return status;
 }
 
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute)

@@ -14,8 +14,7 @@ enum { METHOD_MODEL, METHOD_ENGINE };
 struct engine_report {
     /* in m, s and kg; the caller provides the array, with one element for each domino */
     struct engine_hit *hit;
-    struct engine_settled settled;
-    double seconds; /* the time until the row has fallen or stopped */
+    struct engine_settled settled; /* in the engine's units */
 };
 
 struct scene_engine {

@@ -176,14 +176,14 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         [DOM_ROW_LOCKS] = "locks",         [DOM_ROW_SKEWED] = "touches"};
     char reason[ANSWER_REASON];
     const struct domq_verdict *v = &run->verdict;
-    const struct engine_report *report = &run->scene.report;
     bool falls = v->end == DOM_ROW_FALLS;
     const struct cell cells[] = {
         cell_word(words[v->end]),
         cell_count((domq_real)v->domino),
         cell_bound(v->short_by, DOMQ_NAN),
         cell_bound(falls ? v->seconds : DOMQ_NAN,
-                   run->scene.row.engine ? (domq_real)(report->settled.change * report->seconds) : DOMQ_NAN),
+                   run->scene.row.engine ? (domq_real)(run->scene.report.settled.change * (double)v->seconds)
+                                         : DOMQ_NAN),
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
