@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction, rows and studies in difficult cases: thin dominoes, r s = 1, dominoes that detach during the
- * motion, and few rows. */
+/* Friction and rows in difficult cases: thin dominoes, r s = 1, and dominoes that touch or that detach during
+ * the motion. */
 #include "run.h"
 #include "support.h"
 
@@ -55,14 +55,11 @@ TEST(thin_dominoes_with_friction)
     assert_status(ask_barrier_find(&t, &barrier, NULL), DOM_STOPS);
 }
 
-enum { ROOM = 40 };
-
+/* Makes a row of equal dominoes, the first of which is pushed. */
 static void alike(struct run *seen, size_t count)
 {
-    for (size_t k = 0; k < count; k++)
-        seen->domino[k] =
-            (struct domq_domino){.height = 0.048, .thickness = 0.007, .gap = 0.013, .mass = 0.01};
-    seen->row = asked_row_default(seen->domino, count, 5);
+    make_row(seen, count, 13.0 / 48, 1, 0);
+    seen->row.push = 5;
 }
 
 /* Checks dominoes that touch, so that they hit each other at once. Without friction nothing locks. */
@@ -89,33 +86,23 @@ TEST(touching)
  */
 TEST(one_detaches_after_another)
 {
+    static const double size[][3] = {/* height, thickness, gap */
+                                     {0.195551, 0.0320505, 0},         {0.215106, 0.0269869, 0.0883088},
+                                     {0.281467, 0.0641206, 0.0640651}, {0.327719, 0.0796411, 0},
+                                     {0.38344, 0.032173, 0.101058},    {0.489495, 0.0710398, 0.132368},
+                                     {0.631341, 0.132254, 0.178456},   {0.863787, 0.258808, 0.373084}};
     static struct run seen;
-    enum { N = 8 };
-    static const double height[N] = {0.195551, 0.215106, 0.281467, 0.327719,
-                                     0.38344,  0.489495, 0.631341, 0.863787};
-    static const double thickness[N] = {0.0320505, 0.0269869, 0.0641206, 0.0796411,
-                                        0.032173,  0.0710398, 0.132254,  0.258808};
-    double gap[N] = {0, 0.0883088, 0.0640651, 0, 0.101058, 0.132368, 0.178456, 0.373084}, mass[N];
+    static struct newton n;
     for (int i = 0; i <= 40; i++) {
-        struct direct_hit hits[N];
-        struct direct_result result;
-        gap[3] = 0.224 + 5e-5 * i;
-        for (int k = 0; k < N; k++) {
-            mass[k] = height[k] * height[k] * thickness[k];
-            seen.domino[k] = (struct domq_domino){height[k], thickness[k], gap[k], mass[k], 0, 0};
+        seen.row = asked_row_default(seen.domino, 8, 9.00688);
+        for (int k = 0; k < 8; k++) {
+            const double *of = size[k];
+            seen.domino[k] = (struct domq_domino){of[0], of[1], of[2], of[0] * of[0] * of[1], 0, 0};
         }
-        seen.row = asked_row_default(seen.domino, N, 9.00688);
-        struct direct_row direct = {N, height, thickness, gap, mass, 0, 9.81, 9.00688, 0, 0, NULL};
+        seen.domino[3].gap = 0.224 + 5e-5 * i;
         assert_status(run_whole(&seen), DOM_OK);
-        assert_null(direct_run(&direct, hits, &result));
-        assert_true((seen.verdict.end == DOM_ROW_FALLS) == result.all_fall);
-        assert_int_equal(seen.verdict.domino, result.hit);
-        for (size_t k = 0; k < result.hit; k++) {
-            assert_near("omega", seen.fall[k].omega, hits[k].omega, 1e-9);
-            assert_near("kinetic", seen.fall[k].kinetic, hits[k].kinetic, 1e-9);
-        }
-        if (!result.all_fall)
-            assert_near("rest", seen.fall[result.hit - 1].theta, result.stop_theta, 1e-8);
+        newton_run(&seen, &n);
+        newton_compare(&seen, &n);
     }
 }
 
@@ -160,78 +147,6 @@ TEST(floor_at_the_reach)
     assert_true(isinf((double)floor.hit) && floor.hit_domino == 0);
 }
 
-/* Runs as many studies as the pool says, and then reports an interrupt. */
-static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
-{
-    int *left = pool;
-    if ((*left)-- <= 0)
-        return DOM_INTERRUPTED;
-    for (size_t i = 0; i < count; i++)
-        task(i, context);
-    return DOM_OK;
-}
-
-/* Checks that an interrupted search returns the bounds that are known, which become closer with each
- * study. */
-TEST(budget_interrupted)
-{
-    struct domq_domino domino[6];
-    struct asked train = asked_default();
-    const struct domq_scale scale = domq_scale_default();
-    train.s = 0.3;
-    train.r = 1.3;
-    ask_row_of_train(&train, &scale, 0.01, domino, 6);
-    const struct asked_row row = asked_row_default(domino, 6, 5);
-    struct domq_placement p = {.seed = 5, .rows = 40};
-    struct domq_budget whole, part;
-    assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);
-    p.parallel = few_studies;
-    int known = 0, bounded = 0;
-    for (int studies = 0; studies < 18; studies++) {
-        int left = studies;
-        p.pool = &left;
-        part = (struct domq_budget){.sigma = -1};
-        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &part), DOM_INTERRUPTED);
-        if (part.sigma == -1)
-            continue;
-        assert_true(part.sigma == part.low && part.low <= whole.sigma && whole.sigma <= part.high);
-        known++;
-        bounded += part.high < 1.5 * part.low;
-    }
-    print_message("# %d known, %d bounded\n", known, bounded);
-    assert_true(known >= 5 && bounded >= 3);
-}
-
-/* Checks budgets with too few rows, and for a row that stops even without errors. */
-TEST(budgets)
-{
-    static struct run seen;
-    struct domq_budget budget;
-    struct domq_placement p = {.seed = 3, .rows = 200};
-    alike(&seen, 10);
-    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.9999, &budget), DOM_OK);
-    assert_true(budget.low == 0 && budget.sigma < budget.high);
-    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
-    assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
-    /* Run the same rows with the sigma that was found. */
-    struct domq_study study;
-    p.error[DOM_ERROR_gap].size = budget.sigma;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    assert_true(study.fall >= 160 && study.fall <= 161);
-    /* If rows fall with a probability of 0.95, then of 200 rows at most 183 fall with a probability below 2.5
-     * %, and at least 197 as well. */
-    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.95, &budget), DOM_OK);
-    p.error[DOM_ERROR_gap].size = budget.low;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    assert_in_range(study.fall, 197, 198);
-    p.error[DOM_ERROR_gap].size = budget.high;
-    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
-    assert_in_range(study.fall, 183, 184);
-    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 1.5, &budget), DOM_BAD_PROBABILITY);
-    seen.row.push = 2; /* too weak a push to tip the domino over its edge */
-    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.5, &budget), DOM_STOPS);
-}
-
 /* ---- Loose tolerances, and results close to 0, for which a shortcut was once wrong ---- */
 
 /* Checks that the tolerance is relative to the fuel, and not to the terms that cancel in it, so that the
@@ -268,51 +183,4 @@ TEST(the_reason_is_the_first)
     struct asked train = train_of(1, 1, 2.323309142409495e-10, 0.5653832953487673, 1e-12);
     struct domq_best best;
     assert_status(ask_limit_best(&train, &best, NULL), DOM_TOO_LONG);
-}
-
-/* Checks that studies of parts add up: how many rows fall, at which dominoes they stop, how many the model
- * cannot decide, and the interval. */
-TEST(studies_add_up)
-{
-    static struct run seen;
-    struct domq_study whole, part[2];
-    size_t stops[10], stops_part[2][10], stopped = 0;
-    struct domq_placement p = {
-        .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 500};
-    alike(&seen, 10);
-    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
-    for (int k = 0; k < 2; k++) {
-        p.first = k == 0 ? 0 : 200;
-        p.rows = k == 0 ? 200 : 300;
-        assert_status(ask_placement_study(&seen.row, &p, &part[k], stops_part[k]), DOM_OK);
-    }
-    assert_true(whole.fall == part[0].fall + part[1].fall && whole.fall > 0 && whole.fall < 500);
-    assert_int_equal(whole.unknown, part[0].unknown + part[1].unknown);
-    for (int k = 0; k < 10; k++) {
-        assert_int_equal(stops[k], stops_part[0][k] + stops_part[1][k]);
-        stopped += stops[k];
-    }
-    assert_int_equal(stopped + whole.fall + whole.unknown, 500);
-    p.seed = 6;
-    assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
-    assert_true(part[0].fall != part[1].fall);
-    /* Without errors all rows are alike. In this row the third domino cannot reach the next one. */
-    p = (struct domq_placement){.rows = 50};
-    seen.domino[3].gap = 0.05;
-    assert_status(run_whole(&seen), DOM_OK);
-    assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
-    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
-    assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
-    assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
-    /* In this row the tip of a domino passes above the next one. */
-    alike(&seen, 10);
-    seen.domino[3].height *= 0.8;
-    assert_status(run_whole(&seen), DOM_OK);
-    assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
-    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
-    assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
-    alike(&seen, 10);
-    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
-    assert_true(whole.fall == 50 && whole.high == 1);
-    assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
 }

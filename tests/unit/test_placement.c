@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Studies of rows with random errors, and the largest errors with which enough of the rows fall. */
+#include "run.h"
+#include "support.h"
+
+/* Makes a row of equal dominoes, the first of which is pushed. */
+static void alike(struct run *seen, size_t count)
+{
+    make_row(seen, count, 13.0 / 48, 1, 0);
+    seen->row.push = 5;
+}
+
+/* Runs as many studies as the pool says, and then reports an interrupt. */
+static enum dom_status few_studies(size_t count, dom_task *task, void *context, void *pool)
+{
+    int *left = pool;
+    if ((*left)-- <= 0)
+        return DOM_INTERRUPTED;
+    for (size_t i = 0; i < count; i++)
+        task(i, context);
+    return DOM_OK;
+}
+
+/* Checks that an interrupted search returns the bounds that are known, which become closer with each
+ * study. */
+TEST(budget_interrupted)
+{
+    struct domq_domino domino[6];
+    struct asked train = asked_default();
+    const struct domq_scale scale = domq_scale_default();
+    train.s = 0.3;
+    train.r = 1.3;
+    ask_row_of_train(&train, &scale, 0.01, domino, 6);
+    const struct asked_row row = asked_row_default(domino, 6, 5);
+    struct domq_placement p = {.seed = 5, .rows = 40};
+    struct domq_budget whole, part;
+    assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &whole), DOM_OK);
+    p.parallel = few_studies;
+    int known = 0, bounded = 0;
+    for (int studies = 0; studies < 18; studies++) {
+        int left = studies;
+        p.pool = &left;
+        part = (struct domq_budget){.sigma = -1};
+        assert_status(ask_placement_budget(&row, &p, DOM_ERROR_gap, 0.9, &part), DOM_INTERRUPTED);
+        if (part.sigma == -1)
+            continue;
+        assert_true(part.sigma == part.low && part.low <= whole.sigma && whole.sigma <= part.high);
+        known++;
+        bounded += part.high < 1.5 * part.low;
+    }
+    print_message("# %d known, %d bounded\n", known, bounded);
+    assert_true(known >= 5 && bounded >= 3);
+}
+
+/* Checks budgets with too few rows, and for a row that stops even without errors. */
+TEST(budgets)
+{
+    static struct run seen;
+    struct domq_budget budget;
+    struct domq_placement p = {.seed = 3, .rows = 200};
+    alike(&seen, 10);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.9999, &budget), DOM_OK);
+    assert_true(budget.low == 0 && budget.sigma < budget.high);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.8, &budget), DOM_OK);
+    assert_true(0 < budget.low && budget.low < budget.sigma && budget.sigma < budget.high);
+    /* Run the same rows with the sigma that was found. */
+    struct domq_study study;
+    p.error[DOM_ERROR_gap].size = budget.sigma;
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_true(study.fall >= 160 && study.fall <= 161);
+    /* If rows fall with a probability of 0.95, then of 200 rows at most 183 fall with a probability below 2.5
+     * %, and at least 197 as well. */
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.95, &budget), DOM_OK);
+    p.error[DOM_ERROR_gap].size = budget.low;
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_in_range(study.fall, 197, 198);
+    p.error[DOM_ERROR_gap].size = budget.high;
+    assert_status(ask_placement_study(&seen.row, &p, &study, NULL), DOM_OK);
+    assert_in_range(study.fall, 183, 184);
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 1.5, &budget), DOM_BAD_PROBABILITY);
+    seen.row.push = 2; /* too weak a push to tip the domino over its edge */
+    assert_status(ask_placement_budget(&seen.row, &p, DOM_ERROR_gap, 0.5, &budget), DOM_STOPS);
+}
+
+/* Checks that studies of parts add up: how many rows fall, at which dominoes they stop, how many the model
+ * cannot decide, and the interval. */
+TEST(studies_add_up)
+{
+    static struct run seen;
+    struct domq_study whole, part[2];
+    size_t stops[10], stops_part[2][10], stopped = 0;
+    struct domq_placement p = {
+        .error = {[DOM_ERROR_gap].size = 0.008, [DOM_ERROR_height].size = 0.05}, .seed = 5, .rows = 500};
+    alike(&seen, 10);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    for (int k = 0; k < 2; k++) {
+        p.first = k == 0 ? 0 : 200;
+        p.rows = k == 0 ? 200 : 300;
+        assert_status(ask_placement_study(&seen.row, &p, &part[k], stops_part[k]), DOM_OK);
+    }
+    assert_true(whole.fall == part[0].fall + part[1].fall && whole.fall > 0 && whole.fall < 500);
+    assert_int_equal(whole.unknown, part[0].unknown + part[1].unknown);
+    for (int k = 0; k < 10; k++) {
+        assert_int_equal(stops[k], stops_part[0][k] + stops_part[1][k]);
+        stopped += stops[k];
+    }
+    assert_int_equal(stopped + whole.fall + whole.unknown, 500);
+    p.seed = 6;
+    assert_status(ask_placement_study(&seen.row, &p, &part[0], NULL), DOM_OK);
+    assert_true(part[0].fall != part[1].fall);
+    /* Without errors all rows are alike. In this row the third domino cannot reach the next one. */
+    p = (struct domq_placement){.rows = 50};
+    seen.domino[3].gap = 0.05;
+    assert_status(run_whole(&seen), DOM_OK);
+    assert_int_equal(seen.verdict.end, DOM_ROW_MISSES);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(seen.verdict.domino == 3 && stops[2] == 50 && whole.fall == 0 && whole.low == 0);
+    assert_near("Clopper and Pearson", whole.high, 1 - pow(0.025, 1.0 / 50), 1e-10);
+    /* In this row the tip of a domino passes above the next one. */
+    alike(&seen, 10);
+    seen.domino[3].height *= 0.8;
+    assert_status(run_whole(&seen), DOM_OK);
+    assert_int_equal(seen.verdict.end, DOM_ROW_PASSES);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(whole.unknown == 50 && stops[2] == 0 && whole.low == 0 && whole.high == 1);
+    alike(&seen, 10);
+    assert_status(ask_placement_study(&seen.row, &p, &whole, stops), DOM_OK);
+    assert_true(whole.fall == 50 && whole.high == 1);
+    assert_near("Clopper and Pearson", whole.low, pow(0.025, 1.0 / 50), 1e-10);
+}
