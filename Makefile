@@ -3,17 +3,9 @@
 #   make deps run     install what is missing, build, open the calculator
 #   make deps test    also run the tests, on all processors; make quick: a selection
 #   make              .build/domino, .build/libdomino.a and .build/libdomino.so
-#   make install      program, library, Python module, man pages, examples; PREFIX, LIBDIR, DESTDIR ... as usual; make uninstall
-#   make deb          Debian packages in .build/deb
-#   make dist         .build/domino-VERSION.tar.gz
-#   make verify       rows and trains in a rigid-body engine too: make deps verify
-#   make faults       failing memory, full disks, FIFOs, signals, closed streams: make deps faults
-#   make portable     sessions with POSIX alone; make cross: on arm64 and i386, under qemu
-#   make abi          fails if programs that are linked with the library would go wrong; KEEP=1 keeps its interface
-#   make lint         compilers, formatter and checkers; make sanitize: the tests under ASan and UBSan, and the lines of
-#                     src/model that they run; make race: what runs on threads under ThreadSanitizer
-#   make valgrind     sessions under memcheck, helgrind and drd
-#   make deps bench   times compared with other programs; make guard: fails if an answer takes more instructions
+#   make install      program, library, Python module, man pages, examples; PREFIX, LIBDIR, DESTDIR ... as usual
+#
+# src/README.md lists all goals.
 
 VERSION := $(shell sed -n 's/^\#define DOM_VERSION "\(.*\)"/\1/p' include/domino.h)
 PREFIX  ?= /usr/local
@@ -66,6 +58,12 @@ UNIT    := $(wildcard tests/unit/test_*.c)
 Q        = $(if $(V),,@)
 SAY      = @$(if $(V),:,echo '  $(1)  $(2)')
 OBJ      = $(patsubst %.c,$(B)/obj/%.o,$(1))
+# Links a program with all that it depends on, and with these libraries.
+define LINK
+@mkdir -p $(@D)
+$(call SAY,LD,$@)
+$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(1) -o $@
+endef
 
 .PHONY: all run python quick test unit hard sessions atlas faults sanitize race valgrind verify portable cross abi fuzz bench guard deps lint format \
         install uninstall deb dist clean
@@ -75,13 +73,8 @@ all: $(B)/domino $(B)/libdomino.a $(B)/libdomino.so $(B)/domino.pc
 
 DEPS_run      := libgsl-dev libreadline-dev libchipmunk-dev
 DEPS_test     := dpkg-dev lintian libcmocka-dev bats expect tmux libmpfr-dev gnuplot-nox pkgconf parallel libxml2-utils jq python3 python3-numpy python3-pandas
-DEPS_quick    := $(DEPS_test)
-DEPS_unit     := $(DEPS_test)
-DEPS_hard     := $(DEPS_test)
-DEPS_sessions := $(DEPS_test)
+$(foreach goal,quick unit hard sessions sanitize race,$(eval DEPS_$(goal) := $(DEPS_test)))
 DEPS_faults   := bats expect gnuplot-nox binutils util-linux
-DEPS_sanitize := $(DEPS_test)
-DEPS_race     := $(DEPS_test)
 DEPS_valgrind := valgrind libc6-dbg
 DEPS_portable := $(DEPS_test) libbsd-dev
 DEPS_cross    := python3 qemu-user gcc-aarch64-linux-gnu libc6-dev-arm64-cross gcc-i686-linux-gnu libc6-dev-i386-cross
@@ -122,7 +115,8 @@ $(call OBJ,$(MODEL) $(ENGINE_C) $(SHELL_C) $(wildcard tests/*/*.c)) $(patsubst %
 # Finds which functions beyond POSIX this system has. 'make PORTABLE=1' uses none of them, except funopen of libbsd on
 # Linux.
 FEATURES := src/shell/io/features
-$(B)/system_features.h: $(FEATURES) | $(FIRST)
+$(B)/portable/system_features.h: PORTABLE := 1
+$(B)/system_features.h $(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
 	@mkdir -p $(@D)
 	@PORTABLE=$(PORTABLE) $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 
@@ -205,20 +199,14 @@ $(B)/libdomino.so: $(B)/$(SONAME)
 	@ln -sf $(SONAME) $@
 
 # The program with nothing beyond POSIX, for 'make portable'. Only one file differs.
-$(B)/portable/system_features.h: $(FEATURES) | $(FIRST)
-	@mkdir -p $(@D)
-	@PORTABLE=1 $(FEATURES) $(CC) $(CFLAGS) > $@.new && mv $@.new $@
 $(B)/portable/system.o: src/shell/io/system.c src/shell/io/system.h $(B)/portable/system_features.h
 	$(Q)$(CC) -I$(B)/portable $(C_FLAGS) -c $< -o $@
 $(B)/portable/domino: $(filter-out %/io/system.o,$(call OBJ,$(ENGINE_C) $(SHELL_C))) $(B)/portable/system.o $(B)/libdomino.a
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -lbsd -o $@
+	$(call LINK,$(PROGRAM) -lbsd)
 
 $(B)/shared/domino: PROGRAM := $(GSL) -lreadline
 $(B)/domino $(B)/shared/domino: $(call OBJ,$(ENGINE_C) $(SHELL_C)) $(B)/libdomino.a
-	@mkdir -p $(@D)
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(PROGRAM) -o $@
+	$(call LINK,$(PROGRAM))
 
 # Programs find a shared library in /usr/lib without help. For other folders, domino.pc adds an
 # rpath.
@@ -250,9 +238,7 @@ run: all
 
 UNIT_MORE := $(filter-out $(UNIT),$(wildcard tests/unit/*.c))
 $(B)/unit/%: $(B)/obj/tests/unit/%.o $(call OBJ,$(UNIT_MORE)) $(B)/libdomino.a
-	@mkdir -p $(@D)
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lcmocka -o $@
+	$(call LINK,$(GSL) -lcmocka)
 
 # This test can make allocations and threads fail.
 $(B)/unit/test_corners: LDFLAGS += -Wl,--wrap=malloc,--wrap=calloc,--wrap=pthread_create
@@ -278,9 +264,7 @@ $(B)/obj/tests/%: C_FLAGS += -Wno-float-conversion -Wno-implicit-float-conversio
 HARD     := $(wildcard tests/hard/*.c)
 HARD_BIN := $(patsubst tests/hard/%.c,$(B)/hard/%,$(wildcard tests/hard/test_*.c))
 $(B)/hard/%: $(B)/obj/tests/hard/%.o $(call OBJ,tests/unit/suite.c $(filter-out tests/hard/test_%,$(HARD))) $(B)/libdomino.a
-	@mkdir -p $(@D)
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -lmpfr -lgmp -lcmocka -o $@
+	$(call LINK,$(GSL) -lmpfr -lgmp -lcmocka)
 
 # Each suite is a target that always runs the suite and writes its counts: suites run in parallel, the
 # longest first. A suite that fails stops no other; the counts are added up at the end.
@@ -318,8 +302,7 @@ quick test unit hard sessions:
 # Compares rows with Chipmunk, a rigid-body engine. Fails if they differ.
 VERIFY := $(wildcard tests/verify/*.c)
 $(B)/verify_rows: $(call OBJ,$(VERIFY) $(ENGINE_C) tests/hard/workers.c) $(B)/libdomino.a
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
+	$(call LINK,$(GSL))
 
 verify: $(B)/verify_rows
 	@$(B)/verify_rows
@@ -396,19 +379,17 @@ $(FUZZ:%=$(B)/%): $(B)/%: $(B)/obj/tests/fuzz/%.o $(B)/obj/tests/fuzz/session.o 
 	$(Q)$(CC) $(C_FLAGS) -fsanitize=fuzzer $^ $(GSL) -lreadline -o $@
 
 # Measures ratios of times in one run. SciPy takes part if it is installed.
-BENCH := bench compare curve floor front growth improve lengths lines measure record rows start
+BENCH := bench compare curve floor front growth lengths lines measure rows start waits
 bench: all $(B)/bench $(B)/answers python
 	@$(B)/bench $(B)
 	@$(PYTHON3) tests/bench/numpy_loop.py $(B)
 
 $(B)/obj/tests/bench/bench.o: C_FLAGS += -DBENCH_FLAGS='"$(OPTIM)"'
 $(B)/bench: $(BENCH:%=$(B)/obj/tests/bench/%.o) $(B)/obj/tests/unit/direct.o $(call OBJ,$(ENGINE_C)) $(B)/libdomino.a
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
+	$(call LINK,$(GSL))
 
 $(B)/answers: $(B)/obj/tests/bench/answers.o $(B)/libdomino.a
-	$(call SAY,LD,$@)
-	$(Q)$(CC) $(C_FLAGS) $(LDFLAGS) $^ $(GSL) -o $@
+	$(call LINK,$(GSL))
 
 # Compares instructions of answers with tests/bench/instructions.csv; 'make guard KEEP=1' writes that file again.
 guard: all $(B)/answers
@@ -456,8 +437,7 @@ lint: $(HEADERS) | $(FIRST)
 	tests/equations
 	mandoc -T lint -W warning $(PAGES)
 	tests/spelling README.md src/README.md $(PAGES)
-	shellcheck tests/run tests/layers tests/equations tests/prose tests/sessions tests/spelling tests/coverage tests/valgrind .ci/run tests/bench/guard tests/bench/operations tests/bench/shares tests/shell/*.bash tests/faults/*.bash examples/cluster/*.sh \
-	  src/shell/prompt/domino.bash src/shell/io/features .packaging/install .packaging/deb .packaging/deps tests/cross
+	grep -rlE '^#! ?/.*/(env )?(ba)?sh|^# shellcheck' .ci .packaging examples src tests | grep -v '\.bats$$' | xargs shellcheck
 
 format:
 	clang-format -i $(C_FILES) $(H_FILES)

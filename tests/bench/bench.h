@@ -112,7 +112,24 @@ enum dom_status threads_tasks(size_t count, dom_task *task, void *context, void 
 
 void threads_measure(size_t points, const unsigned *threads, struct threaded *threaded, unsigned n);
 
-/* ---- rows.c, record.c, start.c, lines.c ---- */
+/* ---- waits.c ---- */
+
+/* A line of the table at the end. Numbers that do not exist are NONE. */
+struct goal {
+    const char *text, *unit;
+    double first; /* measured before the goal was set, on another machine */
+    double goal, measured;
+    bool at_least;      /* the goal is a lower bound */
+    const char *reason; /* what forbids the goal; printed if the goal is not met; may be NULL */
+};
+
+/* Writes the questions that people wait for, at most WAITS_MOST, and returns their number. The memory of a
+ * process includes that of the process that started it, so call this function before the benchmark itself
+ * takes much memory. */
+enum { WAITS_MOST = 24 };
+size_t waits_measure(const char *build, struct goal *goal);
+
+/* ---- rows.c, start.c, lines.c ---- */
 
 /* Prints rows per second. Returns the seconds for a row with r = 1.3 on one core, without friction and with
  * friction. */
@@ -121,25 +138,6 @@ struct rows_goals {
 };
 
 struct rows_goals rows_print(void);
-
-/*
- * Prints times of a budget and of a placement of examples/record.dom, and the memory of 100,000 dominoes.
- * Returns the seconds and the megabytes. The memory of a process includes that of the process that started
- * it, so call this function before the benchmark itself takes much memory.
- */
-struct record_goals {
-    double budget, placement, megabytes;
-};
-
-struct record_goals record_print(const char *domino);
-
-/* Prints how many rows fail before and after 'improve'. Returns the percentages after it, for errors of the
- * gaps and for errors of four kinds, and the time in s that the former took on all cores. */
-struct improve_goals {
-    double seconds, gaps, all;
-};
-
-struct improve_goals improve_print(const char *domino);
 
 /* Prints times for many lines. Returns our times divided by those of bc, and by those of the library
  * alone. */
@@ -167,9 +165,7 @@ struct recurrence recurrence_measure(void);
 void floor_print(const char *title, const struct question *question, size_t n, double seconds,
                  const char *operations);
 
-/*
- * Prints how the time of each main answer divides, as the script `shares` finds it.
- */
+/* Prints how the time of each main answer divides, as the script `shares` finds it. */
 void shares_print(const char *build);
 
 /* ---- front.c, lengths.c ---- */
@@ -177,10 +173,8 @@ void shares_print(const char *build);
 /* Prints front speeds beside those that a published program computes. */
 void front_print(void);
 
-/*
- * Prints how the time for a row grows with the number of dominoes, and the time for a study with the number
- * of rows. Returns the seconds for a row of 10,000 dominoes.
- */
+/* Prints how the time for a row grows with the number of dominoes. Returns the seconds for a row of 10,000
+ * dominoes. */
 double lengths_print(void);
 
 /* ---- growth.c ---- */

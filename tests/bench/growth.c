@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows how time grows with the number of dominoes that matter, with the digits, with the points of a curve
- * and with the threads. */
+/* Shows how time grows with the number of dominoes that matter and with the digits, and how it falls with the
+ * threads. */
 #include "bench.h"
 #include <stdlib.h>
 
@@ -59,7 +59,7 @@ static double energy_seconds(double s, double r, struct dom_work *work)
 static const enum contender peers[] = {GSL, SCIPY};
 #define PEERS_FROM 0.02
 
-/* ---- The four tables, each of which also writes its numbers for the picture ---- */
+/* ---- The three tables, each of which also writes its numbers for the picture ---- */
 
 static void with_dominoes(FILE *data)
 {
@@ -135,20 +135,6 @@ static void with_digits(FILE *data)
     fputs("\n\n", data);
 }
 
-static void with_points(FILE *data)
-{
-    puts("\nTime against points of the curve, massive, s from 0.02 to 0.9, one core");
-    printf("  %-8s %12s %12s\n", "points", "ms", "us each");
-    for (size_t points = 10; points <= 10000; points *= 10) {
-        double seconds = INFINITY;
-        for (int k = 0; k < (points < 10000 ? REPEATS : 2); k++)
-            seconds = fmin(seconds, curve_library(points, 1));
-        printf("  %-8zu %12.3f %12.2f\n", points, 1e3 * seconds, 1e6 * seconds / (double)points);
-        fprintf(data, "%zu %g\n", points, 1e3 * seconds);
-    }
-    fputs("\n\n", data);
-}
-
 static void with_threads(FILE *data)
 {
     enum { POINTS = 10000, MOST = 64 };
@@ -173,10 +159,10 @@ static void with_threads(FILE *data)
 /* ---- The picture ---- */
 
 static const char script[] =
-    "set terminal svg size 1000,760 font 'Helvetica,13' background 'white'\n"
+    "set terminal svg size 1400,420 font 'Helvetica,13' background 'white'\n"
     "set output '%s/bench.svg'\n"
     "set datafile missing 'nan'\n"
-    "set multiplot layout 2,2 title 'domino: what an answer costs'\n"
+    "set multiplot layout 1,3 title 'domino: what an answer costs'\n"
     "set grid lc '#dddddd'; set key top left; unset mxtics; set format '10^{%%L}'; set logscale xy\n"
     "set xlabel 'dominoes of the longest pass (s = 10^{-6} ... 0.9)'; set ylabel 'us'\n"
     "plot '%s/bench.dat' index 0 using 2:3 with linespoints lw 2 pt 7 ps 0.6 title 'one pass', \\\n"
@@ -188,14 +174,11 @@ static const char script[] =
     "     '' index 1 using 1:4 with linespoints lw 2 pt 7 ps 0.6 title 'ours, quad', \\\n"
     "     '' index 1 using 1:3 with linespoints lw 2 pt 7 ps 0.6 title 'ours, double', \\\n"
     "     '' index 1 using 1:2 with linespoints lw 2 pt 7 ps 0.6 title 'ours, float'\n"
-    "set xrange [*:*]; set yrange [*:*]; set key top left\n"
-    "set xlabel 'points of the curve, one core'; set ylabel 'ms'\n"
-    "plot '' index 2 using 1:2 with linespoints lw 2 pt 7 ps 0.6 notitle\n"
     "unset logscale; set format '%%g'; set xrange [0.5:*]; set yrange [0:*]; set xtics 1\n"
     "if (GPVAL_DATA_X_MAX > 16) set xtics autofreq\n"
     "set key bottom right; set xlabel 'threads'; set ylabel 'times as fast, 10,000 points'\n"
-    "plot '' index 3 using 1:2 with linespoints lw 2 pt 7 ps 0.6 title 'measured', \\\n"
-    "     '' index 3 using 1:3 with lines dt 2 lc '#888888' title 'what the machine gives'\n"
+    "plot '' index 2 using 1:2 with linespoints lw 2 pt 7 ps 0.6 title 'measured', \\\n"
+    "     '' index 2 using 1:3 with lines dt 2 lc '#888888' title 'what the machine gives'\n"
     "unset multiplot\n";
 
 void growth_print(const char *build)
@@ -212,13 +195,11 @@ void growth_print(const char *build)
     fflush(stdout);
     with_digits(data);
     fflush(stdout);
-    with_points(data);
-    fflush(stdout);
     with_threads(data);
     fclose(data);
     snprintf(text, sizeof text, script, build, build);
     if (process_run(gnuplot, text).done)
-        printf("\nThe picture of these four: %s/bench.svg\n", build);
+        printf("\nThe picture of these three: %s/bench.svg\n", build);
     else
         puts("\ngnuplot is not installed: no picture");
     fflush(stdout);

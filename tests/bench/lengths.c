@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shows how the time for a row grows with the number of dominoes, and the time for a study with the number of
- * rows. */
+/* Shows how the time for a row grows with the number of dominoes. */
 #include "../../src/engine/engine.h"
 #include "../unit/direct.h"
 #include "bench.h"
 #include <stdlib.h>
 
-enum { REPEATS = 3, STUDIED = 20, DIRECT_MOST = 50, ENGINE_TIMED = 50, GOAL = 10000 };
+enum { REPEATS = 3, DIRECT_MOST = 50, ENGINE_TIMED = 50, GOAL = 10000 };
 
 #define PUSH     6.0 /* rad/s */
 #define PATIENCE 0.5 /* seconds that the repetitions of one measurement may take */
@@ -15,7 +14,6 @@ enum { REPEATS = 3, STUDIED = 20, DIRECT_MOST = 50, ENGINE_TIMED = 50, GOAL = 10
 struct line {
     size_t count;
     struct domq_domino *domino;
-    double mu;
 };
 
 static bool line_make(struct line *line, size_t count)
@@ -36,7 +34,6 @@ static struct asked_row line_asked(const struct line *line)
                               .count = line->count,
                               .g = scale.g,
                               .push = PUSH,
-                              .mu = line->mu,
                               .tol = asked_default().tol,
                               .precision = DOM_DOUBLE};
 }
@@ -115,7 +112,7 @@ static double seconds_of(bool falls(const struct line *), const struct line *lin
     return least;
 }
 
-static double with_length(void)
+double lengths_print(void)
 {
     double of_goal = NONE;
     static const size_t counts[] = {10, 20, 50, 100, 1000, 10000, 100000};
@@ -139,48 +136,5 @@ static double with_length(void)
         fflush(stdout);
         free(line.domino);
     }
-    return of_goal;
-}
-
-static double study_seconds(double mu, size_t rows)
-{
-    struct line line;
-    struct domq_study study;
-    unsigned one = 1;
-    double least = NONE;
-    for (int k = 0; k < REPEATS && line_make(&line, STUDIED); k++) {
-        line.mu = mu;
-        struct asked_row row = line_asked(&line);
-        struct domq_placement placement = {.error[DOM_ERROR_gap].size = 1e-4,
-                                           .seed = 1,
-                                           .rows = rows,
-                                           .parallel = threads_tasks,
-                                           .pool = &one};
-        double begun = seconds_now();
-        if (ask_placement_study(&row, &placement, &study, NULL) == DOM_OK && study.fall == study.rows)
-            least = fmin(least, seconds_now() - begun);
-        free(line.domino);
-    }
-    return least;
-}
-
-static void with_rows(void)
-{
-    static const double friction[] = {0, 0.2};
-    puts("\nTime against the rows of a study: 20 equal dominoes with random gaps, one core; us a row");
-    printf("  %-8s %14s %14s\n", "rows", "no friction", "friction 0.2");
-    for (size_t rows = 10; rows <= 10000; rows *= 10) {
-        printf("  %-8zu", rows);
-        for (size_t k = 0; k < sizeof friction / sizeof *friction; k++)
-            number_print(14, 2, 1e6 * study_seconds(friction[k], rows) / (double)rows);
-        putchar('\n');
-        fflush(stdout);
-    }
-}
-
-double lengths_print(void)
-{
-    double of_goal = with_length();
-    with_rows();
     return of_goal;
 }
