@@ -279,6 +279,11 @@ KERNEL enum dom_status flow_required(const struct geometry *geometry, struct til
     return DOM_OK;
 }
 
+KERNEL real flow_rises(const struct geometry *geometry, real theta)
+{
+    return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
+}
+
 /* Returns the error of the solution, plus the error of the sums in it, each of which leaves out the tail of
  * the chain. */
 KERNEL real flow_unsure(const struct geometry *geometry)

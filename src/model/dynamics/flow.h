@@ -20,7 +20,8 @@ struct flow {
 /* Frees a flow and its panels. `flow` may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
-/* The members of struct dynamics with the same names: solve, solve_piece, spent and so on. */
+/* The members of struct dynamics with the same names: solve, solve_piece, spent and so on. flow_rises returns
+ * du/dtheta, whose sign is reliable. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,
@@ -34,6 +35,7 @@ KERNEL enum dom_status flow_speed(const struct geometry *geometry, const struct 
 KERNEL enum dom_status flow_before_rest(const struct geometry *geometry, real end, real by, real *slowness);
 KERNEL real flow_gain(const struct geometry *geometry, const struct start *start, real gain, real theta,
                       real J_at);
+KERNEL real flow_rises(const struct geometry *geometry, real theta);
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked);
 
 #endif

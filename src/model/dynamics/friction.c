@@ -38,12 +38,17 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 /* ---- The law ---- */
 
 /* Finds -2 C, which has the sign of the derivative of the required energy, and equals dH/dtheta without
- * friction. */
+ * friction. The solution of the motion already has the sign. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
-    enum dom_status status = geometry->law->drive(geometry, head, rough ? 1 : geometry->tol, slope);
-    *slope *= -2;
+    struct equation_of_motion equation = {.C = 0};
+    if (rough) {
+        *slope = flow_rises(geometry, tilt_angle(head));
+        return DOM_OK;
+    }
+    enum dom_status status = geometry->law->equation(geometry, head, &equation);
+    *slope = -2 * equation.C;
     return status;
 }
 

@@ -127,11 +127,9 @@ struct contact_law {
      * the far tail. */
     enum dom_status (*rates)(const struct geometry *geometry, struct tilt head, bool every, struct sums *sums,
                              real *half_J1);
-    /* `equation` finds the equation of motion with friction. `drive` finds only its term C, to the relative
-     * tolerance tol. */
+    /* Finds the equation of motion with friction. */
     enum dom_status (*equation)(const struct geometry *geometry, struct tilt head,
                                 struct equation_of_motion *equation);
-    enum dom_status (*drive)(const struct geometry *geometry, struct tilt head, real tol, real *drive);
 };
 
 static const struct contact_law sharp_edges, rounded_edges;
@@ -164,7 +162,6 @@ KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt h
                                   struct sums *at_c);
 KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,
                                       struct equation_of_motion *equation);
-KERNEL enum dom_status sharp_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive);
 
 /* Finds geometry->far_friction for an endless train with sharp edges from which no domino detaches. */
 KERNEL void far_friction_make(struct geometry *geometry);

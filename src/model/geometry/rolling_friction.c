@@ -86,12 +86,3 @@ KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct 
     equation->locks = wrong_side || equation->A <= 0;
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
 }
-
-KERNEL enum dom_status rounded_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
-{
-    (void)tol;
-    struct equation_of_motion equation = {.C = REAL_NAN};
-    enum dom_status status = rounded_equation(geometry, head, &equation);
-    *drive = equation.C;
-    return status;
-}

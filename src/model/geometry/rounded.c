@@ -423,5 +423,4 @@ static const struct contact_law rounded_edges = {
     .both = rounded_both,
     .rates = rounded_rates,
     .equation = rounded_equation,
-    .drive = rounded_drive,
 };

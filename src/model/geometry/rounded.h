@@ -51,7 +51,5 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
                                      struct sums *sums, real *half_J1);
 KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,
                                         struct equation_of_motion *equation);
-KERNEL enum dom_status rounded_drive(const struct geometry *geometry, struct tilt head, real tol,
-                                     real *drive);
 
 #endif

@@ -231,5 +231,4 @@ static const struct contact_law sharp_edges = {
     .both = sharp_both,
     .rates = sharp_rates,
     .equation = sharp_equation,
-    .drive = sharp_drive,
 };

@@ -45,13 +45,6 @@ KERNEL void far_friction_make(struct geometry *geometry)
     geometry->far_friction = f;
 }
 
-static void friction_count(const struct geometry *geometry, size_t n)
-{
-    chain_count(geometry, n);
-    if (geometry->work)
-        geometry->work->entered[DOM_EFFECT_friction]++;
-}
-
 /* One domino with its S_i and theta_i''. */
 struct friction_link {
     struct link link;
@@ -75,32 +68,18 @@ static void friction_next(struct friction_link *k)
     link_next(&k->link);
 }
 
-static void drive_add(const struct friction_link *k, struct series *C)
-{
-    const struct link *link = &k->link;
-    series_add(C, -link->weight * k->S * geometry_height_slope(link->geometry, link->tilt) / 2);
-}
-
-/*
- * Returns true when the tail of C can be left out at the tolerance; friction_done does this for all three
- * sums. The ratio of later terms is assumed to be at least `decay`, the ratio at the end of an endless train,
- * since the ratio may still increase to that value.
- */
-static bool drive_done(const struct friction_link *k, struct series *C, real tol)
-{
-    const struct geometry *geometry = k->link.geometry;
-    real ratio = fmax(geometry->weight * fabs(torque_ratio(&k->link)), geometry->decay);
-    return series_done(C, k->link.weight * fabs(k->S) * geometry->reach, ratio, tol);
-}
-
+/* Returns true when the tails of all three sums can be left out at the tolerance. The ratio of later terms is
+ * assumed to be at least `decay`, the ratio at the end of an endless train, since the ratio may still
+ * increase to that value. */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
     const struct geometry *geometry = link->geometry;
-    real S = fabs(k->S), Y = link->contact.Y,
+    real S = fabs(k->S), Y = link->contact.Y, passed = fabs(torque_ratio(link)),
          margin_slope = geometry->r * geometry->L / (Y * Y) * link->slope * link->slope;
-    real ratio = fmax(geometry->inertia * fabs(torque_ratio(link)), fmax(geometry->decay, geometry->decay_J));
-    return drive_done(k, C, geometry->tol) &&
+    real ratio = fmax(geometry->inertia * passed, fmax(geometry->decay, geometry->decay_J));
+    return series_done(C, link->weight * S * geometry->reach,
+                       fmax(geometry->weight * passed, geometry->decay), geometry->tol) &&
            series_done(A, link->inertia * S * link->slope, ratio, geometry->tol) &&
            series_done(B, link->inertia * S * (fabs(k->second_derivative) + margin_slope), ratio,
                        geometry->tol);
@@ -118,23 +97,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* If this domino is so near to theta_inf that the last term of the series does not matter, adds the
- * contributions of this domino and of all dominoes behind it to C, and returns true. */
-static bool drive_closes(const struct friction_link *k, struct series *C, real tol)
-{
-    const struct link *link = &k->link;
-    const struct geometry *geometry = link->geometry;
-    const struct far_friction *far = &geometry->far_friction;
-    if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known)
-        return false;
-    real e = far_angle(geometry, link->tilt), part = link->weight * k->S;
-    if (e > geometry->inf.x / 16 || !far_done(C, part * far->C[0], part * far->C[2] * e * e, tol))
-        return false;
-    series_add(C, part * far_value(far->C, e));
-    return true;
-}
-
-/* Does the same as drive_closes for all three sums, if the condition holds for each of them. */
+/* If this domino is so near to theta_inf that the last terms of the series do not matter, adds the
+ * contributions of this domino and of all dominoes behind it to the sums, and returns true. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {
@@ -143,16 +107,17 @@ static bool friction_closes(const struct friction_link *k, struct series *A, str
     const struct far_friction *far = &geometry->far_friction;
     if (geometry->n != CHAIN_ENDLESS || geometry->follower || !far->known)
         return false;
-    real e = far_angle(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope;
-    if (!far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol))
-        return false;
-    real rest = part * (k->second_derivative * far->A[0] + slope * slope * far->B[0]),
-         last = part * (fabs(k->second_derivative * far->A[2]) + slope * slope * fabs(far->B[2])) * e * e;
-    if (!far_done(B, rest, last, geometry->tol) || !drive_closes(k, C, geometry->tol))
+    real e = far_angle(geometry, link->tilt), part = link->inertia * k->S, slope = link->slope,
+         drive = link->weight * k->S, turns = k->second_derivative, square = slope * slope;
+    if (e > geometry->inf.x / 16 ||
+        !far_done(A, part * slope * far->A[0], part * slope * far->A[2] * e * e, geometry->tol) ||
+        !far_done(B, part * (turns * far->A[0] + square * far->B[0]),
+                  part * (fabs(turns * far->A[2]) + square * fabs(far->B[2])) * e * e, geometry->tol) ||
+        !far_done(C, drive * far->C[0], drive * far->C[2] * e * e, geometry->tol))
         return false;
     series_add(A, part * slope * far_value(far->A, e));
-    series_add(B,
-               part * (k->second_derivative * far_value(far->A, e) + slope * slope * far_value(far->B, e)));
+    series_add(B, part * (turns * far_value(far->A, e) + square * far_value(far->B, e)));
+    series_add(C, drive * far_value(far->C, e));
     return true;
 }
 
@@ -170,12 +135,14 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
             break;
         series_add(&A, link->inertia * k.S * link->slope);
         series_add(&B, link->inertia * k.S * k.second_derivative);
-        drive_add(&k, &C);
+        series_add(&C, -link->weight * k.S * geometry_height_slope(link->geometry, link->tilt) / 2);
         if (link->i + 1 >= geometry->n || !link->leads || friction_done(&k, &A, &B, &C))
             break;
         friction_next(&k);
     }
-    friction_count(geometry, k.link.i + 1);
+    chain_count(geometry, k.link.i + 1);
+    if (geometry->work)
+        geometry->work->entered[DOM_EFFECT_friction]++;
     *equation = (struct equation_of_motion){.A = A.sum + A.lost,
                                             .B = B.sum + B.lost,
                                             .C = C.sum + C.lost,
@@ -185,27 +152,4 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
                                             .n = k.link.i + 1};
     equation->locks = k.wrong_side || equation->A <= 0;
     return isfinite(equation->A) && isfinite(equation->B) && isfinite(equation->C) ? DOM_OK : DOM_NOT_FINITE;
-}
-
-/* Finds only C, which is 0 at the top of a barrier. With tol = 1 only the sign of C is reliable, but very few
- * dominoes need to be summed. */
-KERNEL enum dom_status sharp_drive(const struct geometry *geometry, struct tilt head, real tol, real *drive)
-{
-    struct series C = {0};
-    struct friction_link k = {.link = link_head(geometry, head), .S = 1};
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.link.i);
-        if (status != DOM_OK)
-            return status;
-        if (drive_closes(&k, &C, tol))
-            break;
-        drive_add(&k, &C);
-        if (k.link.i + 1 >= geometry->n || !k.link.leads || drive_done(&k, &C, tol))
-            break;
-        k.S *= torque_ratio(&k.link);
-        link_next(&k.link);
-    }
-    friction_count(geometry, k.link.i + 1);
-    *drive = C.sum + C.lost;
-    return isfinite(*drive) ? DOM_OK : DOM_NOT_FINITE;
 }

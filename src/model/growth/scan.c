@@ -25,7 +25,8 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
         if (status == DOM_INTERRUPTED || (status == DOM_OK && margin_highest(c, *r)))
             return status;
     }
-    enum num_status solver = num_root(margin_at, c, lo->r, hi->r, tol / 8, r);
+    enum num_status solver = num_root_between(margin_at, c, lo->r, margin_value(&lo->margin), hi->r,
+                                              margin_value(&hi->margin), tol / 8, r);
     return model_status(c->status, solver);
 }
 
