@@ -42,7 +42,7 @@ TEST(the_far_tail_is_the_train)
         struct geometry geometry = random_geometry(&seed, tol, &head), fine = geometry;
         struct sums closed, whole = {0}, e = {0};
         fine.tol = 1e-15;
-        assert_status(geometry.law->change(&geometry, head, PASS_PLAIN, &closed, NULL), DOM_OK);
+        assert_status(chain_change(&geometry, upright, head, PASS_PLAIN, &closed, NULL), DOM_OK);
         assert_status(energy_change_between(&fine, upright, head, half_of_tilt(head), PASS_ERROR, &whole, &e),
                       DOM_OK);
         /* dH may cancel. In that case a pass is only correct to the rounding errors of its terms, which e
@@ -103,7 +103,8 @@ TEST(the_far_tail_is_within_its_bound)
                     plain.far.order = 0;
                     struct far_point rest = far_add(&geometry, &closed, &a, &b, t);
                     assert_status(plain.law->sum(&plain, a.tilt, &whole), DOM_OK);
-                    assert_status(chain_second_derivative(&plain, b.tilt, a.tilt, &between), DOM_OK);
+                    assert_status(
+                        chain_change(&plain, b.tilt, a.tilt, PASS_SECOND_DERIVATIVE, &between, NULL), DOM_OK);
                     assert_rest("J", &geometry, z, closed.J.sum, whole.J, far->rest_J * share);
                     assert_rest("H1", &geometry, z, closed.H1.sum, whole.H1, far->rest_H * share);
                     assert_rest("dH", &geometry, z, closed.dH.sum, between.dH, t * far->rest_H * share);
@@ -136,8 +137,8 @@ TEST(one_top_if_concave)
         single++;
         for (int k = 0; k <= 16; k++) {
             struct sums at;
-            assert_status(chain_second_derivative(&geometry, upright,
-                                                  tilt_half(geometry_half_u(&geometry) * k / 16), &at),
+            assert_status(chain_change(&geometry, upright, tilt_half(geometry_half_u(&geometry) * k / 16),
+                                       PASS_SECOND_DERIVATIVE, &at, NULL),
                           DOM_OK);
             if (!(at.H2 < 0))
                 fail_msg("s %.17g r %.17g d %.17g q %.17g: H2 = %g at %d/16 of theta_u", geometry.s,

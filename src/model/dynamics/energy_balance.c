@@ -28,7 +28,7 @@ KERNEL enum dom_status energy_fuel(const struct geometry *geometry, struct fuel 
 {
     struct sums at_c, e;
     enum dom_status status =
-        geometry->law->change(geometry, geometry->c, PASS_SHIFT, &at_c, error ? &e : NULL);
+        chain_change(geometry, standing, geometry->c, PASS_SHIFT, &at_c, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *fuel = fuel_of(geometry, &at_c);
@@ -114,7 +114,7 @@ static enum dom_status energy_required(const struct geometry *geometry, struct t
                                        real *energy)
 {
     struct sums sums;
-    enum dom_status status = geometry->law->change_from(geometry, from, tilt_half(p), PASS_PLAIN, &sums);
+    enum dom_status status = chain_change(geometry, from, tilt_half(p), PASS_PLAIN, &sums, NULL);
     *energy = sums.dH;
     return status;
 }
@@ -127,8 +127,7 @@ static enum dom_status energy_speed(const struct geometry *geometry, const struc
     struct sums at = {0}, e = {0};
     enum dom_status status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = error ? geometry->law->change(geometry, head, PASS_PLAIN, &at, &e)
-                       : geometry->law->change_from(geometry, start->from, head, PASS_PLAIN, &at);
+        status = chain_change(geometry, start->from, head, PASS_PLAIN, &at, error ? &e : NULL);
     if (status != DOM_OK)
         return status;
     *omegasq = (start->kinetic - at.dH) / at.J;
@@ -146,7 +145,7 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);
     if (status == DOM_OK)
-        status = geometry->law->change_by(geometry, rest, head, -by, &at);
+        status = geometry->law->change(geometry, rest, head, tan(-by / 2), PASS_PLAIN, &at, NULL);
     if (status == DOM_OK)
         *slowness = at.dH < 0 ? at.J / -at.dH : REAL_NAN;
     return status;

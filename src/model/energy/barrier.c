@@ -109,7 +109,8 @@ static enum dom_status barrier_climb(const struct slope_context *c, const struct
         if (at)
             here = *at;
         else
-            status = chain_second_derivative(c->geometry, c->from, tilt_half(top->p), &here);
+            status =
+                chain_change(c->geometry, c->from, tilt_half(top->p), PASS_SECOND_DERIVATIVE, &here, NULL);
         if (status != DOM_OK)
             return status;
         at = NULL;
@@ -345,7 +346,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
 {
     struct sums at;
     if (!geometry->dynamics->conservative || b->height <= 0 ||
-        chain_second_derivative(geometry, from, tilt_half(b->half), &at) != DOM_OK)
+        chain_change(geometry, from, tilt_half(b->half), PASS_SECOND_DERIVATIVE, &at, NULL) != DOM_OK)
         return REAL_NAN;
     bool inside = at.H2 < 0 && fabs(at.H1 / at.H2) < b->half / 64;
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
@@ -381,7 +382,7 @@ static enum dom_status top_error(const struct geometry *geometry, real theta, re
     if (status == DOM_OK)
         status = geometry_tilt(geometry, theta, &head);
     if (status == DOM_OK)
-        status = chain_second_derivative(geometry, standing, head, &at);
+        status = chain_change(geometry, standing, head, PASS_SECOND_DERIVATIVE, &at, NULL);
     if (status != DOM_OK)
         return status;
     *error = least;

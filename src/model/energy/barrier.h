@@ -29,7 +29,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 /*
  * These two functions find a single top by Newton's method. barrier_near returns the tilt at which
  * barrier_follow starts. This tilt is a good estimate of the top if b holds the top of a similar train. `at`
- * holds the sums at that tilt (chain_second_derivative), or is NULL. barrier_follow returns false if it finds
+ * holds the sums at that tilt (PASS_SECOND_DERIVATIVE), or is NULL. barrier_follow returns false if it finds
  * no top. Only barrier_tops checks whether the top is the highest one.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);

@@ -2,18 +2,18 @@
 #include "geometry/chain.h"
 #include "geometry/bound.h"
 
+KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    enum pass pass, struct sums *sums, struct sums *error)
+{
+    return geometry->law->change(geometry, from, head, half_turn(from, head), pass, sums, error);
+}
+
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error)
 {
     struct tilt head;
     enum dom_status status = geometry_tilt(geometry, theta, &head);
-    return status == DOM_OK ? geometry->law->change(geometry, head, PASS_PLAIN, sums, error) : status;
-}
-
-KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, struct tilt from,
-                                               struct tilt head, struct sums *sums)
-{
-    return geometry->law->change_from(geometry, from, head, PASS_SECOND_DERIVATIVE, sums);
+    return status == DOM_OK ? chain_change(geometry, standing, head, PASS_PLAIN, sums, error) : status;
 }
 
 KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves, struct tilt *head,

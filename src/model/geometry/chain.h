@@ -10,14 +10,14 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
+/* Finds the sums of contact_law.change between two tilts of the head. */
+KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    enum pass pass, struct sums *sums, struct sums *error);
+
 /* Finds J, H1 and H(theta) - H(0) (struct sums) at theta in [0, theta_c], and error bounds unless `error` is
  * NULL. */
 KERNEL enum dom_status chain_energy_at(const struct geometry *geometry, real theta, struct sums *sums,
                                        struct sums *error);
-
-/* Finds J, H1 and H2 at the tilt `head`, and H(head) - H(from). */
-KERNEL enum dom_status chain_second_derivative(const struct geometry *geometry, struct tilt from,
-                                               struct tilt head, struct sums *sums);
 
 /*
  * Finds the tilt of the head at which a domino detaches, and the number of that domino unless `domino` is

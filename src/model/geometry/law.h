@@ -107,18 +107,15 @@ struct contact_law {
     enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
-    /* Finds J, H1 and dH, with bounds of their errors (bound.h) unless error is NULL. PASS_SHIFT saves half
-     * of the work for an endless train whose head is at theta_c. */
-    enum dom_status (*change)(const struct geometry *geometry, struct tilt head, enum pass pass,
-                              struct sums *sums, struct sums *error);
-    /* Finds J, H1, H(head) - H(from), and the sums that `pass` selects. If `from` is not upright, no domino
-     * may detach between the two tilts. */
-    enum dom_status (*change_from)(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                   enum pass pass, struct sums *sums);
-    /* Finds J, H1 and H(head) - H(from), where `head` is `from` turned by the angle `by`. The angle may be so
-     * small that `head` and `from` round to the same tilt. */
-    enum dom_status (*change_by)(const struct geometry *geometry, struct tilt from, struct tilt head, real by,
-                                 struct sums *sums);
+    /*
+     * Finds J, H1 and H(head) - H(from), and the sums that `pass` selects, with bounds of their errors
+     * (bound.h) unless error is NULL. t is the tangent of half the angle from `from` to `head`. This angle
+     * may be so small that both tilts round to the same. If `from` is not upright, no domino may detach
+     * between the two, and error must be NULL. PASS_SHIFT saves half of the work for an endless train from
+     * upright to theta_c.
+     */
+    enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
+                              enum pass pass, struct sums *sums, struct sums *error);
     /* Finds the sums at `head`, including H2, and the sums at theta_c, for an endless train from which no
      * domino detaches. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
@@ -152,12 +149,8 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
 /* The passes of both laws, which are defined in sharp_change.c, sharp_friction.c, rolling.c and
  * rolling_friction.c. */
-KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt head, enum pass pass,
-                                    struct sums *sums, struct sums *error);
-KERNEL enum dom_status sharp_change_from(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                         enum pass pass, struct sums *sums);
-KERNEL enum dom_status sharp_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                       real by, struct sums *sums);
+KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    real t, enum pass pass, struct sums *sums, struct sums *error);
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c);
 KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct tilt head,

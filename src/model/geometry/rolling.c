@@ -94,24 +94,11 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
 
 /* ---- Differences ---- */
 
-/* Returns tan(by / 2), where `by` is the difference of the angles of a and b. */
-static real half_of_turn(struct tilt a, struct tilt b, real by)
-{
-    if (fabs(by) < (real)0.25)
-        return tan(by / 2);
-    return (a.x * b.y - a.y * b.x) / (1 + a.y * b.y + a.x * b.x);
-}
-
 /* The difference between the tilts that one domino has in two chains: the angle, and the tangent of half the
  * angle. */
 struct apart {
     real by, t;
 };
-
-static struct apart apart_of(struct tilt a, struct tilt b, real by)
-{
-    return (struct apart){by, half_of_turn(a, b, by)};
-}
 
 /* Returns the difference between two tilts from t, the tangent of half the angle between them. t keeps its
  * relative accuracy along the chain, although the differences become ever smaller. */
@@ -131,7 +118,7 @@ static real rolling_rise(const struct geometry *geometry, struct tilt a, struct 
 
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 {
-    return -rolling_rise(geometry, t, standing, apart_of(t, standing, tilt_angle(t)));
+    return -rolling_rise(geometry, t, standing, apart_by(half_of_tilt(t)));
 }
 
 /*
@@ -233,15 +220,15 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* Finds the sums of one chain, and how much its H exceeds that of another chain. The heads of the two chains
- * are the angle `by` apart. For sharp edges, energy_change_between does the same. */
-static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                    real by, enum pass pass, struct sums *sums)
+/* For sharp edges, energy_change_between does the same. No error bounds are known. */
+KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                      real t, enum pass pass, struct sums *sums, struct sums *error)
 {
+    (void)error;
     bool pushes = pass == PASS_PUSHES;
     struct sum_state state = {0};
     struct walk a = rounded_begin(geometry, head), b = rounded_begin(geometry, from);
-    struct apart apart = apart_of(head, from, by);
+    struct apart apart = apart_by(t);
     real H2 = 0;
     for (;;) {
         const struct link *link = &a.link;
@@ -262,7 +249,7 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
                 rounded_next(&b);
             state.left = link->weight * geometry->weight *
                          rolling_rise(geometry, geometry->f, b.link.tilt,
-                                      apart_of(geometry->f, b.link.tilt, tilt_angle(geometry->f) - b.theta));
+                                      apart_by(half_turn(b.link.tilt, geometry->f)));
             series_add(&state.dH, state.left);
             break;
         }
@@ -287,29 +274,12 @@ static enum dom_status rolling_pass(const struct geometry *geometry, struct tilt
     return status;
 }
 
-KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt head, enum pass pass,
-                                      struct sums *sums, struct sums *error)
-{
-    (void)error;
-    return rolling_pass(geometry, standing, head, tilt_angle(head), pass, sums);
-}
-
-KERNEL enum dom_status rounded_change_from(const struct geometry *geometry, struct tilt from,
-                                           struct tilt head, enum pass pass, struct sums *sums)
-{
-    return rolling_pass(geometry, from, head, 2 * atan(half_turn(from, head)), pass, sums);
-}
-
-KERNEL enum dom_status rounded_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                         real by, struct sums *sums)
-{
-    return rolling_pass(geometry, from, head, by, PASS_PLAIN, sums);
-}
-
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c)
 {
-    enum dom_status status = rounded_change(geometry, geometry->c, PASS_SHIFT, at_c, NULL);
-    return status == DOM_OK ? rounded_change_from(geometry, standing, head, PASS_SECOND_DERIVATIVE, sums)
+    enum dom_status status =
+        rounded_change(geometry, standing, geometry->c, half_of_tilt(geometry->c), PASS_SHIFT, at_c, NULL);
+    return status == DOM_OK ? rounded_change(geometry, standing, head, half_of_tilt(head),
+                                             PASS_SECOND_DERIVATIVE, sums, NULL)
                             : status;
 }

@@ -39,12 +39,8 @@ KERNEL void rounded_count(const struct geometry *geometry);
 /* The passes of struct contact_law. They find no error bounds. */
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
-KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt head, enum pass pass,
-                                      struct sums *sums, struct sums *error);
-KERNEL enum dom_status rounded_change_from(const struct geometry *geometry, struct tilt from,
-                                           struct tilt head, enum pass pass, struct sums *sums);
-KERNEL enum dom_status rounded_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                         real by, struct sums *sums);
+KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                      real t, enum pass pass, struct sums *sums, struct sums *error);
 KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                     struct sums *at_c);
 KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,

@@ -280,51 +280,33 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* Finds error bounds of `sums`, which a pass with series has found: the bounds of a pass without series, plus
- * the difference between the sums of the two passes. */
-static enum dom_status energy_change_error(const struct geometry *geometry, struct tilt head,
-                                           const struct sums *sums, struct sums *error)
+/* `pass` is a constant in each call, so that the compiler can remove the sums that are not needed. The error
+ * bounds are those of a pass without series, plus the difference between the sums of the two passes. */
+KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
+                                    real t, enum pass pass, struct sums *sums, struct sums *error)
 {
+    enum dom_status status;
     struct sums whole;
-    enum dom_status status =
-        energy_change_between(geometry, standing, head, half_of_tilt(head), PASS_ERROR, &whole, error);
-    if (status == DOM_OK) {
-        error->J += fabs(sums->J - whole.J);
-        error->H1 += fabs(sums->H1 - whole.H1);
-        error->dH += fabs(sums->dH - whole.dH);
-    }
-    return status;
-}
-
-/* `pass` is a constant in each call, so that the compiler can remove the sums that are not needed. */
-KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt head, enum pass pass,
-                                    struct sums *sums, struct sums *error)
-{
-    const real t = half_of_tilt(head);
-    enum dom_status status = pass == PASS_SHIFT
-                                 ? energy_change_between(geometry, standing, head, t, PASS_SHIFT, sums, NULL)
-                                 : energy_change_between(geometry, standing, head, t, PASS_PLAIN, sums, NULL);
-    return status == DOM_OK && error ? energy_change_error(geometry, head, sums, error) : status;
-}
-
-KERNEL enum dom_status sharp_change_from(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                         enum pass pass, struct sums *sums)
-{
-    const real t = half_turn(from, head);
     switch (pass) {
+    case PASS_SHIFT:
+        status = energy_change_between(geometry, from, head, t, PASS_SHIFT, sums, NULL);
+        break;
     case PASS_SECOND_DERIVATIVE:
-        return energy_change_between(geometry, from, head, t, PASS_SECOND_DERIVATIVE, sums, NULL);
+        status = energy_change_between(geometry, from, head, t, PASS_SECOND_DERIVATIVE, sums, NULL);
+        break;
     case PASS_PUSHES:
-        return energy_change_between(geometry, from, head, t, PASS_PUSHES, sums, NULL);
+        status = energy_change_between(geometry, from, head, t, PASS_PUSHES, sums, NULL);
+        break;
     default:
-        return energy_change_between(geometry, from, head, t, PASS_PLAIN, sums, NULL);
+        status = energy_change_between(geometry, from, head, t, PASS_PLAIN, sums, NULL);
     }
-}
-
-KERNEL enum dom_status sharp_change_by(const struct geometry *geometry, struct tilt from, struct tilt head,
-                                       real by, struct sums *sums)
-{
-    return energy_change_between(geometry, from, head, tan(by / 2), PASS_PLAIN, sums, NULL);
+    if (status != DOM_OK || !error)
+        return status;
+    status = energy_change_between(geometry, from, head, t, PASS_ERROR, &whole, error);
+    error->J += fabs(sums->J - whole.J);
+    error->H1 += fabs(sums->H1 - whole.H1);
+    error->dH += fabs(sums->dH - whole.dH);
+    return status;
 }
 
 /* The two passes run side by side, because the processor can compute the square roots of one chain while the

@@ -31,7 +31,7 @@ static real stop_width(const struct motion *m)
     struct sums at;
     const struct geometry *geometry = &m->cycle.segment.geometry;
     if (!geometry->dynamics->conservative || geometry_tilt(geometry, m->end, &rest) != DOM_OK ||
-        chain_second_derivative(geometry, standing, rest, &at) != DOM_OK || !(at.H2 < 0))
+        chain_change(geometry, standing, rest, PASS_SECOND_DERIVATIVE, &at, NULL) != DOM_OK || !(at.H2 < 0))
         return REAL_NAN;
     return sqrt(2 * fabs(at.H1 / at.H2) / m->end);
 }

@@ -179,7 +179,7 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = cycle_speed(&m->cycle, m->end, theta, &omegasq, errors ? &omegasq_error : NULL);
     theta = fmin(theta, m->end);
     if (status == DOM_OK)
-        status = geometry->law->change(geometry, head, PASS_PLAIN, &at, errors ? &e : NULL);
+        status = chain_change(geometry, standing, head, PASS_PLAIN, &at, errors ? &e : NULL);
     if (status == DOM_OK)
         status = fallen_energy(geometry, theta, &at.left);
     if (status == DOM_OK && isnan(time))

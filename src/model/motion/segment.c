@@ -74,8 +74,7 @@ KERNEL enum dom_status segment_next(struct segment *st, struct segment *next)
     real omegasq = REAL_NAN;
     st->status = geometry_tilt(&st->geometry, st->hi, &head);
     if (st->status == DOM_OK)
-        st->status =
-            st->geometry.law->change_from(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end);
+        st->status = chain_change(&st->geometry, st->start.from, head, PASS_PUSHES, &st->end, NULL);
     if (st->status != DOM_OK)
         return st->status;
     const real J = st->end.J;
