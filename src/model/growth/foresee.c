@@ -13,7 +13,7 @@ KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
     real matter = 1 / (q * log(r) + r * sqrt(s * (s + 2 * c->geometry.d)));
-    return 2 * q + 1 + (c->dominoes == 2 ? 0 : q * fmin(matter, 1 / s));
+    return 2 * q + 1 + q * fmin(matter, 1 / s);
 }
 
 /* ---- The root ---- */

@@ -61,7 +61,7 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
                                          struct limit *limit)
 {
     *limit = (struct limit){.r_max = c->geometry.span / c->s, .ends = DOM_END_REACH};
-    if (dynamics_bounded(&c->geometry))
+    if (dynamics_bounded(&c->geometry) && c->dominoes == CHAIN_ENDLESS)
         return scan_to_negative(c, from, &limit->r_max, &limit->ends);
     struct edge root;
     bool found = false;
@@ -69,19 +69,6 @@ static enum dom_status limit_to_negative(struct margin_context *c, const struct 
     if (status == DOM_OK && found)
         *limit = (struct limit){.r_max = root.r, .ends = DOM_END_BARRIER};
     return status;
-}
-
-/* Finds the first r >= from at which the margin is not negative. *found is false if there is none. */
-static enum dom_status limit_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
-{
-    if (dynamics_bounded(&c->geometry))
-        return scan_to_positive(c, from, edge, found);
-    *edge = (struct edge){from, margin_sign(c, from)};
-    *found = c->status == DOM_OK && margin_value(&edge->margin) >= 0;
-    if (c->status != DOM_OK || *found)
-        return c->status;
-    struct edge first = *edge;
-    return probe_change(c, &first, edge, found);
 }
 
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
@@ -144,16 +131,18 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
-    struct edge edge;
-    bool any;
     *found = no_limit;
     /* If the growth is smaller than this, domino 1 has not yet tipped over when it hits the next domino
      * (5; b0). */
-    real tips = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1);
-    if (tips > c->geometry.span / c->s)
+    struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
+    if (first.r > c->geometry.span / c->s)
         return DOM_OK;
-    enum dom_status status = limit_to_positive(c, tips, &edge, &any);
-    return status == DOM_OK && any ? limit_to_negative(c, &edge, found) : status;
+    edge = first;
+    edge.margin = first.margin = margin_sign(c, first.r);
+    bool any = c->status == DOM_OK && margin_value(&first.margin) >= 0;
+    if (c->status == DOM_OK && !any)
+        c->status = probe_change(c, &first, &edge, &any);
+    return c->status == DOM_OK && any ? limit_to_negative(c, &edge, found) : c->status;
 }
 
 KERNEL enum dom_status limit_pair(const struct request *train, struct dom_limit *limit)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The first sign change of the margin as a function of r. Without friction, scan.c samples the margin, and
- * bounds (strip.h) cover the intervals between samples: an interval of growths, called a strip, is passed
- * only if K > B is known everywhere in it, or if the margin is known to decrease at each of its roots in the
- * strip. With friction no bound is known. probe.c then adds samples wherever the curvature of the margin
- * leaves room for a sign change between two samples.
+ * The first sign change of the margin as a function of r. For a train without friction and with sharp edges,
+ * scan.c samples the margin, and bounds (strip.h) cover the intervals between samples: an interval of
+ * growths, called a strip, is passed only if K > B is known everywhere in it, or if the margin is known to
+ * decrease at each of its roots in the strip. For other trains, and for pairs, probe.c adds samples wherever
+ * the curvature of the margin leaves room for a sign change between two samples.
  */
 #ifndef DOM_LIMIT_H
 #define DOM_LIMIT_H
@@ -61,12 +61,6 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
  */
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends);
-
-/*
- * Finds the first growth, starting at `from`, at which the margin of the pair is not negative, to SCAN_FINEST
- * in ln r. An interval of such growths that is narrower than SCAN_FINEST can be missed.
- */
-KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found);
 
 /*
  * Finds the first growth after from->r at which the margin changes its sign. If the margin is not negative at

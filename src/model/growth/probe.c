@@ -21,7 +21,7 @@ static real probe_place(real span, real s, int k)
 
 /* The largest number of bisections of an interval. They divide an interval from r to r e^(1/8) into parts
  * that are 1e-3 r wide. */
-#define PROBE_HALVES 7
+#define PROBE_HALVES 17
 
 /*
  * The margin is taken to keep its sign between two samples if it exceeds this multiple of f w^2 at both. f is
@@ -66,9 +66,8 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 
 /*
  * Returns true if the margin is taken to keep its sign between lo and hi, apart from a sign change at
- * p->root. If there is no third sample, `third` is lo, and a quarter of the change over the interval replaces
- * f w^2. Barriers of which only the upper bound is known are taken to be that of hi or of the third sample,
- * so that they do not bend the margin.
+ * p->root. If `third` is lo, the bend is NaN and the result is false. A barrier of which only the upper bound
+ * is known is taken to be that of hi or of the third sample, so that it does not bend the margin.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
@@ -76,9 +75,8 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
                at_third = probe_value(p, third, barrier), width = hi->r - lo->r;
-    real bend = (at_hi - at_lo) / 4;
-    if (third->r != lo->r)
-        bend = (at_hi - at_lo - (at_third - at_lo) / (third->r - lo->r) * width) * width / (hi->r - third->r);
+    const real bend =
+        (at_hi - at_lo - (at_third - at_lo) / (third->r - lo->r) * width) * width / (hi->r - third->r);
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 

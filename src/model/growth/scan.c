@@ -38,51 +38,15 @@ static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
     return c->status;
 }
 
-/* Returns (1 + k) r [k / (1 + k)]^2, the kinetic energy of the pair divided by that of the push (15; b11).
- * This ratio decreases with r. */
-static real pair_velocity_ratio(const struct geometry *geometry)
-{
-    real k = geometry->inertia;
-    return geometry->r * k * k / (1 + k);
-}
-
-/*
- * Finds bounds of the kinetic energy K of the pair over a strip. The push increases with r: d ln push / d ln
- * r = cot((theta_c - theta_u) / 2) tan theta_c. The fraction of the push that remains after the collision
- * decreases with the logarithmic slope 2 q + 1 - (q + 1) k / (1 + k).
- */
-static void pair_strip(const struct geometry *lo, const struct geometry *hi, struct strip *s)
-{
-    real push_lo = lo->law->push(lo), push_hi = hi->law->push(hi), sine, cosine;
-    geometry_tips(lo, &sine, &cosine);
-    s->kinetic_least = push_lo * pair_velocity_ratio(hi) * (1 - 256 * REAL_EPSILON);
-    s->kinetic_most = push_hi * pair_velocity_ratio(lo) * (1 + 256 * REAL_EPSILON);
-    real gains = (1 + cosine) / sine * (hi->c.x / hi->c.y);
-    real ages = 2 * lo->q + 1 - (lo->q + 1) * lo->inertia / (1 + lo->inertia), net = gains - ages;
-    s->margin_slope = s->drops + net * (net > 0 ? s->kinetic_most : s->kinetic_least);
-    if (!(sine > 0) || !isfinite(s->margin_slope))
-        s->margin_slope = (real)INFINITY;
-    s->root_slope = s->margin_slope;
-}
-
 KERNEL enum dom_status scan_bounds(struct margin_context *c, real lo, real hi, struct strip *strip)
 {
     struct geometry at_lo = c->geometry, at_hi = c->geometry;
-    real ln_r = log1p((hi - lo) / lo), most = barrier_most(&c->geometry);
     enum dom_status status = geometry_set(&at_lo, c->s, lo);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, c->s, hi);
-    if (status != DOM_OK)
-        return status;
-    at_lo.n = at_hi.n = c->dominoes;
-    bool pair = c->dominoes == 2;
-    status = strip_walk(&at_lo, &at_hi, c->train->fuel, pair ? (real)INFINITY : most,
-                        fmin((real)1e-2, ln_r / 16), strip);
-    if (status != DOM_OK || !pair)
-        return status;
-    pair_strip(&at_lo, &at_hi, strip);
-    strip->clear = strip->kinetic_least > most;
-    return DOM_OK;
+    return status == DOM_OK ? strip_walk(&at_lo, &at_hi, c->train->fuel, barrier_most(&c->geometry),
+                                         fmin((real)1e-2, log1p((hi - lo) / lo) / 16), strip)
+                            : status;
 }
 
 KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *lo, struct edge *hi,
@@ -186,50 +150,6 @@ static enum dom_status scan_close(struct margin_context *c, struct scan *scan, r
     return scan_root(c, lo, below, r);
 }
 
-/*
- * Sets *below to true if the margin, which is known to be negative at the lower end of a strip, is certainly
- * negative over the whole strip. The margin is negative if domino 1 has not tipped over at hi. Otherwise the
- * upper bound of K must be below the lower bound of the barrier, or the margin must be unable to rise to 0
- * within the strip.
- */
-static enum dom_status scan_below(struct margin_context *c, const struct edge *lo, real hi, bool *below)
-{
-    struct strip strip;
-    enum dom_status status = scan_bounds(c, lo->r, hi, &strip);
-    if (status != DOM_OK)
-        return status;
-    real barrier = lo->margin.barrier, ln_r = log1p((hi - lo->r) / lo->r),
-         rises = fmax(strip.root_slope, 0) * ln_r;
-    *below = strip.kinetic_most == 0 || margin_value(&lo->margin) + rises < 0 ||
-             strip.kinetic_most < strip_barrier_least(&strip, barrier, barrier_most(&c->geometry), ln_r);
-    return DOM_OK;
-}
-
-KERNEL enum dom_status scan_to_positive(struct margin_context *c, real from, struct edge *edge, bool *found)
-{
-    const real reach = 1 / c->s;
-    struct edge lo = {.r = from}, hi;
-    real step = log(reach / from) / 8;
-    enum dom_status status = scan_sure(c, &lo);
-    while (status == DOM_OK && lo.r < reach && margin_value(&lo.margin) < 0) {
-        real left = log(reach / lo.r);
-        bool last = step >= left * (real)0.8, finest = step <= SCAN_FINEST, below;
-        hi.r = last ? reach : lo.r * exp(fmax(step, SCAN_FINEST));
-        status = scan_below(c, &lo, hi.r, &below);
-        if (status == DOM_OK && (below || finest)) {
-            status = scan_sure(c, &hi);
-            lo = hi;
-            step *= 2;
-        } else if (status == DOM_OK || (status == DOM_UNDERFLOW && !finest)) {
-            status = DOM_OK;
-            step = (last ? left : step) / 2;
-        }
-    }
-    *found = status == DOM_OK && margin_value(&lo.margin) >= 0;
-    *edge = lo;
-    return status;
-}
-
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends)
 {
@@ -237,12 +157,10 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
     struct scan scan = {.lo = *from};
     bool found = false;
     *ends = DOM_END_BARRIER;
-    if (c->dominoes == CHAIN_ENDLESS && from->r == 1) {
-        enum dom_status status = foresee_root(c, &scan.lo, r, &found);
-        *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
-        if (status != DOM_OK || found)
-            return status;
-    }
+    enum dom_status status = foresee_root(c, &scan.lo, r, &found);
+    *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
+    if (status != DOM_OK || found)
+        return status;
     scan.step = scan_ahead(c, &scan.lo);
     while (scan.lo.r < reach) {
         real left = log(reach / scan.lo.r), step = fmax(scan.step, scan_finest(c, &scan));
@@ -250,7 +168,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         struct edge hi = {.r = last ? reach : scan.lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
         step = last ? left : step;
         enum known known;
-        enum dom_status status = scan_strip(c, &scan.lo, &hi, &known);
+        status = scan_strip(c, &scan.lo, &hi, &known);
         bool finest = step <= scan_finest(c, &scan);
         scan.strips++;
         if (status == DOM_UNDERFLOW && !finest) { /* a shorter strip may not underflow */

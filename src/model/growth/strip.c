@@ -214,7 +214,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     }
     s->margin_slope = slope_safe(sums->drops + head + rests, kinetic * ages);
     s->root_slope = s->margin_slope;
-    if (s->margin_slope < 0 || lo->n != CHAIN_ENDLESS)
+    if (s->margin_slope < 0)
         return;
     const struct tilt least = strip_least_top(lo, hi, kinetic, s->grows);
     const real by_tilt = strip_first(lo, hi, first, sums->tilt, least, c);
@@ -314,7 +314,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
-        if (i >= lo->n - 1 || ends || done) {
+        if (ends || done) {
             if (fuel == DOM_FUEL_PAPER) {
                 sums.least = paper;
                 sums.most = hi->law->paper_fuel(hi);
@@ -323,9 +323,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             }
             if (!after) /* the walk has not gone far enough for bounds at lo */
                 sums.least = -(sums.drops = (real)INFINITY);
-            s.cut = ends || lo->n != CHAIN_ENDLESS ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
-            if (lo->n == CHAIN_ENDLESS)
-                strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * a.step, a.step, &sums);
+            s.cut = ends ? 0 : a.weight * (strip_fall(lo, hi->f) - at.fall_least);
+            strip_tail(lo, hi, &at, a.weight * lo->weight, a.slope * a.step, a.step, &sums);
             strip_finish(lo, hi, fuel, &a, &b, &first, &sums, &s);
             strip_count(lo, i);
             *strip = s;
