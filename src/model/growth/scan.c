@@ -4,8 +4,8 @@
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /*
  * SCAN_ROUGH and SCAN_FINE are relative errors of the barrier: the error that a scan accepts from
- * margin_sign, and the smaller error of scan_sure. SCAN_CLOSE is the relative width at which scan_close hands
- * over to a root search.
+ * margin_sign, and the smaller error of scan_sure. A root is taken to be the first one if it lies in a strip
+ * narrower than SCAN_CLOSE, above growths with positive margins.
  */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
@@ -95,102 +95,42 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Estimates where the margin is 0 between lo and `below`, as a fraction of the distance from lo to `below`.
- * `pull` reduces the weight of the margin at `below`. */
-static real scan_share(const struct edge *lo, const struct edge *below, real pull)
-{
-    real up = margin_value(&lo->margin), down = -margin_value(&below->margin) * pull,
-         share = up / (up + down);
-    real K = lo->margin.kinetic, K_below = below->margin.kinetic, barrier = below->margin.barrier;
-    if (K > 2 * lo->margin.barrier && K_below > 0 && barrier > K_below && K > 2 * barrier)
-        share = log(K / barrier) / log(K / K_below) * pull + share * (1 - pull);
-    return fmin(fmax(K_below > 0 ? share : (real)0.5, (real)0.1), (real)0.9);
-}
-
-/* The state of a search. The margin is positive up to lo. `below` is a growth at which the margin is
- * negative, once one has been found. */
-struct scan {
-    struct edge lo, below;
-    real step;  /* the next step to try, in ln r */
-    int strips; /* number of strips tried so far */
-};
-
 /* Returns the narrowest step: SCAN_FINEST for the first 1500 strips, and then doubled after every further 100
  * strips. No search takes more than about 3,000 strips. */
-static real scan_finest(const struct margin_context *c, const struct scan *scan)
+static real scan_finest(const struct margin_context *c, int strips)
 {
-    return fmax(SCAN_FINEST, c->coarse) *
-           exp((real)0.7 * (real)(scan->strips > 1500 ? (scan->strips - 1500) / 100 : 0));
-}
-
-/* Narrows the interval from scan->lo to scan->below until the root in it can only be the first root. */
-static enum dom_status scan_close(struct margin_context *c, struct scan *scan, real *r)
-{
-    struct edge *lo = &scan->lo, *below = &scan->below, next;
-    enum known known = KNOWN_NOTHING;
-    /* Weight of the margin at `below` in the linear interpolation, halved each time lo moves (the Illinois
-     * rule). */
-    real pull = 1;
-    while (known != KNOWN_TO_FALL && below->r - lo->r > SCAN_CLOSE * lo->r) {
-        real width = scan_share(lo, below, pull) * (below->r - lo->r);
-        for (;; width /= 2) {
-            next = (struct edge){.r = lo->r + width, .margin = {.kinetic = REAL_NAN}};
-            enum dom_status status = scan_strip(c, lo, &next, &known);
-            scan->strips++;
-            if (status != DOM_OK)
-                return status;
-            if (known != KNOWN_NOTHING || margin_value(&next.margin) < 0 ||
-                width <= scan_finest(c, scan) * lo->r)
-                break;
-        }
-        bool above = margin_value(&next.margin) >= 0;
-        *(above ? lo : below) = next;
-        pull = above ? pull / 2 : 1;
-    }
-    return scan_root(c, lo, below, r);
+    return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));
 }
 
 KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct edge *from, real *r,
                                         enum dom_end *ends)
 {
     const real reach = 1 / c->s;
-    struct scan scan = {.lo = *from};
+    struct edge lo = *from; /* the margin is positive up to this growth */
     bool found = false;
-    *ends = DOM_END_BARRIER;
-    enum dom_status status = foresee_root(c, &scan.lo, r, &found);
+    enum dom_status status = foresee_root(c, &lo, r, &found);
     *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
     if (status != DOM_OK || found)
         return status;
-    scan.step = scan_ahead(c, &scan.lo);
-    while (scan.lo.r < reach) {
-        real left = log(reach / scan.lo.r), step = fmax(scan.step, scan_finest(c, &scan));
-        bool last = step >= left * (real)0.8;
-        struct edge hi = {.r = last ? reach : scan.lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
+    real step = scan_ahead(c, &lo); /* in ln r */
+    for (int strips = 1; lo.r < reach; strips++) {
+        const real left = log(reach / lo.r), finest = scan_finest(c, strips);
+        step = fmax(step, finest);
+        const bool last = step >= left * (real)0.8;
+        struct edge hi = {.r = last ? reach : lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
         step = last ? left : step;
-        enum known known;
-        status = scan_strip(c, &scan.lo, &hi, &known);
-        bool finest = step <= scan_finest(c, &scan);
-        scan.strips++;
-        if (status == DOM_UNDERFLOW && !finest) { /* a shorter strip may not underflow */
-            scan.step = step / 2;
-            continue;
-        }
-        if (status != DOM_OK)
+        enum known known = KNOWN_NOTHING;
+        status = scan_strip(c, &lo, &hi, &known);
+        const bool below = known != KNOWN_POSITIVE && margin_value(&hi.margin) < 0;
+        if (status != DOM_OK && !(status == DOM_UNDERFLOW && step > finest))
             return status;
-        if (known == KNOWN_TO_FALL) {
-            *ends = DOM_END_BARRIER;
-            return scan_root(c, &scan.lo, &hi, r);
-        }
-        if (known != KNOWN_POSITIVE && margin_value(&hi.margin) < 0 && step <= 1) {
-            scan.below = hi;
-            *ends = DOM_END_BARRIER;
-            return scan_close(c, &scan, r);
-        }
-        if (known == KNOWN_POSITIVE || finest) {
-            scan.lo = hi;
-            scan.step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
-        } else {
-            scan.step = step / 2;
+        if (known == KNOWN_TO_FALL || (below && step <= fmax(SCAN_CLOSE, finest)))
+            return scan_root(c, &lo, &hi, r);
+        if (known == KNOWN_POSITIVE || (step <= finest && !below)) {
+            lo = hi;
+            step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
+        } else { /* a shorter strip may be known to be positive, or not underflow */
+            step /= 2;
         }
     }
     *r = reach;
