@@ -222,21 +222,24 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns an upper bound of the head's tilt at the maximum of H of every train in the strip: theta_u, or less
- * if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi theta_i' g(theta_i). None
- * of these terms is negative. The first is at least the product of lower bounds of its factors, each of which
- * comes from one end of the strip, with theta_1' at the largest tilt.
+ * Returns tan(theta / 2) of an upper bound of the head's tilt at the maximum of H of every train in the strip:
+ * theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi theta_i'
+ * g(theta_i). None of these terms is negative. The first is at least the product of lower bounds of its
+ * factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. Half of the angle
+ * by which the tilt is below theta_u is less than the tangent of that half, so it takes the tangent's place.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
     if (!(strip_sink(lo, lo->c) > 0))
-        return tilt_angle(hi->c);
-    real last = atan(lo->h.x / lo->h.y), top = last, pull = strip_sink(lo, first);
+        return half_of_tilt(hi->c);
+    const real last = geometry_half_u(lo), pull = hi->weight * strip_sink(lo, first) / (2 * lo->reach);
+    real top = last;
     for (int k = 0; k < 2 && top > 0; k++) {
-        struct tilt head = tilt_make(sin(top), cos(top));
+        const struct tilt head = tilt_half(top);
         if (hi->detaches && head.v >= hi->leave.v)
             break;
-        top = fmax(last - hi->weight * geometry_contact(hi, head).step * pull / lo->reach, 0);
+        const real below = geometry_contact(hi, head).step * pull;
+        top = fmax(last - below, 0) / (1 + last * below);
     }
     return top;
 }
@@ -262,7 +265,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     upright_next(&a, lo);
     upright_next(&b, hi);
     struct between at = between_of(lo, a.link.tilt, b.link.tilt);
-    sums.tilt = strip_top(lo, hi, at.lo);
+    const real half_top = strip_top(lo, hi, at.lo);
+    sums.tilt = 2 * atan(half_top);
     const struct between first = at;
     /* A chain in which no domino gets beyond theta_u has no fuel. */
     bool never = strip_sink(lo, lo->f) <= 0;
@@ -274,7 +278,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
                                 .root_slope = (real)INFINITY};
         return DOM_OK;
     }
-    struct tilt highest = tilt_make(sin(sums.tilt), cos(sums.tilt));
+    struct tilt highest = tilt_half(half_top);
     struct link top = link_head(hi, highest);
     bool early = strip_sink(lo, at.lo) < 0;
     sums.least_advance = strip_least_advance(lo, lo->r < hi->r, highest);
