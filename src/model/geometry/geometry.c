@@ -3,7 +3,8 @@
 
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt)
 {
-    real theta_c = tilt_angle(geometry->c);
+    /* a tilt below the sine of theta_c is below theta_c */
+    const real theta_c = theta < geometry->c.x ? geometry->c.x : tilt_angle(geometry->c);
     if (!(theta >= geometry->lean) ||
         theta > theta_c + fabs(theta_c) * 2 * fmax(REAL_EPSILON, DOM_REAL_EPSILON))
         return DOM_BAD_TILT;

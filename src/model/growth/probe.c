@@ -108,24 +108,29 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
 }
 
+/* Takes sample number k and all later ones up to the first sign change, and then looks for sign changes
+ * between `lo` and sample k, which is stored in *hi. `last` is the sample before lo. */
+static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
+                                  struct edge *hi)
+{
+    const real span = p->c->geometry.span, s = p->c->s;
+    struct edge next = *last;
+    real r = lo->r;
+    while (r <= lo->r)
+        r = probe_place(span, s, k++);
+    enum dom_status status = probe_sample(p, r, hi);
+    if (status == DOM_OK && probe_kept(p, hi) && r < span / s)
+        status = probe_from(p, lo, hi, k, &next);
+    return status == DOM_OK ? probe_between(p, &next, lo, hi, PROBE_HALVES) : status;
+}
+
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
                                     bool *found)
 {
-    const real span = c->geometry.span, reach = span / c->s;
     struct probe p = {
         .c = c, .positive = margin_value(&from->margin) >= 0, .root = (real)INFINITY, .after = *from};
-    struct edge lo = *from, hi = *from;
-    enum dom_status status = DOM_OK;
-    for (int k = 0; status == DOM_OK && !isfinite(p.root) && hi.r < reach; k++) {
-        real r = probe_place(span, c->s, k);
-        if (r <= hi.r)
-            continue;
-        const struct edge third = lo;
-        lo = hi;
-        status = probe_sample(&p, r, &hi);
-        if (status == DOM_OK)
-            status = probe_between(&p, &third, &lo, &hi, PROBE_HALVES);
-    }
+    struct edge hi;
+    enum dom_status status = from->r < c->geometry.span / c->s ? probe_from(&p, from, from, 0, &hi) : DOM_OK;
     *found = isfinite(p.root);
     *change = (struct edge){p.root, p.after.margin};
     return status;

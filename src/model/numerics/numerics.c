@@ -246,7 +246,9 @@ static real chebyshev_level(struct span *s, int level)
          * alternating signs. */
         real value = s->value[(size_t)j * stride], c = cosine[j];
         real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
-        sum += chebyshev_weight(cosine, j <= n / 2 ? j : n - j, n) * value;
+        if (2 * j <= n) /* node n - j has the weight of node j */
+            sum += chebyshev_weight(cosine, j, n) *
+                   (2 * j == n ? value : value + s->value[(size_t)(n - j) * stride]);
         a[0] += part;
         a[1] += 2 * part * c;
         a[2] += 2 * part * (2 * c * c - 1);
