@@ -1,22 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "growth/limit.h"
 
-/* Far from the reach, PROBE_PER_E samples are taken per factor of e in r. Near the reach, PROBE_DECADES
- * samples are taken, one per decade of 1 - r s. */
-#define PROBE_PER_E   8
-#define PROBE_DECADES 8
-
-/* Returns sample k of r, between 1 and the reach span / s. The last sample is the reach itself, and any
- * larger k returns the reach as well. */
-static real probe_place(real span, real s, int k)
+/*
+ * The variable of the search is x = -sqrt(1 - r/reach), of which the margin is a smooth function up to the
+ * reach, where it falls like a square root of the distance.
+ */
+static real probe_x(const struct margin_context *c, real r)
 {
-    const real near = (real)0.1;
-    real ln_reach = log(span) - log(s);
-    int far = (int)ceil(fmax(ln_reach - near, 0) * PROBE_PER_E);
-    if (k < far)
-        return exp((real)k * fmax(ln_reach - near, 0) / (real)far);
-    real short_of = fmin(near, (span - s) / span) * pow(10, (real)(far - k));
-    return k - far > PROBE_DECADES ? span / s : fmax((1 - short_of) * span / s, 1);
+    return -sqrt(fmax(1 - r * c->s / c->geometry.span, 0));
+}
+
+static real probe_r(const struct margin_context *c, real x)
+{
+    return (1 - x * x) * c->geometry.span / c->s;
+}
+
+/* Samples are taken PROBE_PER_E to a factor of e in r, up to 0.9 of the reach, and at the reach. */
+#define PROBE_PER_E 8
+
+/* Returns sample k of r, between 1 and the reach. Any k above that of the reach returns the reach, too. */
+static real probe_place(const struct margin_context *c, int k)
+{
+    const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
+    const int far = (int)ceil(fmax(ln_near, 0) * PROBE_PER_E);
+    return far == 0 || k > far ? reach : exp((real)k * ln_near / (real)far);
 }
 
 /* The largest number of bisections of an interval. They divide an interval from r to r e^(1/8) into parts
@@ -61,7 +68,7 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
     const struct margin *m = &edge->margin;
     const real margin = m->kinetic - (m->most ? barrier : m->barrier),
                value = (p->positive ? margin : -margin) / (fabs(m->kinetic) + barrier_most(&p->c->geometry));
-    return isfinite(p->root) ? value / (1 - edge->r / p->root) : value;
+    return isfinite(p->root) ? value / (probe_x(p->c, p->root) - probe_x(p->c, edge->r)) : value;
 }
 
 /*
@@ -74,9 +81,9 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
 {
     const real barrier = hi->margin.most ? third->margin.barrier : hi->margin.barrier,
                at_lo = probe_value(p, lo, barrier), at_hi = probe_value(p, hi, barrier),
-               at_third = probe_value(p, third, barrier), width = hi->r - lo->r;
-    const real bend =
-        (at_hi - at_lo - (at_third - at_lo) / (third->r - lo->r) * width) * width / (hi->r - third->r);
+               at_third = probe_value(p, third, barrier), x = probe_x(p->c, lo->r),
+               width = probe_x(p->c, hi->r) - x, before = probe_x(p->c, third->r) - x;
+    const real bend = (at_hi - at_lo - (at_third - at_lo) / before * width) * width / (width - before);
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
@@ -102,7 +109,7 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     if (status != DOM_OK || finest || probe_keeps(p, third, lo, hi))
         return status;
     struct edge middle;
-    status = probe_sample(p, lo->r + (hi->r - lo->r) / 2, &middle);
+    status = probe_sample(p, probe_r(p->c, (probe_x(p->c, lo->r) + probe_x(p->c, hi->r)) / 2), &middle);
     if (status == DOM_OK)
         status = probe_between(p, hi, lo, &middle, halves - 1);
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
@@ -113,13 +120,12 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
 static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
                                   struct edge *hi)
 {
-    const real span = p->c->geometry.span, s = p->c->s;
     struct edge next = *last;
     real r = lo->r;
     while (r <= lo->r)
-        r = probe_place(span, s, k++);
+        r = probe_place(p->c, k++);
     enum dom_status status = probe_sample(p, r, hi);
-    if (status == DOM_OK && probe_kept(p, hi) && r < span / s)
+    if (status == DOM_OK && probe_kept(p, hi) && r < p->c->geometry.span / p->c->s)
         status = probe_from(p, lo, hi, k, &next);
     return status == DOM_OK ? probe_between(p, &next, lo, hi, PROBE_HALVES) : status;
 }
