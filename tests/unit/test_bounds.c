@@ -46,7 +46,8 @@ static bool strip_of(struct strip_case *c, struct strip *strip)
 static void top_check(struct strip_case *c, const struct strip *strip, const struct margin *m)
 {
     const double kinetic = fmax(strip->kinetic_least, 0), theta_m = c->context.barrier.theta_m;
-    assert_true(m->barrier == 0 || theta_m <= strip_top(&c->at_lo, &c->at_hi, c->at_lo.c) * (1 + 1e-7));
+    assert_true(m->barrier == 0 ||
+                theta_m <= 2 * atan(strip_top(&c->at_lo, &c->at_hi, c->at_lo.c)) * (1 + 1e-7));
     if (c->in_r && isfinite(strip->grows) && m->barrier >= kinetic)
         assert_true(theta_m >=
                     (1 - 1e-7) * tilt_angle(strip_least_top(&c->at_lo, &c->at_hi, kinetic, strip->grows)));
