@@ -222,11 +222,12 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns tan(theta / 2) of an upper bound of the head's tilt at the maximum of H of every train in the strip:
- * theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi theta_i'
- * g(theta_i). None of these terms is negative. The first is at least the product of lower bounds of its
- * factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. Half of the angle
- * by which the tilt is below theta_u is less than the tangent of that half, so it takes the tangent's place.
+ * Returns tan(theta / 2) of an upper bound of the head's tilt at the maximum of H of every train in the
+ * strip: theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi
+ * theta_i' g(theta_i). None of these terms is negative. The first is at least the product of lower bounds of
+ * its factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. Half of the
+ * angle by which the tilt is below theta_u is less than the tangent of that half, so it takes the tangent's
+ * place.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
