@@ -13,22 +13,14 @@ enum { STAGE_LEAST = 190, STAGE_MOST = 560 }; /* the minimum and maximum height 
 
 /* ---- File extensions ---- */
 
-/* The font 'sans' exists even on a minimal Debian system. It is large enough to be read on a telephone, which
- * shrinks the picture. */
-#define SVG      "svg size 720,540 dynamic font 'sans,17' background rgb 'white'"
-#define PNG      "pngcairo size 960,720 font 'sans,17'"
-#define PDF      "pdfcairo size 16cm,12cm font 'sans,11'"
-#define TEX_FONT 10.0   /* the font size of a document in points, unless the document chooses another */
-#define TEX      "tikz" /* chart_terminal adds the size of the picture; the font is that of the document */
-
 #define ENDING_OF_FORMAT(name) {.text = "." #name, .kind = ENDING_DATA, .format = &format_##name},
 static const struct ending endings[] = {
     FORMATS(ENDING_OF_FORMAT){.text = ".txt", .kind = ENDING_TEXT},
-    {.text = ".svg", .kind = ENDING_SHEET, .terminal = SVG},
-    {.text = ".png", .kind = ENDING_SHEET, .terminal = PNG},
-    {.text = ".pdf", .kind = ENDING_SHEET, .terminal = PDF, .is_document = true},
-    {.text = ".gp", .kind = ENDING_SHEET, .terminal = PDF, .is_script = true},
-    {.text = ".tex", .kind = ENDING_SHEET, .terminal = TEX, .is_document = true},
+    {.text = ".svg", .kind = ENDING_SHEET, .terminal = "svg"},
+    {.text = ".png", .kind = ENDING_SHEET, .terminal = "pngcairo"},
+    {.text = ".pdf", .kind = ENDING_SHEET, .terminal = "pdfcairo", .is_document = true},
+    {.text = ".gp", .kind = ENDING_SHEET, .terminal = "pdfcairo", .is_script = true},
+    {.text = ".tex", .kind = ENDING_SHEET, .terminal = "tikz", .is_document = true},
     {.text = ".md", .kind = ENDING_SHEET, .is_document = true},
 };
 
@@ -98,27 +90,30 @@ static bool show_text(const struct answer *a, const struct chart *chart, const s
                  : stage_text(stage, look, width, height, a->out);
 }
 
-/* Writes the gnuplot terminal setting for a chart. The extension of `path` selects the terminal. */
+#define TEX_FONT 10.0 /* the font size of a document in points, unless the document chooses another */
+
+/* Writes the gnuplot terminal setting for a chart. The extension of `path` selects the terminal. The font
+ * 'sans' exists even on a minimal Debian system. In svg and png it is large enough to be read on a telephone,
+ * which shrinks the picture. */
 static void chart_terminal(const struct chart *chart, const char *path, char *terminal, size_t size)
 {
-    const struct chart_look look = chart_size(chart);
-    const char *usual = ending_of(path)->terminal, *ending = ending_of(path)->text;
-    const char *family = look.family ? look.family : "sans";
+    const struct chart_look *chosen = &chart->look;
+    struct chart_look look = chart_size(chart);
+    const char *name = ending_of(path)->terminal, *family = look.family ? look.family : "sans";
+    const bool svg = strcmp(name, "svg") == 0;
+    const double dots = svg ? 45 : 60; /* in a cm */
+    if (!(chart->tex || chosen->width > 0 || chosen->height > 0 || chosen->font > 0 || chosen->family))
+        look.height = CHART_HEIGHT;
     if (chart->tex)
-        snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", usual, look.width, look.height,
+        snprintf(terminal, size, "%s size %.6gcm,%.6gcm textscale %.4g", name, look.width, look.height,
                  look.font / TEX_FONT);
-    /* The numbers of dots per cm and per point below are the same as in pictures of the usual size. */
-    else if (!(chart->look.width > 0 || chart->look.height > 0 || chart->look.font > 0 || chart->look.family))
-        snprintf(terminal, size, "%s enhanced", usual);
-    else if (strcmp(ending, ".svg") == 0)
-        snprintf(terminal, size, "svg size %.0f,%.0f dynamic font '%s,%.3g' background rgb 'white' enhanced",
-                 45 * look.width, 45 * look.height, family, look.font * 17 / CHART_FONT);
-    else if (strcmp(ending, ".png") == 0)
-        snprintf(terminal, size, "pngcairo size %.0f,%.0f font '%s,%.3g' enhanced", 60 * look.width,
-                 60 * look.height, family, look.font * 17 / CHART_FONT);
-    else
-        snprintf(terminal, size, "pdfcairo size %.6gcm,%.6gcm font '%s,%.3g' enhanced", look.width,
+    else if (strcmp(name, "pdfcairo") == 0)
+        snprintf(terminal, size, "%s size %.6gcm,%.6gcm font '%s,%.3g' enhanced", name, look.width,
                  look.height, family, look.font);
+    else
+        snprintf(terminal, size, "%s size %.0f,%.0f%s font '%s,%.3g'%s enhanced", name, dots * look.width,
+                 dots * look.height, svg ? " dynamic" : "", family, look.font * 17 / CHART_FONT,
+                 svg ? " background rgb 'white'" : "");
 }
 
 void script_head(const struct answer *a, const char *terminal)

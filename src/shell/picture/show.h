@@ -28,8 +28,7 @@ struct ending {
     const struct format *format; /* for ENDING_DATA: the format of the answer */
     bool is_document;            /* for ENDING_SHEET: the file can be a text with formulas */
     bool is_script;              /* the script of the picture is written instead of the picture */
-    /* for the extension of a picture: the gnuplot terminal setting; otherwise NULL */
-    const char *terminal;
+    const char *terminal;        /* the name of the gnuplot terminal that draws the picture, or NULL */
 };
 const struct ending *ending_of(const char *path);
 
