@@ -130,8 +130,8 @@ static void axis_script(FILE *out, const struct chart_axis *a, const char *name,
     fprintf(out, ")\n");
 }
 
-/* Sets up the legend, with as many columns as the longest title allows. The width is negative because gnuplot
- * assumes that characters are wider than they are. */
+/* Sets up the legend, with as many columns as the longest title allows. The width in 'set key' is
+ * negative because gnuplot assumes that characters are wider than they are. */
 static void legend_script(const struct chart *c, FILE *out)
 {
     int longest, across = legend_across(c, columns_of(c), &longest), most = 1;

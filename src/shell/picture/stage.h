@@ -26,10 +26,9 @@ struct point {
 /* The state of a domino, which determines its colour. */
 enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
-/* Special values of drawn.number. NUMBER_NEXT is the domino in front of the head, and NUMBER_NONE stands for
- * the dominoes beyond it, which have no label. */
-/* NUMBER_TOWER and NUMBER_PERSON draw the silhouette of a tower or of a person instead of a domino, with the
- * height of the domino. */
+/* Special values of drawn.number. NUMBER_NEXT is the domino in front of the head of a train, and NUMBER_NONE
+ * a domino without a label. NUMBER_TOWER and NUMBER_PERSON draw the silhouette of a tower or of a person,
+ * with the height of the domino, instead of a domino. */
 enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4 };
 
 /* A domino on a stage. */

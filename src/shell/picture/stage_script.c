@@ -251,8 +251,8 @@ static void gap_put(const struct stage *stage, size_t k, struct labels *l)
         (void)label_put(l, d->foot - d->thickness - gap / 2, upright ? 4 : 9, upright, "#505050", text.text);
 }
 
-/* Writes a line below the caption that lists the dominoes without labels and their heights. Omits the line if
- * it would be too long, as it may be for a long row. */
+/* Writes a line below the caption that lists the dominoes that have no labels, with their heights. Omits the
+ * line if it would be too long, as it may be for a long row. */
 static void labels_missing(const struct stage *stage, const struct sheet *v, const bool *is_missing,
                            FILE *script)
 {

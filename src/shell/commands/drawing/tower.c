@@ -7,13 +7,13 @@
 #include <string.h>
 
 #define TOWER_WIDTH 0.2 /* width of the tower, as a fraction of its height */
-#define TOO_SMALL                                                                                            \
-    0.012 /* dominoes smaller than this fraction of the tower's height are drawn again, larger */
+/* Dominoes smaller than this fraction of the tower's height are drawn again, larger. */
+#define TOO_SMALL  0.012
 #define ZOOM_WIDE  0.36 /* largest width of the larger copy, as a fraction of the width of the picture */
 #define ZOOM_HIGH  0.4
 #define ZOOM_ABOVE 0.52 /* height at which the copy stands, as a fraction of the tower's height */
-#define BEYOND                                                                                               \
-    1.1 /* distance of the tower in a film, in heights of the last domino, which falls towards it */
+/* The distance between the tower and the last domino in a film, in heights of that domino. */
+#define BEYOND     1.1
 #define ZOOM_LEAST 2 /* a copy that is less than this many times larger is not drawn */
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,

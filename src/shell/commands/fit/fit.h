@@ -70,10 +70,9 @@ struct fit {
     int free[FIT_UNKNOWNS]; /* the indices of the unknowns that are not at a limit */
     size_t free_count;
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
-    double spread; /* the sum of the squares of residual / error, divided by the degrees of freedom */
-    size_t
-        freedom; /* the degrees of freedom: the number of measurements minus the number of fitted numbers */
-    double *computed;       /* for each measurement: what the model gives with the best values */
+    double spread;    /* the sum of the squares of residual / error, divided by the degrees of freedom */
+    size_t freedom;   /* the degrees of freedom: the number of measurements minus that of fitted numbers */
+    double *computed; /* for each measurement: what the model gives with the best values */
     struct problem problem; /* why the last computation gave no answer */
 };
 
@@ -85,7 +84,8 @@ struct fit {
  */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
-/* For angles, estimates the times at which the motions of the runs begin. Returns false with fit->problem. */
+/* For angles, estimates the times at which the motions of the runs begin. On failure, sets fit->problem
+ * and returns false. */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
 /* Returns true if measurement k is the first one of its run. */
