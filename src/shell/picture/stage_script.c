@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Writes a stage as a gnuplot script, to scale, for a picture in a file or for a frame of a film. */
 #include "answer/wrap.h"
+#include "language/text.h"
 #include "picture/stage.h"
 #include <math.h>
 #include <stdlib.h>
@@ -257,23 +258,22 @@ static void labels_missing(const struct stage *stage, const struct sheet *v, con
                            FILE *script)
 {
     char line[2 * CAPTION_COLUMNS] = "";
-    int at = 0;
-    for (size_t k = 0; k < stage->count && at < CAPTION_COLUMNS; k++) {
+    for (size_t k = 0; k < stage->count && strlen(line) < CAPTION_COLUMNS; k++) {
         size_t from = k;
         while (is_missing[k] && k + 1 < stage->count && is_missing[k + 1])
             k++;
         if (!is_missing[k])
             continue;
-        const char *to = k == from + 1 ? "and" : "to", *start = at ? ", " : "Too small for labels: domino ";
+        const char *to = k == from + 1 ? "and" : "to",
+                   *start = *line ? ", " : "Too small for labels: domino ";
         if (k == from)
-            at += snprintf(line + at, sizeof line - (size_t)at, "%s%zu (%.12s)", start, k + 1,
-                           height_of(stage, k).text);
+            text_add(line, sizeof line, "%s%zu (%.12s)", start, k + 1, height_of(stage, k).text);
         else
-            at += snprintf(line + at, sizeof line - (size_t)at, "%s%zu %s %zu (%.12s %s %.12s)", start,
-                           from + 1, to, k + 1, height_of(stage, from).text, to, height_of(stage, k).text);
+            text_add(line, sizeof line, "%s%zu %s %zu (%.12s %s %.12s)", start, from + 1, to, k + 1,
+                     height_of(stage, from).text, to, height_of(stage, k).text);
     }
-    if (at > 0 && at < CAPTION_COLUMNS) {
-        snprintf(line + at, sizeof line - (size_t)at, ".");
+    if (*line && strlen(line) < CAPTION_COLUMNS) {
+        text_add(line, sizeof line, ".");
         caption_script(line, v, caption_lines(stage->caption), script);
     }
 }

@@ -7,6 +7,7 @@
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "picture/show.h"
 #include <float.h>
 #include <string.h>
@@ -106,7 +107,7 @@ static bool moment_show(const struct domq_moment *moment, void *context)
 {
     struct falling_row *row = context;
     const struct domq_row *r = &row->run.scene.row;
-    char first[SENTENCE], verdict[SENTENCE], weakest[SENTENCE], edges[64] = "";
+    char *const caption = row->stage.caption, first[SENTENCE], verdict[SENTENCE], weakest[SENTENCE];
     falling_row_verdict(row, verdict);
     falling_row_weakest(row, weakest);
     if (moment) {
@@ -115,16 +116,14 @@ static bool moment_show(const struct domq_moment *moment, void *context)
         falling_row_moment(row, moment, first);
     } else {
         falling_row_summary(row, first);
-        if (r->rho != 0)
-            snprintf(edges, sizeof edges, ", edges rounded by %.4g of the height", (double)r->rho);
     }
-    int at = snprintf(row->stage.caption, CAPTION, "%s%s", first, edges);
+    snprintf(caption, CAPTION, "%s", first);
+    if (!moment && r->rho != 0)
+        text_add(caption, CAPTION, ", edges rounded by %.4g of the height", (double)r->rho);
     if (!moment)
-        at += snprintf(row->stage.caption + at, CAPTION - (size_t)at, ", on %s of floor%s.",
-                       measured((domq_real)row->stage.right, "m", 3).text,
-                       r->alpha != 0 ? " that slopes (drawn level)" : "");
-    snprintf(row->stage.caption + at, CAPTION - (size_t)at, "\n%s%s%s", verdict, *weakest ? "\n" : "",
-             weakest);
+        text_add(caption, CAPTION, ", on %s of floor%s.", measured((domq_real)row->stage.right, "m", 3).text,
+                 r->alpha != 0 ? " that slopes (drawn level)" : "");
+    text_add(caption, CAPTION, "\n%s%s%s", verdict, *weakest ? "\n" : "", weakest);
     return true;
 }
 
@@ -150,11 +149,8 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
         good = stage_show(&row.stage, a, query->scene->compute.interrupt, problem);
     } else if (good) {
         for (struct column *c = answer_columns(a, a->columns); c->key; c++)
-            if (strcmp(c->unit, "h") == 0)
-                c->unit = "m";
-        static const char *const none[] = {"contact_x", "contact_z", "force", "of_own"};
-        for (size_t i = 0; i < sizeof none / sizeof *none; i++)
-            answer_leave_out(a, none[i]);
+            c->unit = strcmp(c->unit, "h") == 0 ? "m" : c->unit;
+        answer_leave_out(a, "contact_x contact_z force of_own");
         good = stage_rows(&row.stage, DOM_OK, a);
     }
     falling_row_free(&row);
@@ -163,9 +159,8 @@ static bool draw_row(const struct query *query, struct answer *a, struct problem
 
 /* ---- The train ---- */
 
-enum {
-    FORCES_MOST = 6
-}; /* the maximum number of forces in a caption; dominoes farther back can hardly be seen */
+/* The maximum number of forces in a caption. Dominoes farther back can hardly be seen. */
+enum { FORCES_MOST = 6 };
 
 /* Writes the caption of a train: its parameters, the meaning of the marks, and the forces if no arrows show
  * them. */
@@ -174,26 +169,24 @@ static void train_caption(const struct query *query, struct stage *stage, domq_r
     const struct domq_train *t = &query->scene->train;
     const struct walk *walk = walk_now(query);
     struct walk_units units = walk_units(query, walk ? walk->cycle : 1);
-    char last[40] = "to scale", next[48] = "";
+    snprintf(stage->caption, CAPTION, "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, ",
+             mark.theta, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s, (double)t->r,
+             (double)t->d, (double)(1000 * units.height));
     if (t->rho != 0)
-        snprintf(last, sizeof last, "edges %.4g h", (double)t->rho);
+        text_add(stage->caption, CAPTION, "edges %.4g h", (double)t->rho);
+    text_add(stage->caption, CAPTION, "%s\n0: head; 1, 2, ...: its followers%s",
+             t->rho != 0 ? "" : "to scale", mark.contacts);
     if (stage->domino[0].height > stage->top)
-        snprintf(next, sizeof next, "; the next is %.4g h tall", stage->domino[0].height);
-    int at = snprintf(stage->caption, CAPTION,
-                      "%s = %.4g rad (%.4g deg), s = %.4g, r = %.4g, d = %.4g, h = %.4g mm, %s\n"
-                      "0: head; 1, 2, ...: its followers%s%s",
-                      mark.theta, (double)theta, (double)(theta * (180 / QUAD_PI)), (double)t->s,
-                      (double)t->r, (double)t->d, (double)(1000 * units.height), last, mark.contacts, next);
+        text_add(stage->caption, CAPTION, "; the next is %.4g h tall", stage->domino[0].height);
     if (!stage->forces)
         return;
-    at += snprintf(stage->caption + at, CAPTION - (size_t)at, "\n%s",
-                   mark.forces ? mark.forces : "contact forces, in weights of the domino that is pushed:");
+    text_add(stage->caption, CAPTION, "\n%s",
+             mark.forces ? mark.forces : "contact forces, in weights of the domino that is pushed:");
     for (size_t k = 1; !mark.forces && k <= FORCES_MOST && k < stage->count && stage->domino[k].touched;
          k++) {
         const struct drawn *d = &stage->domino[k];
-        at += snprintf(stage->caption + at, CAPTION - (size_t)at,
-                       drawn_locked(d) ? "%s %d: none is enough" : "%s %d: %.3g", k > 1 ? "," : "", d->number,
-                       d->of_own);
+        text_add(stage->caption, CAPTION, drawn_locked(d) ? "%s %d: none is enough" : "%s %d: %.3g",
+                 k > 1 ? "," : "", d->number, d->of_own);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "commands/drawing/tower.h"
 #include "interpreter/symbols.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,9 +68,8 @@ static void zoom_add(struct stage *stage, size_t count, double height)
         for (int i = 0; i < CORNERS; i++)
             d->corner[i].y += ZOOM_ABOVE * height;
     }
-    size_t at = strlen(stage->caption);
-    snprintf(stage->caption + at, CAPTION - at, "\nAbove the row, %.3g times larger: domino%s 1%s%.0d.",
-             scale, small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
+    text_add(stage->caption, CAPTION, "\nAbove the row, %.3g times larger: domino%s 1%s%.0d.", scale,
+             small > 1 ? "es" : "", small > 1 ? " to " : "", small > 1 ? (int)small : 0);
 }
 
 /* Puts the tower behind the last domino, `distance` times the height of that domino away, and makes room for
@@ -112,8 +112,7 @@ bool tower_add(struct falling_row *row, double height)
     if (!tower_put(stage, height, 1.2 * pitch / last->height, count))
         return false;
     stage->count++;
-    size_t at = strlen(stage->caption);
-    snprintf(stage->caption + at, CAPTION - at, "\nBehind the last domino: a tower of %s.",
+    text_add(stage->caption, CAPTION, "\nBehind the last domino: a tower of %s.",
              measured((domq_real)height, "m", 4).text);
     zoom_add(stage, count, height);
     return true;

@@ -3,6 +3,7 @@
  * equations. */
 #include "commands/explain/derivation.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "session/effects.h"
 #include <stdlib.h>
 #include <string.h>
@@ -13,11 +14,12 @@
 static void fill_in(const char *text, domq_real number, char *filled, size_t size)
 {
     char digits[WIDE_TEXT];
-    size_t n = 0;
     quad_exact(number, WIDE_DIGITS, digits);
-    for (; *text && n + 1 < size; text++)
-        n += (size_t)(*text == '@' ? snprintf(filled + n, size - n, "(%s)", digits)
-                                   : snprintf(filled + n, size - n, "%c", *text));
+    for (filled[0] = '\0'; *text; text++)
+        if (*text == '@')
+            text_add(filled, size, "(%s)", digits);
+        else
+            text_add(filled, size, "%c", *text);
 }
 
 /* Returns the quantity of a hit that has this name, such as "margin". */

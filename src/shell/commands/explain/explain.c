@@ -6,6 +6,7 @@
 #include "commands/tables.h"
 #include "interpreter/question.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "picture/show.h"
 #include "picture/typeset.h"
 #include <stdlib.h>
@@ -106,10 +107,9 @@ static char *text_of(const struct derivation *d, const struct step *s, bool numb
 static void step_row(struct answer *a, const struct derivation *d, const struct step *s)
 {
     char needs[256] = "";
-    int n = 0;
     char *equation = s->tree ? text_of(d, s, false) : NULL, *numbers = s->tree ? text_of(d, s, true) : NULL;
-    for (int k = 0; k < s->count && n < (int)sizeof needs; k++)
-        n += snprintf(needs + n, sizeof needs - (size_t)n, "%s%s", k ? " " : "", s->needs[k]->name);
+    for (int k = 0; k < s->count; k++)
+        text_add(needs, sizeof needs, "%s%s", k ? " " : "", s->needs[k]->name);
     struct cell none = cell_real(DOMQ_NAN);
     answer_row(a,
                ROW(cell_word(s->name), equation ? cell_word(equation) : none,

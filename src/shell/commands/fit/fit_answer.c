@@ -2,6 +2,7 @@
 #include "commands/fit/fit.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
+#include "language/text.h"
 #include <gsl/gsl_cdf.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,27 +82,14 @@ struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement and for the unknowns of the fit. */
+/* Makes the columns for the kind of measurement and for the unknowns of the fit. People read the fitted
+ * values in sentences. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
-    const struct column of[] = {fit_columns[GAP], fit_columns[RUN], fit_columns[DOMINO], fit_columns[TIME]};
-    const bool used[] = {f->data.kind == FIT_SPEEDS, f->data.kind != FIT_SPEEDS, f->data.kind != FIT_SPEEDS,
-                         f->data.kind == FIT_ANGLES};
-    struct column *c = a->copy;
-    for (int i = 0; i < 4; i++)
-        if (used[i])
-            *c++ = of[i];
-    for (int i = MEASURED; i <= RESIDUAL; i++) {
-        *c = fit_columns[i];
-        c++->unit = i == RESIDUAL && f->data.kind == FIT_SPEEDS ? "share" : units[f->data.kind];
-    }
-    a->columns = a->copy;
-    if (answer_for_people(a)) {
-        *c = (struct column){NULL, NULL, NULL, 0};
-        return;
-    }
-    for (int i = 0, n = 0; i < f->unknowns; i++) {
+    struct column *c = answer_columns(a, fit_columns) + UNKNOWN;
+    const bool speeds = f->data.kind == FIT_SPEEDS;
+    for (int i = 0, n = 0; i < f->unknowns && !answer_for_people(a); i++) {
         const struct parameter *p = f->unknown[i].parameter;
         snprintf(keys->deviation[i], sizeof keys->deviation[i], "%.24s_sd", p->name);
         *c++ = (struct column){p->name, "", "a fitted value", 0};
@@ -113,6 +101,10 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
         }
     }
     *c = (struct column){NULL, NULL, NULL, 0};
+    answer_describe(a, "measured", units[f->data.kind], NULL);
+    answer_describe(a, "fitted", units[f->data.kind], NULL);
+    answer_describe(a, "residual", speeds ? "share" : units[f->data.kind], NULL);
+    answer_leave_out(a, speeds ? "run domino time" : f->data.kind == FIT_HITS ? "gap time" : "gap");
 }
 
 /* Finds the measured number, the fitted number and the residual of point k. If times are compared as
@@ -129,22 +121,19 @@ static void rows_write(struct answer *a, const struct fit *f)
 {
     for (size_t k = 0; k < f->data.points && !answer_lost(a); k++) {
         const struct fit_point *p = &f->data.point[k];
-        struct cell cell[ANSWER_COLUMNS];
-        int n = 0;
         double value, fitted, residual;
         if (!compared(f, k, &value, &fitted, &residual))
             continue;
-        if (f->data.kind == FIT_SPEEDS)
-            cell[n++] = cell_real((domq_real)p->gap);
-        else {
-            cell[n++] = cell_real((domq_real)f->data.run[p->run].number);
-            cell[n++] = cell_count((domq_real)p->domino);
-        }
-        if (f->data.kind == FIT_ANGLES)
-            cell[n++] = cell_real((domq_real)p->time);
-        cell[n++] = cell_real((domq_real)value);
-        cell[n++] = cell_narrow((domq_real)fitted, 4);
-        cell[n++] = cell_narrow((domq_real)residual, 2);
+        struct cell cell[ANSWER_COLUMNS] = {
+            [GAP] = cell_real((domq_real)p->gap),
+            [RUN] = cell_real((domq_real)f->data.run[p->run].number),
+            [DOMINO] = cell_count((domq_real)p->domino),
+            [TIME] = cell_real((domq_real)p->time),
+            [MEASURED] = cell_real((domq_real)value),
+            [FITTED] = cell_narrow((domq_real)fitted, 4),
+            [RESIDUAL] = cell_narrow((domq_real)residual, 2),
+        };
+        int n = UNKNOWN;
         for (int u = 0; u < f->unknowns && !answer_for_people(a); u++) {
             cell[n++] = cell_narrow((domq_real)f->unknown[u].value, 4);
             cell[n++] = cell_narrow((domq_real)f->unknown[u].deviation, 4);
@@ -167,10 +156,9 @@ static void values_say(struct answer *a, const struct fit *f)
         const struct fit_unknown *u = &f->unknown[i];
         const struct parameter *p = u->parameter;
         const char *unit = strcmp(p->value->unit, "h") == 0 ? "" : p->value->unit;
-        const size_t at = strlen(commands);
         const domq_real value = (domq_real)u->value;
-        snprintf(commands + at, sizeof commands - at, "%s%s %s %.4g%s%s", i ? "; " : "",
-                 p->effect ? "effect" : "set", p->name, u->value, *unit ? " " : "", unit);
+        text_add(commands, sizeof commands, "%s%s %s %.4g%s%s", i ? "; " : "", p->effect ? "effect" : "set",
+                 p->name, u->value, *unit ? " " : "", unit);
         if (u->is_at_limit)
             answer_say(a, "The best fit is %s %s, the limit of its range.", p->name,
                        measured(value, unit, 4).text);

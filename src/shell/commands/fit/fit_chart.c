@@ -3,6 +3,7 @@
  * model gives with the fitted parameters. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
+#include "language/text.h"
 #include <string.h>
 
 enum { RUNS_NAMED = CHART_CURVES - 1 };
@@ -39,15 +40,14 @@ static void points_draw(struct chart *chart, const struct fit *f, const struct a
     const char *unit = units[f->data.kind] ? units[f->data.kind] : style_angle_unit(style);
     const double size = f->data.kind == FIT_ANGLES ? 1 / (double)style_angle(style, 1) : 1;
     double most = 0;
-    size_t at = 0;
     snprintf(chart->title, sizeof chart->title, "Measured against fitted");
     snprintf(chart->x.label, sizeof chart->x.label, "fitted %s in %s", what[f->data.kind], unit);
     snprintf(chart->y.label, sizeof chart->y.label, "measured %s in %s", what[f->data.kind], unit);
-    for (int i = 0; i < f->unknowns && at < sizeof chart->note; i++) {
+    for (int i = 0; i < f->unknowns; i++) {
         const struct fit_unknown *u = &f->unknown[i];
         const char *of = strcmp(u->parameter->value->unit, "h") == 0 ? "" : u->parameter->value->unit;
-        at += (size_t)snprintf(chart->note + at, sizeof chart->note - at, "%s%s %s", i ? ", " : "",
-                               u->parameter->name, measured((domq_real)u->value, of, 4).text);
+        text_add(chart->note, sizeof chart->note, "%s%s %s", i ? ", " : "", u->parameter->name,
+                 measured((domq_real)u->value, of, 4).text);
     }
     for (size_t i = 0; i < f->data.runs && i < RUNS_NAMED; i++)
         run_points(chart, f, i, i + 1 == RUNS_NAMED ? f->data.runs : i + 1, size, &most);

@@ -4,6 +4,7 @@
 #include "commands/walk.h"
 #include "io/terminal.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <string.h>
 
 enum { STEPS = 160 };
@@ -163,9 +164,8 @@ static bool cycle_plot(struct cycle *c, bool chain, struct answer *a, struct cha
         return problem_status(problem, c->query->scene, status);
     if (!chart)
         return true;
-    size_t at = strlen(chart->title);
-    snprintf(chart->title + at, sizeof chart->title - at, ": s = %.4g, r = %.4g, d = %.4g, q = %.4g",
-             (double)t->s, (double)t->r, (double)t->d, (double)t->q);
+    text_add(chart->title, sizeof chart->title, ": s = %.4g, r = %.4g, d = %.4g, q = %.4g", (double)t->s,
+             (double)t->r, (double)t->d, (double)t->q);
     chart->x.low = 0;
     chart->x.high = angle_shown(c, c->end);
     for (int k = 0; k < c->events; k++)

@@ -96,10 +96,8 @@ static bool limits_plot(const struct query *query, struct answer *a, struct char
 bool plot_growth(const struct query *query, struct answer *a, struct chart *chart, struct problem *problem)
 {
     bool paper = query->given->count > 1;
-    if (!paper) {
-        answer_leave_out(a, "solid_paper");
-        answer_leave_out(a, "hollow_paper");
-    }
+    if (!paper)
+        answer_leave_out(a, "solid_paper hollow_paper");
     return limits_plot(query, a, chart, problem, growth_limits, paper ? LIMITS : LIMITS / 2);
 }
 

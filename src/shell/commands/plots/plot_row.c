@@ -4,6 +4,7 @@
 #include "commands/rows/falling.h"
 #include "commands/walk.h"
 #include "io/terminal.h"
+#include "language/text.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,13 +76,12 @@ static void fall_chart(const struct row_run *run, struct chart *chart)
 {
     const struct domq_verdict *v = &run->verdict;
     end_note(run, chart);
-    size_t at = strlen(chart->note);
     if (v->end == DOM_ROW_FALLS && v->weakest && isfinite(v->spare))
-        snprintf(chart->note + at, sizeof chart->note - at,
+        text_add(chart->note, sizeof chart->note,
                  ". Domino %zu is the weakest: it has %.40s more than it needs.", v->weakest,
                  measured(v->spare, "share", 3).text);
     else if (v->end == DOM_ROW_FALLS)
-        snprintf(chart->note + at, sizeof chart->note - at, ".");
+        text_add(chart->note, sizeof chart->note, ".");
     fall_axes(run, chart);
     fall_marks(run, chart);
 }
@@ -131,9 +131,8 @@ static double speed_of(const struct row_run *run, size_t i)
 static void speed_chart(const struct row_run *run, struct chart *chart)
 {
     end_note(run, chart);
-    size_t at = strlen(chart->note);
     if (run->verdict.end == DOM_ROW_FALLS && isfinite(run->verdict.seconds))
-        snprintf(chart->note + at, sizeof chart->note - at, "; the last lies after %.40s.",
+        text_add(chart->note, sizeof chart->note, "; the last lies after %.40s.",
                  measured(run->verdict.seconds, "s", 4).text);
     chart->x.low = chart->y.low = 0;
 }
