@@ -26,7 +26,7 @@ struct fit_point {
     size_t domino;   /* for a hit and an angle: the number of the domino, from 1 */
     double time;     /* for an angle: its time on the clock of its run */
     double measured; /* the speed, the time of the hit on the clock of its run, or the angle */
-    double error;    /* the standard error of `measured`; 0 if it is not known */
+    double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
 /* The measurements of one run of a row, which share a clock. Speeds are all in one run. */

@@ -102,11 +102,6 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-static double known_or(double value, double otherwise)
-{
-    return isnan(value) ? otherwise : value;
-}
-
 /* Begins a new run if the row of the file belongs to another run than the row above it. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
@@ -159,12 +154,11 @@ static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
     const domq_real *value = csv->value;
     if (d->kind == FIT_SPEEDS) {
         enum { S_GAP, S_SPEED, S_ERROR };
-        struct fit_point point = {.gap = (double)value[S_GAP],
-                                  .measured = (double)value[S_SPEED],
-                                  .error = known_or((double)value[S_ERROR], 0)};
+        struct fit_point point = {
+            .gap = (double)value[S_GAP], .measured = (double)value[S_SPEED], .error = (double)value[S_ERROR]};
         return run_follow(d, csv, false) && point_add(d, csv, point, S_ERROR);
     }
-    struct fit_point point = {.domino = 1, .error = known_or((double)value[ERROR], 0)};
+    struct fit_point point = {.domino = 1, .error = (double)value[ERROR]};
     if (csv->column[DOMINO])
         point.domino = (size_t)value[DOMINO];
     if (!time_find(csv, rate, &point.time))
