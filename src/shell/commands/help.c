@@ -247,8 +247,6 @@ static bool run_help(struct session *session, const struct arguments *given, str
     (void)problem;
     bool people = answer_for_people(a), has_name = given->count && given->number[0] >= 0;
     const char *word = given->count && !has_name ? given->word[0] : NULL, *name;
-    if (!people)
-        topic_rows_begin(a);
     if (given->variable)
         help_variable(session, given, a);
     else if (people && !given->count)
@@ -271,8 +269,6 @@ static bool run_apropos(const struct query *query, struct answer *a, struct prob
     bool people = answer_for_people(a);
     int found = 0;
     struct topic topic;
-    if (!people)
-        topic_rows_begin(a);
     /* Topics about the word come before those that only mention it in their details. */
     for (int rank = 1; rank <= 2; rank++)
         for (int k = 0; topic_at(k, &topic); k++) {

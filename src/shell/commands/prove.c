@@ -124,27 +124,27 @@ static bool prove_limit(const struct query *query, struct answer *a, struct prob
     return true;
 }
 
-/* Prints what is proved about the growth of the session's train. */
+/* The words and the sentences for the verdicts about the growth of the session's train. */
+static const struct {
+    const char *result, *sentence;
+} cycle_verdicts[] = {
+    [DOM_PROVED_GOES_ON] = {"goes on", "the train keeps falling: at no tilt of the cycle is the climb larger "
+                                       "than its energy"},
+    [DOM_PROVED_STOPS] = {"stops", "the train stops: at one tilt the climb is larger than its energy"},
+    [DOM_PROVED_NO_FUEL] = {"no fuel", "the train stops: a cycle sets no energy free"},
+    [DOM_PROVED_OUT_OF_REACH] = {"out of reach", "r s > 1: the head falls past the next domino"},
+    [DOM_PROVED_NOTHING] = {"not proved", NULL},
+};
+
 static void say_cycle(const struct query *query, struct answer *a, const struct dom_proof_cycle *p)
 {
-    static const char *const says[] = {
-        [DOM_PROVED_GOES_ON] =
-            "the train keeps falling: at no tilt of the cycle is the climb larger than its energy",
-        [DOM_PROVED_STOPS] = "the train stops: at one tilt the climb is larger than its energy",
-        [DOM_PROVED_NO_FUEL] = "the train stops: a cycle sets no energy free",
-        [DOM_PROVED_OUT_OF_REACH] = "r s > 1: the head falls past the next domino",
-        [DOM_PROVED_NOTHING] = NULL};
-    if (says[p->verdict])
-        answer_say(a, "Proved: at growth %.12g %s.", (double)query->scene->train.r, says[p->verdict]);
+    if (cycle_verdicts[p->verdict].sentence)
+        answer_say(a, "Proved: at growth %.12g %s.", (double)query->scene->train.r,
+                   cycle_verdicts[p->verdict].sentence);
 }
 
 static bool prove_cycle(const struct query *query, struct answer *a, struct problem *problem, enum what what)
 {
-    static const char *const result[] = {[DOM_PROVED_GOES_ON] = "goes on",
-                                         [DOM_PROVED_STOPS] = "stops",
-                                         [DOM_PROVED_NO_FUEL] = "no fuel",
-                                         [DOM_PROVED_OUT_OF_REACH] = "out of reach",
-                                         [DOM_PROVED_NOTHING] = "not proved"};
     struct dom_train train = proof_train(&query->scene->train);
     struct dom_compute compute = proof_compute(query);
     struct dom_proof_cycle proof = {.gap = DOM_PROOF_NONE};
@@ -153,8 +153,8 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
         return false;
     struct dom_interval range = what == PROVE_BARRIER ? proof.barrier : proof.margin;
     answer_holds(a, proof.verdict == DOM_PROVED_GOES_ON);
-    prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0), result[proof.verdict],
-              proof.work, gap_reason(proof.gap, reason));
+    prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
+              cycle_verdicts[proof.verdict].result, proof.work, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
         answer_say(a, "Proved: the barrier is between these two, in m g h/2 of the head.");
     say_cycle(query, a, &proof);

@@ -6,14 +6,21 @@
 #include "language/quad.h"
 #include "session/session.h"
 #include "session/undo.h"
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 /* Prints a sentence about a change. If the output is for programs, as with csv and json, the sentence goes
  * to standard error. */
-static void change_say(const struct query *query, struct answer *a, const char *text)
+static void __attribute__((format(printf, 3, 4)))
+change_say(const struct query *query, struct answer *a, const char *format, ...)
 {
+    char text[4 * EFFECT_SETTING];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
     a->wrote_text = answer_for_people(a);
     if (a->wrote_text)
         answer_say(a, "%s", text);
@@ -24,14 +31,12 @@ static void change_say(const struct query *query, struct answer *a, const char *
 /* Prints the value that an effect got from the word 'on', because the user did not type this value. */
 static void effect_say(const struct query *query, struct answer *a, const struct parameter *p, bool before)
 {
-    char text[3 * EFFECT_SETTING];
     bool listed = effect_file(query->scene, p->which);
-    snprintf(text, sizeof text, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
-             before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
-             effect_setting(query->scene, p->which),
-             listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
-             effect_usage(p->which));
-    change_say(query, a, text);
+    change_say(query, a, "%s is %s with %s%s%s: the %s. 'effect %s' sets another.", p->name,
+               before ? "on" : "on now", listed ? "" : p->value->name, listed ? "" : " = ",
+               effect_setting(query->scene, p->which),
+               listed ? p->value->or_file + strspn(p->value->or_file, "a ") : p->value->meaning,
+               effect_usage(p->which));
 }
 
 /* A height without a unit is probably a mistake if it differs from the session's height by more than this
@@ -52,17 +57,6 @@ static bool height_likely(const struct query *query, struct problem *problem)
                          "or the unit that you mean",
                          quad_text(given->number[1], 10), measured(given->number[1], "m", 6).text,
                          measured(now, "m", 4).text, quad_text(given->number[1], 10));
-}
-
-/* Prints that s and r do not change a row whose dominoes come from a file. */
-static void file_row_say(const struct query *query, struct answer *a, const struct parameter *p)
-{
-    char text[EFFECT_SETTING + 160];
-    snprintf(
-        text, sizeof text,
-        "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from s and r.",
-        p->name, effect_setting(query->scene, DOM_EFFECT_row));
-    change_say(query, a, text);
 }
 
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
@@ -87,7 +81,10 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
     if (next->scene.listed.domino && (p == parameter_find("s") || p == parameter_find("r")) &&
         !query->means->sourced)
-        file_row_say(query, a, p);
+        change_say(query, a,
+                   "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from "
+                   "s and r.",
+                   p->name, effect_setting(query->scene, DOM_EFFECT_row));
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
     return true;

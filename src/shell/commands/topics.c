@@ -95,13 +95,9 @@ static const struct column topic_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-void topic_rows_begin(struct answer *answer)
-{
-    answer_columns(answer, topic_columns);
-}
-
 void topic_row(struct answer *answer, const struct topic *t)
 {
+    answer->columns = topic_columns;
     answer_cells(answer, cell_word(t->name), cell_word(t->kind), cell_word(t->usage), cell_word(t->summary),
                  cell_word(t->equation), cell_word(t->text), cell_word(*t->keys ? t->keys : NULL),
                  cell_word(t->example), cell_word(t->see));

@@ -26,8 +26,7 @@ void topic_of_variable(const struct variable *variable, struct topic *topic);
  * occurs nowhere. Ignores case. */
 int topic_mentions(const struct topic *topic, const char *word);
 
-/* Print topics for programs: topic_rows_begin sets the columns, and then topic_row prints one topic. */
-void topic_rows_begin(struct answer *answer);
+/* Prints a topic as a row, for programs. */
 void topic_row(struct answer *answer, const struct topic *topic);
 
 /* Prints a prefix and an entry such as "rmax [S]   the largest growth". The summary stands beside the usage,
