@@ -121,12 +121,6 @@ static const struct column effects_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* Returns the name of the quickest method that includes effect k. */
-static const char *quickest_method(int k)
-{
-    return k >= DOM_EFFECT_COUNT ? "engine" : effect_at(k)->dissipates ? "motion" : "balance";
-}
-
 static void effects_say(const struct query *query, struct answer *a)
 {
     bool row = query->scene->effect[DOM_EFFECT_row].on;
@@ -167,8 +161,10 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
         if (dom_raised(query->scene->compute.interrupt))
             return query_status(query, problem, DOM_INTERRUPTED);
         answer_cells(a, cell_word(e->name), cell_word(effect_setting(query->scene, k)),
-                     cell_word(quickest_method(k)), cell_brief(1e6 * without), cell_brief(1e6 * with),
-                     cell_brief(with / without),
+                     cell_word(k >= DOM_EFFECT_COUNT ? "engine"
+                               : e->dissipates       ? "motion"
+                                                     : "balance"),
+                     cell_brief(1e6 * without), cell_brief(1e6 * with), cell_brief(with / without),
                      cell_count((domq_real)(scene_has_engine(query->scene) ? query->scene->effect[k].on
                                             : k < DOM_EFFECT_COUNT         ? work.entered[k]
                                                                            : 0)),

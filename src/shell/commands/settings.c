@@ -132,15 +132,6 @@ static bool run_reset(const struct query *query, struct answer *a, struct proble
     return done;
 }
 
-static void variables_save(const struct variables *variables, FILE *out)
-{
-    for (size_t i = 0; i < variables->count; i++) {
-        const struct variable *v = &variables->list[i];
-        fprintf(out, "let %s = %s\n", variable_head(v),
-                v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
-    }
-}
-
 /* Returns the absolute path of the directory that contains a file; the caller frees the path. Returns NULL
  * for a device or a FIFO, or if the path cannot be found. */
 static char *folder_of(const char *path)
@@ -158,6 +149,7 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
 {
     struct output *file = NULL;
     const char *path = query->given->word[0];
+    const struct variables *variables = &query->state->variables;
     const struct parameter *p;
     (void)a;
     if (!effects_savable(query->scene, problem))
@@ -169,7 +161,11 @@ static bool run_save(const struct query *query, struct answer *a, struct problem
         for (int k = 0; (p = parameter_in_order(query->state, k)) != NULL; k++)
             parameter_save(query->state, p, folder, file->out);
         free(folder);
-        variables_save(&query->state->variables, file->out);
+        for (size_t i = 0; i < variables->count; i++) {
+            const struct variable *v = &variables->list[i];
+            fprintf(file->out, "let %s = %s\n", variable_head(v),
+                    v->body ? v->body : variable_value(v, (char[VARIABLE_VALUE]){""}));
+        }
         wrong = output_pop(&file, true);
     }
     if (query->next && !wrong)

@@ -39,13 +39,6 @@ static bool row_shorten(struct domq_row *row, enum dom_status status)
     return shorter;
 }
 
-/* Returns the push in rad/s that lifts the first domino off the floor. With this push, the weight of the
- * domino is no longer enough to keep its centre, h/2 above the hinge, on a circle. */
-static domq_real push_lifting(const struct domq_row *row)
-{
-    return quad(sqrt)(2 * row->g / row->domino[0].height);
-}
-
 bool start_find(const struct query *query, const struct domq_train *train, domq_real dominoes,
                 struct start *start, struct problem *problem)
 {
@@ -67,8 +60,11 @@ bool start_find(const struct query *query, const struct domq_train *train, domq_
     if (status == DOM_OK && !start->falls) {
         start->end = verdict.end;
         start->stops_at = verdict.domino;
+        /* A push of this many rad/s lifts the first domino off the floor: its weight is no longer enough to
+         * keep its centre, h/2 above the hinge, on a circle. */
+        const domq_real lifting = quad(sqrt)(2 * made.row.g / made.domino[0].height);
         if (!start->engine)
-            status = domq_row_push(&made.row, &made.compute, push_lifting(&made.row), &start->push);
+            status = domq_row_push(&made.row, &made.compute, lifting, &start->push);
     }
     free(made.domino);
     return row_status(query, problem, status);
