@@ -60,7 +60,7 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    /* check that there is memory for the first space and for loading the library */
+    /* Checks that there is memory for the first space and for loading the library. */
     const bool room = tried || room_take(0);
     if (room && !tried) {
         load();
@@ -70,4 +70,16 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     pthread_mutex_unlock(&lock);
     *found = &functions;
     return !room ? ENGINE_NO_MEMORY : loaded ? ENGINE_OK : ENGINE_NO_LIBRARY;
+}
+
+enum engine_status engine_load(void)
+{
+    const struct chipmunk *cp;
+    return chipmunk_load(&cp);
+}
+
+const char *engine_version(void)
+{
+    const struct chipmunk *cp;
+    return chipmunk_load(&cp) == ENGINE_OK ? cp->version : NULL;
 }

@@ -89,7 +89,7 @@ struct engine_fall {
      * touched the foremost box. */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
-     * it would have balanced on its lower front corner. 1 if it came beyond its balance. */
+     * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */
     double climbed;
     /* true if two boxes have touched in any way other than with the tip of one on the back face of the
      * next */

@@ -8,16 +8,15 @@
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static size_t taken; /* bytes reserved for all spaces of the physics library */
+static size_t taken; /* bytes reserved for all spaces of Chipmunk */
 
 bool room_take(size_t boxes)
 {
     const size_t more = SPACE + BOX * boxes;
     pthread_mutex_lock(&lock);
-    void *volatile room =
-        /* The pointer is volatile, because gcc may remove a malloc whose result is only freed. */
-        malloc(taken + more);
-    bool found = room;
+    /* The pointer is volatile, because gcc may remove a malloc whose result is only freed. */
+    void *volatile room = malloc(taken + more);
+    const bool found = room;
     free(room);
     if (found)
         taken += more;

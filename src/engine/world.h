@@ -16,7 +16,7 @@ struct motion {
     double turns;
 };
 
-/* A box in the world of the physics library. */
+/* A box in Chipmunk's space. */
 struct body {
     cpBody *body;
     cpShape *shape;
