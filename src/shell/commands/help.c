@@ -59,12 +59,11 @@ static void help_list(FILE *out)
 /* Prints the arguments of an effect with their ranges. */
 static void help_effect_values(const struct session *session, const struct parameter *p)
 {
-    char range[64], text[512];
+    char text[512];
     const struct domq_effect_argument *a;
     for (int i = 0; (a = parameter_value(p, i)) != NULL; i++) {
-        parameter_range(&session->state, p, i, range, sizeof range);
-        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, range, *a->unit ? " " : "", a->unit,
-                 a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
+        snprintf(text, sizeof text, "%s, %s%s%s%s%s%s", a->meaning, parameter_range(&session->state, p, i),
+                 *a->unit ? " " : "", a->unit, a->or_file ? "; or " : "", a->or_file ? a->or_file : "",
                  a->optional ? "; may be left out" : "");
         int left = fprintf(session->output->out, "  %-8s ", a->name);
         help_wrapped(session->output->out, text, left);
@@ -75,7 +74,7 @@ static void help_parameter(struct session *session, const struct topic *t)
 {
     const struct parameter *p = t->parameter;
     const struct effect_state *effect = &session->state.scene.effect[p->which];
-    char range[64], text[WIDE_TEXT];
+    char text[WIDE_TEXT];
     const char *name, *values = t->usage + strcspn(t->usage, " ") + 1; /* skips "set" or "effect" */
     FILE *out = session->output->out;
     help_say(out, "%s: %s", p->effect ? t->usage : p->name, t->summary);
@@ -85,14 +84,13 @@ static void help_parameter(struct session *session, const struct topic *t)
     if (p->effect)
         help_effect_values(session, p);
     else {
-        parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits, text,
-                       sizeof text);
-        fprintf(out, "  value    %s%s%s\n", text, *p->value->unit ? " " : "", p->value->unit);
-        parameter_range(&session->state, p, 0, range, sizeof range);
-        fprintf(out, "  range    %s\n", range);
+        fprintf(out, "  value    %s%s%s\n",
+                parameter_text(p, parameter_get(&session->state, p), state_style(&session->state).all_digits,
+                               text),
+                *p->value->unit ? " " : "", p->value->unit);
+        fprintf(out, "  range    %s\n", parameter_range(&session->state, p, 0));
     }
-    parameter_text(p, parameter_fallback(&session->state, p), 6, text, sizeof text);
-    fprintf(out, "  default  %s\n", text);
+    fprintf(out, "  default  %s\n", parameter_text(p, parameter_fallback(&session->state, p), 6, text));
     for (int k = 0; parameter_is_number(p) && (name = parameter_offered(p, k)) != NULL; k++)
         fprintf(out, "  %-8s %g\n", name, (double)p->words[names_exact(parameter_words, p, name)].value);
     putc('\n', out);

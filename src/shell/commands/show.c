@@ -20,7 +20,7 @@ enum { SHOW_COLUMNS = sizeof show_columns / sizeof *show_columns };
 
 /* The cells of a parameter's row in the table, and buffers for the texts that the cells point to. */
 struct shown {
-    char range[64], value[EFFECT_SETTING], fallback[WIDE_TEXT];
+    char range[PARAMETER_RANGE], value[EFFECT_SETTING], fallback[WIDE_TEXT];
     struct cell cell[SHOW_COLUMNS];
 };
 
@@ -34,15 +34,17 @@ static void word_add(const struct parameter *p, domq_real value, char *text, siz
 
 static void shown_make(const struct query *query, const struct parameter *p, bool people, struct shown *shown)
 {
+    char number[WIDE_TEXT];
     domq_real value = parameter_get(query->state, p), fallback = parameter_fallback(query->state, p);
     bool is_number = parameter_is_number(p), as_number = is_number && !people,
          is_on = p->effect && value != EFFECT_OFF && !effect_file(query->scene, p->which);
-    parameter_range(query->state, p, 0, shown->range, sizeof shown->range);
+    parameter_range_write(query->state, p, 0, shown->range);
     if (p->effect)
         effect_setting_write(query->scene, p->which, shown->value);
     else
-        parameter_text(p, value, (int)query->state->settings.style.digits, shown->value, sizeof shown->value);
-    parameter_text(p, fallback, 6, shown->fallback, sizeof shown->fallback);
+        snprintf(shown->value, sizeof shown->value, "%s",
+                 parameter_text(p, value, (int)query->state->settings.style.digits, number));
+    snprintf(shown->fallback, sizeof shown->fallback, "%s", parameter_text(p, fallback, 6, number));
     if (people && is_number) {
         word_add(p, value, shown->value, sizeof shown->value);
         word_add(p, fallback, shown->fallback, sizeof shown->fallback);

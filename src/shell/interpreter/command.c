@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "interpreter/command.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "session/parameters.h"
 #include <limits.h>
 #include <string.h>
@@ -134,12 +135,12 @@ int command_principal(const struct command *c)
 
 const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
-    int n = snprintf(usage, USAGE_SIZE, "%s", c->name);
+    snprintf(usage, USAGE_SIZE, "%s", c->name);
     bool inside = false; /* true between the brackets around the values of an effect */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
-        n += snprintf(usage + n, (size_t)(USAGE_SIZE - n), " %s%s%s", a->optional && !inside ? "[" : "",
-                      a->name, a->optional && !more ? "]" : "");
+        text_add(usage, USAGE_SIZE, " %s%s%s", a->optional && !inside ? "[" : "", a->name,
+                 a->optional && !more ? "]" : "");
         inside = a->optional && more;
     }
     return usage;

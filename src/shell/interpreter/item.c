@@ -195,7 +195,7 @@ static const char *argument_words(const void *argument, int k)
 bool item_parse_value(struct reader *r, const struct parameter *p, int i, const char *name, struct item *item)
 {
     const char *begin = r->at;
-    char message[NAMES_MESSAGE], what[32], range[64];
+    char message[NAMES_MESSAGE], what[32];
     const char *const *words = i > 0 ? p->value[i].words : NULL;
     if (words) {
         offer_names(r, argument_words, &p->value[i]);
@@ -211,11 +211,10 @@ bool item_parse_value(struct reader *r, const struct parameter *p, int i, const 
             *item = (struct item){.number = p->words[k].value, .at = begin};
             return true;
         }
-        parameter_range(r->query->state, p, 0, range, sizeof range);
         if (*message)
             return problem_error(r->problem,
                                  p->words_only ? "%s (%s is one of %s)" : "%s (%s is a number in %s)",
-                                 message, p->name, range);
+                                 message, p->name, parameter_range(r->query->state, p, 0));
     }
     struct argument *a = reader_memory(r, sizeof *a);
     if (!a)
@@ -230,10 +229,8 @@ static void names_all(names_list *list, char all[NAMES_ALL])
 {
     const char *name;
     all[0] = '\0';
-    for (int n = 0; (name = list(NULL, n)) != NULL; n++) {
-        size_t used = strlen(all);
-        snprintf(all + used, NAMES_ALL - used, "%s%s", n ? ", " : "", name);
-    }
+    for (int n = 0; (name = list(NULL, n)) != NULL; n++)
+        text_add(all, NAMES_ALL, "%s%s", n ? ", " : "", name);
 }
 
 bool item_parse_choice(struct reader *r, const struct argument *a, struct item *item)

@@ -72,8 +72,8 @@ bool question_needs_number(const struct question *q, struct problem *problem)
         return true;
     char keys[256] = "";
     const char *key;
-    for (int n = 0, k = 0; (key = command_keys(c, k)) != NULL && n < (int)sizeof keys; k++)
-        n += snprintf(keys + n, sizeof keys - (size_t)n, "%s%s.%s", n ? ", " : "", c->name, key);
+    for (int k = 0; (key = command_keys(c, k)) != NULL; k++)
+        text_add(keys, sizeof keys, "%s%s.%s", k ? ", " : "", c->name, key);
     return problem_error(problem, "'%s' answers with several numbers; use one of %s", c->name, keys);
 }
 

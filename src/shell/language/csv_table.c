@@ -142,10 +142,8 @@ static bool name_read(struct csv_table *csv, int i, const char *text)
                          kind->example);
     if (csv->other[i] && !note && (close = names_closest(column_names, kind, name)) != NULL)
         return csv_wrong(&csv->file, at, "unknown column '%s'; did you mean '%s'?", name, close);
-    size_t used = strlen(csv->unused);
     if (csv->other[i] && !note)
-        snprintf(csv->unused + used, sizeof csv->unused - used, "%s'%.40s'", used ? ", " : "",
-                 names_shown(text));
+        text_add(csv->unused, sizeof csv->unused, "%s'%.40s'", *csv->unused ? ", " : "", names_shown(text));
     if (csv->other[i])
         return true;
     if (csv->column[k] > 0)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/names.h"
+#include "language/text.h"
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -77,8 +78,7 @@ int names_find(names_list *list, const void *context, const char *what, const ch
         if (strncmp(name, text, strlen(text)) != 0)
             continue;
         found = k;
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", matches++ ? ", " : "", name);
+        text_add(all, sizeof all, "%s%s", matches++ ? ", " : "", name);
     }
     if (matches == 1)
         return found;

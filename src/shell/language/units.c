@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/units.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,12 +61,10 @@ const char *unit_write(struct quantity q, const char *between, char text[UNIT_TE
     static const char *const base[] = {"kg", "m", "s", "rad"};
     const int power[] = {q.mass, q.length, q.time, q.angle};
     text[0] = '\0';
-    for (int i = 0; i < 4; i++) {
-        size_t used = strlen(text);
+    for (int i = 0; i < 4; i++)
         if (power[i] != 0)
-            snprintf(text + used, UNIT_TEXT - used, power[i] == 1 ? "%s%s" : "%s%s^%d", used ? between : "",
-                     base[i], power[i]);
-    }
+            text_add(text, UNIT_TEXT, power[i] == 1 ? "%s%s" : "%s%s^%d", *text ? between : "", base[i],
+                     power[i]);
     return text;
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "language/variables.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,10 +119,10 @@ void variables_free(struct variables *variables)
 
 const char *variable_head_write(const struct variable *v, char text[VARIABLE_HEAD])
 {
-    int n = snprintf(text, VARIABLE_HEAD, "%s%s", v->name, v->body ? "(" : "");
+    snprintf(text, VARIABLE_HEAD, "%s%s", v->name, v->body ? "(" : "");
     for (int i = 0; i < v->count; i++)
-        n += snprintf(text + n, (size_t)(VARIABLE_HEAD - n), "%s%s", i ? ", " : "", v->argument[i]);
-    snprintf(text + n, (size_t)(VARIABLE_HEAD - n), "%s", v->body ? ")" : "");
+        text_add(text, VARIABLE_HEAD, "%s%s", i ? ", " : "", v->argument[i]);
+    text_add(text, VARIABLE_HEAD, "%s", v->body ? ")" : "");
     return text;
 }
 

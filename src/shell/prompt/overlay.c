@@ -5,6 +5,7 @@
 #include "interpreter/preview.h"
 #include "io/escape.h"
 #include "io/terminal.h"
+#include "language/text.h"
 #include "prompt/input.h"
 #include <stdlib.h>
 #include <string.h>
@@ -119,27 +120,22 @@ static void usage_rest(struct session *session, const char *line, char usage[HIN
     line_preview(session, line, strlen(line), is_apart ? PREVIEW_CURSOR : " " PREVIEW_CURSOR, &o);
     const struct command *c = o.command;
     const struct parameter *p = o.parameter;
-    size_t n = 0;
     *usage = '\0';
     if (!c || c->argument[0].kind == ARGUMENT_GRID ||
         (!is_apart && o.argument == 0 && o.typed < strlen(c->name)))
         return;
-    for (int i = o.argument; i < ARGUMENTS_MAX && c->argument[i].kind && n < HINT; i++) {
+    for (int i = o.argument; i < ARGUMENTS_MAX && c->argument[i].kind; i++) {
         const struct argument *a = &c->argument[i];
         const struct domq_effect_argument *value =
             a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
-        const char *name = value ? value->name : a->name;
-        char range[64];
         if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
         /* The range of the value is more useful than its name, which is already in the line. */
-        if (value && !p->effect) {
-            parameter_range(&session->state, p, 0, range, sizeof range);
-            name = range;
-        }
+        const char *name = !value      ? a->name
+                           : p->effect ? value->name
+                                       : parameter_range(&session->state, p, 0);
         bool is_optional = value ? value->optional : a->optional;
-        n += (size_t)snprintf(usage + n, HINT - n, is_optional ? "%s[%s]" : "%s%s",
-                              i > o.argument || !is_apart ? " " : "", name);
+        text_add(usage, HINT, is_optional ? "%s[%s]" : "%s%s", i > o.argument || !is_apart ? " " : "", name);
     }
 }
 

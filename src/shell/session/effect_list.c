@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "session/effect_list.h"
+#include "language/text.h"
 #include <stdio.h>
 
 const struct domq_effect engine_effect_feet = {
@@ -66,13 +67,13 @@ const char *effect_names(const void *context, int k)
 const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
 {
     const struct domq_effect *e = effect_at(name);
-    int n = snprintf(usage, EFFECT_USAGE, "%s", e->name);
+    snprintf(usage, EFFECT_USAGE, "%s", e->name);
     for (int i = 0; i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++)
-        n += snprintf(usage + n, (size_t)(EFFECT_USAGE - n),
-                      e->argument[i].optional  ? " [%s]"
-                      : e->argument[i].or_file ? " %s|FILE"
-                                               : " %s",
-                      e->argument[i].name);
+        text_add(usage, EFFECT_USAGE,
+                 e->argument[i].optional  ? " [%s]"
+                 : e->argument[i].or_file ? " %s|FILE"
+                                          : " %s",
+                 e->argument[i].name);
     return usage;
 }
 
@@ -97,11 +98,11 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
     const bool is_error = name >= EFFECT_ENGINE_END;
     if (examples[name])
         return examples[name];
-    int n = snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "effect row on; " : "");
+    snprintf(example, EFFECT_EXAMPLE, "%s", is_error ? "effect row on; " : "");
     for (int k = 0; k < EFFECT_COUNT; k++)
         if (e->needs >> k & 1)
-            n += snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; ", effect_at(k)->name);
-    snprintf(example + n, (size_t)(EFFECT_EXAMPLE - n), "effect %s on; %s", e->name,
+            text_add(example, EFFECT_EXAMPLE, "effect %s on; ", effect_at(k)->name);
+    text_add(example, EFFECT_EXAMPLE, "effect %s on; %s", e->name,
              !is_error ? "scene"
              /* fewer rows, because the engine takes a thousand times as long as the model */
              : e->needs >> EFFECT_feet & 1 ? "placement 5"

@@ -2,6 +2,7 @@
 #include "session/effects.h"
 #include "language/names.h"
 #include "language/quad.h"
+#include "language/text.h"
 #include "session/rowfile.h"
 #include <stdlib.h>
 #include <string.h>
@@ -26,13 +27,13 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
     const struct domq_effect *e = effect_at(name);
     const char *path = effect_file(scene, name), *slash = path ? strrchr(path, '/') : NULL;
     snprintf(setting, EFFECT_SETTING, "%s", slash ? slash + 1 : path ? path : state->on ? "" : "off");
-    for (int i = 0, n = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
+    for (int i = 0; state->on && !path && i < DOM_EFFECT_ARGUMENTS && e->argument[i].name; i++) {
         const struct domq_effect_argument *of = &e->argument[i];
         if (usual_from(e, state, i))
             break;
-        n += snprintf(setting + n, (size_t)(EFFECT_SETTING - n), "%s%s%s%s", n ? ", " : "",
-                      of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10),
-                      *of->unit ? " " : "", of->unit);
+        text_add(setting, EFFECT_SETTING, "%s%s%s%s", i ? ", " : "",
+                 of->words ? of->words[(int)state->value[i]] : quad_text(state->value[i], 10),
+                 *of->unit ? " " : "", of->unit);
     }
     return setting;
 }
@@ -46,11 +47,10 @@ static bool needs(int name, int other)
 /* Lists the effects that are on and need the row, as in ", with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
-    int n = 0;
     text[0] = '\0';
-    for (int k = 0; k < EFFECT_COUNT && n < (int)size; k++)
+    for (int k = 0; k < EFFECT_COUNT; k++)
         if (scene->effect[k].on && needs(k, DOM_EFFECT_row))
-            n += snprintf(text + n, size - (size_t)n, "%s%s", n ? " and " : ", with ", effect_at(k)->name);
+            text_add(text, size, "%s%s", *text ? " and " : ", with ", effect_at(k)->name);
 }
 
 /* Turns off the row and all effects that need it. */

@@ -2,7 +2,7 @@
 #include "session/parameters.h"
 #include "answer/format.h"
 #include "language/names.h"
-#include "language/quad.h"
+#include "language/text.h"
 #include <limits.h>
 #include <string.h>
 
@@ -187,12 +187,12 @@ const struct parameter *parameter_in_order(const struct state *state, int k)
 
 void parameter_save(const struct state *state, const struct parameter *p, const char *folder, FILE *out)
 {
-    char value[WIDE_TEXT];
+    char text[WIDE_TEXT];
     if (p->effect) {
         effect_save(&state->scene, p->which, folder, out);
         return;
     }
-    parameter_text(p, parameter_get(state, p), WIDE_DIGITS, value, sizeof value);
+    const char *value = parameter_text(p, parameter_get(state, p), WIDE_DIGITS, text);
     struct quantity quantity = expression_unit(p->value->unit);
     bool has_unit = parameter_is_number(p) && !quantity_plain(quantity) && !quantity.angle;
     fprintf(out, "set %s %s%s%s\n", p->name, value, has_unit ? " " : "",
@@ -207,32 +207,32 @@ const char *parameter_word(const struct parameter *p, domq_real value)
     return NULL;
 }
 
-void parameter_range(const struct state *state, const struct parameter *p, int i, char *text, size_t size)
+const char *parameter_range_write(const struct state *state, const struct parameter *p, int i,
+                                  char text[PARAMETER_RANGE])
 {
     int digits = p->value[i].whole ? 15 : 6; /* show every digit of a whole number */
+    text[0] = '\0';
     if (!p->words_only)
-        snprintf(text, size, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
+        text_add(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
                  (double)p->value[i].highest);
-    size_t used = 0;
-    for (const struct word *w = p->words; p->words_only && w->name && used < size; w++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", used ? "|" : "", w->name);
+    for (const struct word *w = p->words; p->words_only && w->name; w++)
+        text_add(text, PARAMETER_RANGE, "%s%s", *text ? "|" : "", w->name);
+    return text;
 }
 
-void parameter_text(const struct parameter *p, domq_real value, int digits, char *text, size_t size)
+const char *parameter_text(const struct parameter *p, domq_real value, int digits, char text[WIDE_TEXT])
 {
-    char number[WIDE_TEXT];
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
     digits = p->value->whole && digits < 15 ? 15 : digits; /* show every digit of a whole number */
-    snprintf(text, size, "%s",
-             word                    ? word
-             : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, number)
-                                     : quad_write(value, digits < 15 ? digits : 15, number));
+    return word                    ? word
+           : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, text)
+                                   : quad_write(value, digits < 15 ? digits : 15, text);
 }
 
 bool parameter_check(const struct state *state, const struct parameter *p, int i, domq_real value,
                      struct problem *problem)
 {
-    char range[64], meaning[96] = "";
+    char meaning[96] = "";
     const struct domq_effect_argument *of = &p->value[i];
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
@@ -242,7 +242,7 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
-    parameter_range(state, p, i, range, sizeof range);
+    const char *range = parameter_range(state, p, i);
     if (broken)
         return problem_no_answer(problem, "%s = %s is not a whole number; %s is a whole number in %s",
                                  of->name, quad_text(value, 10), of->name, range);

@@ -3,6 +3,7 @@
 #ifndef SHELL_PARAMETERS_H
 #define SHELL_PARAMETERS_H
 
+#include "language/quad.h"
 #include "session/parameter_list.h"
 #include "session/query.h"
 
@@ -40,13 +41,17 @@ bool parameter_is_number(const struct parameter *parameter);
 /* Returns the word that stands for a value of the parameter, or NULL if no word does. */
 const char *parameter_word(const struct parameter *parameter, domq_real value);
 
-/* Writes the range of value number i of a parameter, such as "1e-12 .. 1", or all words, such as
- * "exact|paper". */
-void parameter_range(const struct state *state, const struct parameter *parameter, int i, char *text,
-                     size_t size);
+/* Returns the range of value number i of a parameter, such as "1e-12 .. 1", or all words, such as
+ * "exact|paper". The text lives until the end of the block that contains the call. */
+enum { PARAMETER_RANGE = 64 };
+#define parameter_range(state, parameter, i)                                                                 \
+    parameter_range_write(state, parameter, i, (char[PARAMETER_RANGE]){""})
+const char *parameter_range_write(const struct state *state, const struct parameter *parameter, int i,
+                                  char text[PARAMETER_RANGE]);
 
-/* Writes a value in the form that 'set' reads. */
-void parameter_text(const struct parameter *parameter, domq_real value, int digits, char *text, size_t size);
+/* Returns a value in the form that 'set' reads: a word, or a number in `text`. */
+const char *parameter_text(const struct parameter *parameter, domq_real value, int digits,
+                           char text[WIDE_TEXT]);
 
 /* ---- Values ---- */
 
