@@ -117,7 +117,7 @@ struct contact_law {
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);
     /* Finds the sums at `head`, including H2, and the sums at theta_c, for an endless train from which no
-     * domino detaches. */
+     * domino detaches. NULL if two calls of `change` are as fast. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
                             struct sums *at_c);
     /* Finds J, H1 and half of dJ/dtheta. If `every` is true, every domino is visited, and no series replaces

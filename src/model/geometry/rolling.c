@@ -34,62 +34,52 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-/* Finds J and H1 or, if `sign` is true, only a number with the sign of H1. */
+/* Finds J, H1 and half of dJ/dtheta or, if `sign` is true, only a number with the sign of H1. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
-                                   struct sums *sums)
+                                   struct sums *sums, real *half_J1)
 {
     struct sum_state a = {0};
     struct walk k = rounded_begin(geometry, head);
+    const struct link *link = &k.link;
     const real tol = sign ? (real)0.75 / TAIL_SHARE : geometry->tol;
-    for (;;) {
-        enum dom_status status = chain_watch(geometry, k.link.i);
+    *half_J1 = 0;
+    for (;; rounded_next(&k)) {
+        enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
-        if (!sign)
-            rounded_add_J(&a, &k.link);
-        rounded_add_H1(&a, &k.link);
-        if (k.link.i + 1 >= geometry->n || !k.link.leads ||
-            ((sign || done_J(&a, &k.link)) && rolling_done_H1(&a, &k.link, tol)))
-            return rolling_result(geometry, &a, 0, k.link.i + 1, sums);
-        rounded_next(&k);
+        rounded_add_H1(&a, link);
+        if (!sign) {
+            rounded_add_J(&a, link);
+            *half_J1 += link->inertia * link->slope *
+                        (k.second_derivative * geometry_inertia(link->geometry, link->tilt) +
+                         link->slope * link->slope * geometry_inertia_slope(link->geometry, link->tilt) / 2);
+        }
+        if (link->i + 1 >= geometry->n || !link->leads ||
+            ((sign || done_J(&a, link)) && rolling_done_H1(&a, link, tol)))
+            return rolling_result(geometry, &a, 0, link->i + 1, sums);
     }
 }
 
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1)
 {
     struct sums sums;
-    enum dom_status status = rolling_sum(geometry, head, true, &sums);
+    real half_J1;
+    enum dom_status status = rolling_sum(geometry, head, true, &sums, &half_J1);
     *H1 = sums.H1;
     return status;
 }
 
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums)
 {
-    return rolling_sum(geometry, head, false, sums);
+    real half_J1;
+    return rolling_sum(geometry, head, false, sums, &half_J1);
 }
 
 KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
                                      struct sums *sums, real *half_J1)
 {
     (void)every;
-    struct sum_state a = {0};
-    struct walk k = rounded_begin(geometry, head);
-    *half_J1 = 0;
-    for (;;) {
-        const struct link *link = &k.link;
-        enum dom_status status = chain_watch(geometry, link->i);
-        if (status != DOM_OK)
-            return status;
-        rounded_add_J(&a, link);
-        rounded_add_H1(&a, link);
-        *half_J1 += link->inertia * link->slope *
-                    (k.second_derivative * geometry_inertia(link->geometry, link->tilt) +
-                     link->slope * link->slope * geometry_inertia_slope(link->geometry, link->tilt) / 2);
-        if (link->i + 1 >= geometry->n || !link->leads ||
-            (done_J(&a, link) && rolling_done_H1(&a, link, geometry->tol)))
-            return rolling_result(geometry, &a, 0, link->i + 1, sums);
-        rounded_next(&k);
-    }
+    return rolling_sum(geometry, head, false, sums, half_J1);
 }
 
 /* ---- Differences ---- */
@@ -272,14 +262,4 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     enum dom_status status = rolling_result(geometry, &state, H2, a.link.i + 1, sums);
     sums->pushes = pushes;
     return status;
-}
-
-KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                    struct sums *at_c)
-{
-    enum dom_status status =
-        rounded_change(geometry, standing, geometry->c, half_of_tilt(geometry->c), PASS_SHIFT, at_c, NULL);
-    return status == DOM_OK ? rounded_change(geometry, standing, head, half_of_tilt(head),
-                                             PASS_SECOND_DERIVATIVE, sums, NULL)
-                            : status;
 }

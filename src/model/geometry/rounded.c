@@ -418,7 +418,6 @@ static const struct contact_law rounded_edges = {
     .sign = rounded_sign,
     .sum = rounded_sum,
     .change = rounded_change,
-    .both = rounded_both,
     .rates = rounded_rates,
     .equation = rounded_equation,
 };

@@ -41,8 +41,6 @@ KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error);
-KERNEL enum dom_status rounded_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
-                                    struct sums *at_c);
 KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct tilt head, bool every,
                                      struct sums *sums, real *half_J1);
 KERNEL enum dom_status rounded_equation(const struct geometry *geometry, struct tilt head,

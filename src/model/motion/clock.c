@@ -106,10 +106,9 @@ static enum dom_status clock_tilt(const struct motion *m, const struct clock *cl
  * step of Newton's method would leave the bracket. *at holds the first guess on entry and the result on
  * return.
  */
-static enum dom_status tilt_search(struct motion *m, real time, real tol, real *at)
+static enum dom_status tilt_search(struct motion *m, real time, real *at)
 {
     real lo = 0, hi = m->end;
-    m->tol = tol;
     for (int i = 0; i < 200; i++) {
         real omegasq = 0, passed = 0;
         enum dom_status status = segment_speed(&m->cycle.segment, *at, &omegasq, NULL);
@@ -121,7 +120,7 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
         *(off >= 0 ? &lo : &hi) = *at;
         if (!(next > lo && next < hi))
             next = (lo + hi) / 2;
-        bool there = fabs(next - *at) <= fmax(tol, 4 * REAL_EPSILON) * m->end;
+        bool there = fabs(next - *at) <= fmax(m->tol, 4 * REAL_EPSILON) * m->end;
         *at = next;
         if (there)
             return DOM_OK;
@@ -132,17 +131,8 @@ static enum dom_status tilt_search(struct motion *m, real time, real tol, real *
 /* Finds the tilt at a given time from the clock, or, if the clock has no pieces, from integrals. */
 static enum dom_status motion_tilt(struct motion *m, const struct clock *clock, real time, real *at)
 {
-    if (clock->pieces > 0)
-        return clock_tilt(m, clock, time, at);
-    /* A search for only a few digits comes close to the tilt cheaply. From there, each step of Newton's
-     * method doubles the number of correct digits. */
-    const real tol = m->tol;
     *at = 0;
-    enum dom_status status = tilt_search(m, time, fmax(tol, (real)1e-8), at);
-    if (status == DOM_OK && tol < (real)1e-8)
-        status = tilt_search(m, time, tol, at);
-    m->tol = tol;
-    return status;
+    return clock->pieces > 0 ? clock_tilt(m, clock, time, at) : tilt_search(m, time, at);
 }
 
 /* Computes the clock and the duration of the cycle. If no clock can be computed, the duration comes from an
