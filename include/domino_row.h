@@ -155,6 +155,9 @@ struct dom_row {
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library; may be NULL. */
     const struct dom_engine *engine;
+    /* m: only dominoes taller than this have walls, and all others are solid. 0 if all dominoes have walls.
+     */
+    dom_real boxes_above;
 };
 
 /* Returns a row with g = 9.81 m/s^2, without a push, effects or an engine. The row has no dominoes; the
@@ -372,6 +375,9 @@ struct dom_wish {
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* the row must also fall in this engine; may be NULL */
+    /* m, as in struct dom_row. If boxes_above is not 0, `walls` replaces the walls of the train, and masses
+     * are those of blocks and of boxes that are half as wide as they are tall. */
+    dom_real walls, boxes_above;
 };
 
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and

@@ -373,6 +373,10 @@ class dom_window(Structure):
     pass
 
 
+class dom_limits(Structure):
+    pass
+
+
 class dom_wish(Structure):
     pass
 
@@ -394,10 +398,6 @@ class dom_study(Structure):
 
 
 class dom_budget(Structure):
-    pass
-
-
-class dom_limits(Structure):
     pass
 
 
@@ -684,6 +684,7 @@ dom_row._fields_ = [
     ("feet", c_double),
     ("floor", c_bool),
     ("engine", POINTER(dom_engine)),
+    ("boxes_above", c_double),
 ]
 dom_fall._fields_ = [
     ("domino", c_size_t),
@@ -746,6 +747,15 @@ dom_window._fields_ = [
     ("below", c_int),
     ("above", c_int),
 ]
+dom_limits._fields_ = [
+    ("sizes", c_bool),
+    ("q", c_double),
+    ("hall", c_double),
+    ("heaviest", c_double),
+    ("grid", c_double),
+    ("board", POINTER(c_double)),
+    ("boards", c_size_t),
+]
 dom_wish._fields_ = [
     ("first", c_double),
     ("height", c_double),
@@ -755,6 +765,8 @@ dom_wish._fields_ = [
     ("push", c_double),
     ("least", c_int),
     ("engine", POINTER(dom_engine)),
+    ("walls", c_double),
+    ("boxes_above", c_double),
 ]
 dom_design._fields_ = [
     ("s", c_double),
@@ -793,15 +805,6 @@ dom_budget._fields_ = [
     ("low", c_double),
     ("high", c_double),
 ]
-dom_limits._fields_ = [
-    ("sizes", c_bool),
-    ("q", c_double),
-    ("hall", c_double),
-    ("heaviest", c_double),
-    ("grid", c_double),
-    ("board", POINTER(c_double)),
-    ("boards", c_size_t),
-]
 dom_proof_work._fields_ = [
     ("boxes", c_size_t),
     ("chains", c_size_t),
@@ -830,10 +833,10 @@ dom_proof_cycle._fields_ = [
 
 # For each function the type of its result, and those of its parameters.
 FUNCTIONS = {
-    "dom_version": (c_char_p, []),
     "dom_status_text": (c_char_p, [c_int]),
     "dom_end_text": (c_char_p, [c_int]),
     "dom_event_text": (c_char_p, [c_int]),
+    "dom_version": (c_char_p, []),
     "dom_rmax": (c_double, [c_double, c_double, c_double]),
     "dom_dominoes": (c_double, [c_double, c_double, c_double]),
     "dom_speed": (c_double, [c_double, c_double, c_double]),
@@ -882,6 +885,9 @@ FUNCTIONS = {
     "dom_row_windows": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_int, dom_progress, c_void_p, POINTER(dom_window)]),
     "dom_row_push": (c_int, [POINTER(dom_row), POINTER(dom_compute), c_double, POINTER(c_double)]),
     "dom_design_find": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_compute), POINTER(dom_design)]),
+    "dom_design_fit": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), POINTER(dom_design)]),
+    "dom_design_steps": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_compute), c_size_t, POINTER(dom_design)]),
+    "dom_design_dominoes": (c_int, [POINTER(dom_train), POINTER(dom_wish), POINTER(dom_limits), POINTER(dom_design), POINTER(dom_domino)]),
     "dom_placement_study": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(dom_placement), POINTER(dom_study), POINTER(c_size_t)]),
     "dom_placement_causes": (c_int, [POINTER(dom_row), POINTER(dom_compute), POINTER(dom_placement), POINTER(dom_study), POINTER(c_size_t), POINTER(c_size_t)]),
     "dom_study_interval": (c_int, [POINTER(dom_study)]),

@@ -242,6 +242,18 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     # The boxes in the rigid-body engine have the same moment of inertia.
     local train='set r 1.3; set s 0.3; effect row 6; effect friction 0.1; effect walls 1 mm'
     [ -n "${SANITIZED-}" ] || close 'in the engine' "$(json "$train; verdict" | values seconds)" "$(json "$train; set method engine; verdict" | values seconds)" 2e-3
+    # Solid up to a height, and boxes above it.
+    local tall='set r 1.5; set density 600; effect row 7'
+    same 'all solid' "$(json "$tall; row; verdict")" "$(json "$tall; effect walls 12 mm 1 m; row; verdict")"
+    close 'mass of the last block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^4; print 600 * h * h / 2 * h * 7 / 48 }')" \
+        "$(json "$tall; effect walls 12 mm 30 cm; row" | values mass | sed -n 5p)" 1e-9
+    close 'mass of the first box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; t = h * 7 / 48; print 600 * (h * h / 2 * t - (h - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
+        "$(json "$tall; effect walls 12 mm 30 cm; row" | values mass | sed -n 6p)" 1e-9
+    differ 'time of the boxes' "$(json "$tall; effect walls 12 mm 30 cm; verdict" | values seconds)" "$(json "$tall; verdict" | values seconds)"
+    # A window of heights leaves a block a block, and an error of the heights does, too.
+    run -0 "$DOMINO" -e "$tall; effect walls 12 mm 30 cm; tolerance; effect placement 1 mm 5 %; placement 50; improve sizes"
+    [ "$(json "set q solid; effect walls 12 mm 30 cm; design 2 m" | values steps)" -gt 3 ]
+    wrong "$tall; effect walls 3 cm 30 cm; verdict" 'walls of 3 cm do not fit into domino 6'
     wrong "$row; effect walls 31 mm; verdict" 'walls of 3.1 cm do not fit into domino 1, which is 6 cm thick; walls of 3 cm make it solid'
     wrong 'effect walls 4 mm; duration' 'walls of 4 mm do not fit into the domino, which is 7 mm thick; walls of 3.5 mm make it solid'
     wrong 'effect walls 0' 'THICKNESS = 0 is out of range'

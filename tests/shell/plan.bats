@@ -40,6 +40,7 @@ END
     board() { "$DOMINO" -e "$1; effect row 3; plan" | sed -n '/^board/,/^$/p' | sed -n 2,4p | tr -s ' ' | paste -sd ';' -; }
     same solid ' 7.0 1 1 48.0 24.0; 10.5 2 1 72.0 36.0; 15.8 3 1 108.0 54.0' "$(board 'set r 1.5' | sed 's/ ;/;/g; s/ $//')"
     same box ' 1.0 1 2 48.0 5.0; 1 2 48.0 24.0; 1 2 22.0 5.0' "$(board 'effect walls 1 mm' | sed 's/ ;/;/g; s/ $//')"
+    same 'blocks and boxes' ' 1.0 3 2 108.0 13.8; 3 2 108.0 54.0; 3 2 52.0 13.8' "$(board 'set r 1.5; effect walls 1 mm 9 cm' | sed 's/ ;/;/g; s/ $//')"
     same thin ' 1 2 48.0 7.0; 1 2 48.0 24.0; 1 2 24.0 7.0' "$(board 'set q hollow' | sed 's/ ;/;/g; s/ $//')"
 }
 

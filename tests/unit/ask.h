@@ -150,6 +150,7 @@ struct asked_row {
     size_t count;
     domq_real g, push;
     DOM_DYNAMICS(ASKED_EFFECT)
+    domq_real boxes_above; /* as in struct domq_row */
     bool floor;
     DOMQ_COMPUTE_PARAMETERS(ASKED_NUMBER)
     enum dom_precision precision;
@@ -172,6 +173,7 @@ static inline struct domq_row asked_row(const struct asked_row *a)
                              .g = a->g,
                              .push = a->push,
                              .floor = a->floor,
+                             .boxes_above = a->boxes_above,
                              DOM_DYNAMICS(ASKED_COPY_EFFECT)};
 }
 

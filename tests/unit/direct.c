@@ -56,7 +56,8 @@ struct run {
 
 static double inertia(const struct direct_row *row, size_t i)
 {
-    double h = row->height[i], d = row->thickness[i], t = row->walls, sum = 0, volume = 0;
+    double h = row->height[i], d = row->thickness[i], t = h > row->boxes_above ? row->walls : 0, sum = 0,
+           volume = 0;
     /* Six boards: front and back, bottom and top, left and right, of which each leaves out the edges of the
      * previous ones. */
     const double size[][4] = {

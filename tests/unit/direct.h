@@ -18,8 +18,8 @@ struct direct_row {
     double omega; /* angular velocity given to the first domino at time 0 */
     double slope; /* angle in rad by which the floor descends towards the later dominoes */
     /* thickness of the walls of boxes that are half as wide as tall; 0 for solid blocks */
-    double walls;
-    const double *lean; /* tilts in rad before the hits; NULL if all dominoes are upright */
+    double walls, boxes_above; /* only blocks taller than boxes_above have walls */
+    const double *lean;        /* tilts in rad before the hits; NULL if all dominoes are upright */
 };
 
 struct direct_hit {

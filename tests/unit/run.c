@@ -60,7 +60,8 @@ void newton_run(const struct run *run, struct newton *n)
                                    .g = run->row.g,
                                    .omega = run->row.push,
                                    .slope = run->row.alpha,
-                                   .walls = run->row.walls};
+                                   .walls = run->row.walls,
+                                   .boxes_above = run->row.boxes_above};
     n->wrong = direct_run(&row, n->hit, &n->result);
 }
 

@@ -88,6 +88,7 @@ struct row_question row_question_make(const struct dom_row *row, const struct do
                                          .g = row->g,
                                          .push = row->push,
                                          .effect = {DOM_DYNAMICS(ROW_VALUE)},
+                                         .boxes_above = row->boxes_above,
                                          .floor = row->floor,
                                          .tol = compute.tol,
                                          .precision = compute.precision,

@@ -74,7 +74,11 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "In a train, the thickness of the walls is the same fraction of the height for every domino: "
                 "only times change, because the moment of inertia enters only tau. With thin walls times are "
                 "2.8 % longer. In a row all dominoes are boxes of the same boards, whose thickness is "
-                "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. The "
+                "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
+                "With "
+                "ABOVE, as in 'effect walls 12 mm 30 cm', only dominoes of a row that are taller than ABOVE "
+                "are boxes, all others are solid, and the masses of a row without a file follow from the "
+                "volumes of blocks and boxes, whatever 'q' is; a train has no walls then. The "
                 "moments of inertia, and masses that follow from a density, are then those of the boxes. "
                 "Walls half as thick as the domino make a solid block. A domino is half as wide as it is "
                 "tall. The moment of inertia about the lower edge is that of a solid block of the same mass, "
@@ -89,7 +93,14 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                               "thickness of the walls divided by the height of the domino, or a length",
                           .lowest = (dom_real)1 / 1000000000,
                           .highest = 1,
-                          .usual = (dom_real)1 / 48}},
+                          .usual = (dom_real)1 / 48},
+                         {.name = "ABOVE",
+                          .unit = "m",
+                          .meaning = "height above which the dominoes of a row are boxes",
+                          .lowest = 0,
+                          .highest = (dom_real)1e9,
+                          .usual = 0,
+                          .optional = true}},
             .cancels = true,
         },
     [DOM_EFFECT_edges] =

@@ -31,6 +31,7 @@ struct row_request {
     size_t count;
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];
+    dom_real boxes_above; /* as in struct dom_row */
     bool floor;
     /* true if a domino that stops is given the energy that it needs, so that the row continues */
     bool carries_on;

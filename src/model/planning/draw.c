@@ -5,6 +5,7 @@
  * the same.
  */
 #include "planning/draw.h"
+#include "dispatch/dispatch.h"
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -91,10 +92,11 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     switch (kind) {
     case DOM_ERROR_height:
         d->mass *= factor;
-        d->height *= factor;
+        d->height = height_of_kind(row, d->height, d->height * factor);
         break;
     case DOM_ERROR_thickness: {
-        const dom_real thickness = d->thickness, least = 2 * fmax(row->walls, radius_of(row, d)) / INSIDE;
+        const dom_real thickness = d->thickness,
+                       least = 2 * fmax(walls_of(row, d->height), radius_of(row, d)) / INSIDE;
         d->thickness = fmax(thickness * factor, fmin(least, thickness));
         d->mass *= d->thickness / thickness;
         break;

@@ -92,8 +92,17 @@ bool row_write(struct planner *p, struct choice c)
     p->train.r = growth(p, c.steps);
     dom_row_of_train(&p->train, &scale, 1, p->domino, count);
     p->domino[c.steps].height = p->wish->height;
+    const struct dom_row row = row_of(p, c, p->wish->push, NULL);
+    for (size_t k = 0; row.boxes_above > 0 && k < count; k++) {
+        struct dom_domino *d = &p->domino[k], *first = p->domino;
+        d->mass =
+            wood_volume(&row, d->height, d->thickness) / wood_volume(&row, first->height, first->thickness);
+        if (!(d->mass > 0)) {
+            p->status = DOM_NO_ROOM;
+            return false;
+        }
+    }
     if (p->limits) {
-        const struct dom_row row = row_of(p, c, p->wish->push, NULL);
         const struct shape shape = {&row, p->limits};
         shape_round(&shape, p->domino);
     }
@@ -109,6 +118,10 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
     DOM_DYNAMICS(VALUE)
 #undef VALUE
     row.walls *= p->wish->first; /* converts the walls from multiples of the first height to m */
+    if (p->wish->boxes_above > 0) {
+        row.walls = p->wish->walls;
+        row.boxes_above = p->wish->boxes_above;
+    }
     return row;
 }
 
@@ -206,6 +219,8 @@ struct planner planner_make(const struct dom_train *train, const struct dom_wish
         return p;
     p.train.s = separation(GRID / 2);
     p.train.r = 1;
+    if (wish->boxes_above > 0)
+        p.train.walls = 0; /* in a train, walls only change times */
     struct question q = question_make(&p.train, &p.compute);
     struct dom_angles angles;
     p.status = ASK(q, angles_find, &angles);

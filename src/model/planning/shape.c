@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/shape.h"
+#include "dispatch/dispatch.h"
 #ifdef DOMQ
 #define REAL_QUAD
 #endif
@@ -65,20 +66,20 @@ static dom_real growth_excess(const struct shape *s, const double *growth)
     return (sum - log(d[gaps].height / d[0].height)) / (dom_real)gaps;
 }
 
-/* Returns the volume of the walls of a domino that is half as wide as it is tall, or 0 if they do not fit. */
-static dom_real walls_volume(const struct dom_row *row, dom_real height, dom_real thickness)
+dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness)
 {
+    const dom_real walls = walls_of(row, height), volume = height * height / 2 * thickness;
     struct dom_box box;
-    return dom_box_find(height, thickness, height / 2, row->walls, &box) == DOM_OK
-               ? height * height / 2 * thickness * box.filled
-               : 0;
+    return walls == 0                                                           ? volume
+           : dom_box_find(height, thickness, height / 2, walls, &box) == DOM_OK ? volume * box.filled
+                                                                                : 0;
 }
 
 void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, dom_real thickness)
 {
     const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
-                   before = s->row->walls > 0 ? walls_volume(s->row, d->height, d->thickness) : 0,
-                   after = before > 0 ? walls_volume(s->row, height, thickness) : 0;
+                   before = s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness) : 0,
+                   after = before > 0 ? wood_volume(s->row, height, thickness) : 0;
     /* The mass of a solid domino (q = 4) is proportional to its thickness, even if the height does not
      * change. The mass of a domino with thin walls (q = 3) hardly depends on the thickness. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);

@@ -20,6 +20,10 @@ size_t shape_variables(const struct shape *shape);
 /* Sets the variables to the values for the given row. */
 void shape_begin(const struct shape *shape, double *x);
 
+/* Returns the volume of the wood of a domino that is half as wide as it is tall, or 0 if its walls do not
+ * fit. */
+dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness);
+
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 

@@ -22,15 +22,17 @@ struct range {
 
 /* Returns the range of heights that are tried. On a slope, or if it leans, a domino stands only up to the
  * height foot / tan |tilt|. Each rounded edge makes the foot shorter by its radius, and a domino must be
- * taller than two radii. */
+ * taller than two radii. A solid domino stays solid, and a box a box. */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
     dom_real self = t->row.rho != 0 ? 2 * d->radius : 0, share = self > 0 ? 0 : 2 * t->row.rho;
     dom_real stands = (d->thickness - self) / (tan(tilt) + share) * (1 - STANDS_SHORT);
     dom_real lowest = fmax(HEIGHT_PART * d->height, self * (1 + STANDS_SHORT));
-    return (struct range){fmin(lowest, d->height), fmax(fmin(HEIGHT_MULTIPLE * d->height, stands), d->height),
-                          DOM_ROW_FALLS};
+    dom_real highest = fmin(HEIGHT_MULTIPLE * d->height, stands);
+    lowest = height_of_kind(&t->row, d->height, lowest);
+    highest = height_of_kind(&t->row, d->height, highest);
+    return (struct range){fmin(lowest, d->height), fmax(highest, d->height), DOM_ROW_FALLS};
 }
 
 /*
@@ -42,7 +44,7 @@ static struct range thicknesses_of(const struct trial *t, const struct dom_domin
     const dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean)),
                    rho = t->row.rho != 0 && d->radius > 0 ? d->radius / d->height : t->row.rho,
                    stands = (tan(tilt) + 2 * rho) * d->height,
-                   least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * t->row.walls);
+                   least = fmax(fmax(HEIGHT_PART * d->thickness, stands), 2 * walls_of(&t->row, d->height));
     return (struct range){fmin(least * (1 + STANDS_SHORT), d->thickness), HEIGHT_MULTIPLE * d->thickness,
                           DOM_ROW_FALLS};
 }

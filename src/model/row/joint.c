@@ -6,13 +6,20 @@
 #include "dynamics/walls.h"
 #include <string.h>
 
+/* Returns the thickness of the walls of domino k divided by its height, or 0 if the domino is solid. */
+static dom_real row_walls(const struct row_request *row, size_t k)
+{
+    const dom_real height = row->domino[k].height;
+    return height > row->boxes_above ? row->effect[DOM_EFFECT_walls] / height : 0;
+}
+
 KERNEL struct block block_of(const struct row_request *row, size_t k)
 {
     if (row->block)
         return row->block[k];
     const struct dom_domino *domino = &row->domino[k];
     real h = (real)domino->height, d = (real)(domino->thickness / domino->height), m = (real)domino->mass;
-    real g = (real)row->g, walls = (real)row->effect[DOM_EFFECT_walls] / h,
+    real g = (real)row->g, walls = (real)row_walls(row, k),
          box = walls != 0 ? walls_box(d, WALLS_WIDTH, walls).inertia : 1;
     return (struct block){h, d, m, sqrt(h / (3 * g) * (1 + d * d) * box), box, m * g * h / 2};
 }
@@ -109,14 +116,13 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects of domino k. The walls of all dominoes have the same thickness in m, which is a
- * different fraction of each height. The radius of the edges may differ from domino to domino. */
+/* Turns on the effects of domino k. The walls of all boxes have the same thickness in m, which is a different
+ * fraction of each height. The radius of the edges may differ from domino to domino. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
     memcpy(effect, row->effect, sizeof effect);
-    if (dynamics_on(row->effect[DOM_EFFECT_walls]))
-        effect[DOM_EFFECT_walls] /= row->domino[k].height;
+    effect[DOM_EFFECT_walls] = row_walls(row, k);
     effect[DOM_EFFECT_edges] = row_radius(row, k);
     return dynamics_choose(effect, geometry);
 }
@@ -178,10 +184,11 @@ static enum dom_status settings_check(const struct row_request *row)
                : dynamics_check(row->effect);
 }
 
-/* Returns true if the walls fit into a domino. */
-static bool walls_room(const struct row_request *row, const struct block *self)
+/* Returns true if domino k is solid, or if its walls fit. */
+static bool walls_room(const struct row_request *row, size_t k, const struct block *self)
 {
-    return walls_fit(self->d, (real)row->effect[DOM_EFFECT_walls] / self->height);
+    const dom_real walls = row_walls(row, k);
+    return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
 /* Returns true if a leaning domino stands without falling over either edge of its foot. */
@@ -203,10 +210,10 @@ KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
                ? DOM_BAD_RADIUS
            : dynamics_on(row->effect[DOM_EFFECT_edges]) && 2 * row_radius(row, k) > d->thickness / d->height
                ? DOM_NO_ROUND
-           : dynamics_on(row->effect[DOM_EFFECT_walls]) && !walls_room(row, &self) ? DOM_NO_ROOM
-           : d->lean != 0 && row_radius(row, k) != 0                               ? DOM_NO_LEAN
-           : d->lean != 0 && !lean_stands(row, d)                                  ? DOM_BAD_LEAN
-                                                                                   : DOM_OK;
+           : !walls_room(row, k, &self)              ? DOM_NO_ROOM
+           : d->lean != 0 && row_radius(row, k) != 0 ? DOM_NO_LEAN
+           : d->lean != 0 && !lean_stands(row, d)    ? DOM_BAD_LEAN
+                                                     : DOM_OK;
 }
 
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong)

@@ -42,7 +42,8 @@ static struct unit unit_of(const struct domq_row *row)
 static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
 {
     struct domq_box box;
-    if (row->walls == 0 || domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
+    if (row->walls == 0 || d->height <= row->boxes_above ||
+        domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
     /* box.inertia is the ratio of the same moments about the lower edge. The parallel axis theorem converts
      * it to the ratio about the centre. */

@@ -28,6 +28,11 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         memcpy(domino, listed->domino, count * sizeof *domino);
     else
         domq_row_of_train(&scene->train, &scene->scale, 1, domino, count);
+    for (size_t k = 0; !listed->domino && scene_boxes_above(scene) > 0 && k < count; k++) {
+        struct domq_domino *d = &domino[k];
+        d->mass = d->height * d->height / 2 * d->thickness *
+                  scene_filled(scene, d->height, d->thickness, d->height / 2);
+    }
     for (size_t k = 0; listed->width && k < count; k++)
         domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->has_masses)
@@ -44,8 +49,9 @@ static bool walls_fit(const struct scene *scene, const struct domq_domino *domin
 {
     struct domq_box box;
     for (size_t k = 0; k < count; k++)
-        if (domq_box_find(domino[k].height, domino[k].thickness, domino[k].height / 2,
-                          scene->train.walls * scene->scale.h, &box) != DOM_OK)
+        if (domino[k].height > scene_boxes_above(scene) &&
+            domq_box_find(domino[k].height, domino[k].thickness, domino[k].height / 2, scene_walls(scene),
+                          &box) != DOM_OK)
             return problem_no_room(problem, scene, k + 1, domino[k].thickness);
     return true;
 }
@@ -62,7 +68,7 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
     if (!row->domino)
         return problem_status(problem, scene, DOM_NO_MEMORY);
     scene_row_fill(scene, row->domino, count);
-    if (scene->train.walls > 0 && !walls_fit(scene, row->domino, count, problem)) {
+    if (scene_walls(scene) > 0 && !walls_fit(scene, row->domino, count, problem)) {
         free(row->domino);
         row->domino = NULL;
         return false;
@@ -77,7 +83,8 @@ bool scene_row_list(const struct scene *scene, struct scene_row *row, struct pro
 #undef VALUE
             .floor = effect[DOM_EFFECT_floor].on,
     };
-    row->row.walls *= scene->scale.h; /* converts from fractions of h to m */
+    row->row.walls = scene_walls(scene);
+    row->row.boxes_above = scene_boxes_above(scene);
     row->compute = scene->compute;
     return true;
 }

@@ -48,12 +48,26 @@ bool listed_share(struct listed_row *to, const struct listed_row *from)
     return true;
 }
 
+domq_real scene_boxes_above(const struct scene *scene)
+{
+    const struct effect_state *walls = &scene->effect[DOM_EFFECT_walls];
+    return walls->on ? walls->value[1] : 0;
+}
+
+domq_real scene_walls(const struct scene *scene)
+{
+    const struct effect_state *walls = &scene->effect[DOM_EFFECT_walls];
+    return walls->on ? walls->value[0] * scene->scale.h : 0;
+}
+
 void effects_apply(struct scene *scene)
 {
 #define APPLY(name, member, status)                                                                          \
     scene->train.member = scene->effect[DOM_EFFECT_##name].on ? scene->effect[DOM_EFFECT_##name].value[0] : 0;
     DOM_DYNAMICS(APPLY)
 #undef APPLY
+    if (scene_boxes_above(scene) > 0)
+        scene->train.walls = 0; /* a train has no height at which its boxes could begin */
 }
 
 void effects_reset(struct scene *scene)
@@ -67,7 +81,7 @@ void effects_reset(struct scene *scene)
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width)
 {
     struct domq_box box = {.filled = 1};
-    domq_real walls = scene->train.walls * scene->scale.h;
+    domq_real walls = height > scene_boxes_above(scene) ? scene_walls(scene) : 0;
     return walls > 0 && domq_box_find(height, thickness, width, walls, &box) == DOM_OK ? box.filled : 1;
 }
 
@@ -90,7 +104,7 @@ bool problem_no_room(struct problem *problem, const struct scene *scene, size_t 
         snprintf(which, sizeof which, "domino %zu", k);
     return problem_no_answer(problem,
                              "walls of %s do not fit into %s, which is %s thick; walls of %s make it solid",
-                             measured(scene->train.walls * scene->scale.h, "m", 4).text, which,
+                             measured(scene_walls(scene), "m", 4).text, which,
                              measured(thickness, "m", 4).text, measured(thickness / 2, "m", 4).text);
 }
 

@@ -101,6 +101,13 @@ static inline bool row_unsaved(const struct scene *scene)
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
+/* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
+domq_real scene_walls(const struct scene *scene);
+
+/* Returns the height in m above which the dominoes of a row are boxes, or 0 if all dominoes have walls or
+ * none has. */
+domq_real scene_boxes_above(const struct scene *scene);
+
 /* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. Lengths are
  * in m. */
 domq_real scene_filled(const struct scene *scene, domq_real height, domq_real thickness, domq_real width);

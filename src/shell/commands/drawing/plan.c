@@ -61,7 +61,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
 {
     const struct scene *of = query->scene;
     *p = (struct plan){.width = of->listed.width,
-                       .is_thin = !of->listed.domino && of->train.q < 4 && of->train.walls == 0};
+                       .is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
     if (!falling_row_make(query, problem, picture_marks(a), &p->row))
         return false;
     struct scene_row *scene = &p->row.run.scene;

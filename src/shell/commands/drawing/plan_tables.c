@@ -121,7 +121,8 @@ static int piece_order(const void *one, const void *other)
 static size_t pieces_of(const struct plan *p, size_t k, struct piece piece[3])
 {
     const struct domq_domino *d = &p->row.run.scene.domino[k];
-    const double walls = (double)p->row.run.scene.row.walls, height = (double)d->height,
+    const struct domq_row *row = &p->row.run.scene.row;
+    const double walls = d->height > row->boxes_above ? (double)row->walls : 0, height = (double)d->height,
                  thick = (double)d->thickness, width = (double)plan_width(p, k), inside = thick - 2 * walls;
     if (!p->is_thin && !(walls > 0 && inside > 1e-6 && width - 2 * walls > 1e-6)) {
         piece[0] = (struct piece){thick, height, width, k + 1, 1};

@@ -315,7 +315,9 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
                              .hall = w->hall,
                              .g = query->scene->scale.g,
                              .push = push->on ? push->value[0] : DOMQ_NAN,
-                             .least = w->least};
+                             .least = w->least,
+                             .walls = scene_walls(query->scene),
+                             .boxes_above = scene_boxes_above(query->scene)};
     const struct domq_limits sizes = design_limits(query, w),
                              *limits = w->grid > 0 || w->boards > 0 ? &sizes : NULL;
     struct domq_design d;
