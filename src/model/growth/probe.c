@@ -2,8 +2,8 @@
 #include "growth/limit.h"
 
 /*
- * The variable of the search is x = -sqrt(1 - r/reach), of which the margin is a smooth function up to the
- * reach, where it falls like a square root of the distance.
+ * Samples are compared as functions of x = -sqrt(1 - r/reach). The margin is a smooth function of x up to the
+ * reach, but not of r: close to the reach it falls like sqrt(1 - r/reach).
  */
 static real probe_x(const struct margin_context *c, real r)
 {
@@ -27,22 +27,23 @@ static real probe_place(const struct margin_context *c, int k)
 }
 
 /* The largest number of bisections of an interval. They divide an interval from r to r e^(1/8) into parts
- * that are 1e-3 r wide. */
+ * that are 1e-6 r wide. */
 #define PROBE_HALVES 17
 
 /*
- * The margin is taken to keep its sign between two samples if it exceeds this multiple of f w^2 at both. f is
- * its second divided difference, from a third sample, and w is the width of the interval. A parabola deviates
- * from a straight line between the samples by f w^2 / 4.
+ * The margin is taken to keep its sign between two samples if it exceeds this multiple of f w^2 at both of
+ * them. Here w is the difference of their x, and f is the second divided difference of the margin at the two
+ * samples and a third one. A parabola deviates from the straight line between the two samples by at most f
+ * w^2 / 4.
  */
 #define PROBE_SAFETY 3
 
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
-    /* The first growth found so far at which the sign changes, or infinity. If the margin is positive before,
-     * this is a root. Otherwise this is the growth of `after`, a sample with a margin that is not negative.
-     */
+    /* The first growth found so far at which the sign changes, or infinity. If the margin is positive at the
+     * start, this growth is a root. Otherwise it is the growth of `after`, a sample whose margin is not
+     * negative. */
     real root;
     struct edge after;
 };
@@ -59,9 +60,10 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 }
 
 /*
- * Returns a smooth function of the growth that has the sign of the margin, where the sign at the start counts
- * as plus. A known root is divided out, so that the result changes its sign only at further roots. If only an
- * upper bound of the barrier is known, takes `barrier`.
+ * Returns a smooth function of x that has the sign of the margin or, if the margin is negative at the start,
+ * the opposite sign. The function is divided by the distance from a root that is already known, so that it
+ * changes its sign only at further roots. `barrier` replaces a barrier of which only the upper bound is
+ * known.
  */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
@@ -72,9 +74,10 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 }
 
 /*
- * Returns true if the margin is taken to keep its sign between lo and hi, apart from a sign change at
- * p->root. If `third` is lo, the bend is NaN and the result is false. A barrier of which only the upper bound
- * is known is taken to be that of hi or of the third sample, so that it does not bend the margin.
+ * Returns true if the margin is taken to have no sign change between lo and hi, other than the one at
+ * p->root. `third` is a sample outside the interval; if it is lo itself, the result is false. Where only the
+ * upper bound of a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from the
+ * bound to barriers does not look like curvature.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
