@@ -35,22 +35,6 @@ static inline struct dom_compute compute_or_default(const struct dom_compute *co
     return compute ? *compute : dom_compute_default();
 }
 
-/* Returns the thickness of the walls of a domino in m, or 0 if the domino is solid. */
-static inline dom_real walls_of(const struct dom_row *row, dom_real height)
-{
-    return height > row->boxes_above ? row->walls : 0;
-}
-
-/* Returns the height nearest to `height` with which a domino of the height `before` stays what it is, solid
- * or a box. */
-static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
-{
-    const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);
-    if (before <= most)
-        return height < most ? height : most;
-    return height > least ? height : least < before ? least : before;
-}
-
 /* Makes a question about a train. Its status is DOM_OK if the train and `compute` are valid. */
 struct question question_make(const struct dom_train *train, const struct dom_compute *compute);
 

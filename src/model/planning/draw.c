@@ -5,7 +5,7 @@
  * the same.
  */
 #include "planning/draw.h"
-#include "dispatch/dispatch.h"
+#include "planning/boxes.h"
 #ifdef DOMQ
 #define REAL_QUAD
 #endif

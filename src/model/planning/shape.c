@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "planning/shape.h"
-#include "dispatch/dispatch.h"
+#include "planning/boxes.h"
 #ifdef DOMQ
 #define REAL_QUAD
 #endif

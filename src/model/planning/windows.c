@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Windows: how far each gap, position, height, thickness or lean of a row, or its friction, may change so
  * that all dominoes still fall. */
+#include "planning/boxes.h"
 #include "planning/trial.h"
 
 /* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which dominoes of a row are boxes with walls, and which are solid. */
+#ifndef DOM_BOXES_H
+#define DOM_BOXES_H
+
+#include "numerics/api.h"
+
+/* Returns the thickness of the walls of a domino in m, or 0 if the domino is solid. */
+static inline dom_real walls_of(const struct dom_row *row, dom_real height)
+{
+    return height > row->boxes_above ? row->walls : 0;
+}
+
+/* Returns the height nearest to `height` with which a domino of the height `before` stays what it is, solid
+ * or a box. */
+static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
+{
+    const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);
+    if (before <= most)
+        return height < most ? height : most;
+    return height > least ? height : least < before ? least : before;
+}
+
+#endif
