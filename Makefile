@@ -416,22 +416,21 @@ LINT_BIN := $(UNIT_BIN) $(HARD_BIN) $(B)/bench $(B)/answers $(B)/verify_rows
 STRICT_B   := $(B)$(if $(WERROR),,/strict)
 CLANG_READ := clang -fsyntax-only $(STD) $(WARN) -Werror -Wno-double-promotion $(INCLUDES)
 MUSL_READ  := musl-gcc -fsyntax-only $(STD) $(WARN) -Wno-conversion -Werror $(INCLUDES) -idirafter /usr/include
+CHECKED    := $(DOUBLE) $(TYPED) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c)
 lint: $(HEADERS) | $(FIRST)
 	clang-format --dry-run -Werror $(C_FILES) $(H_FILES)
 	$(MAKE) --no-print-directory B=$(STRICT_B) WERROR=1 all $(patsubst $(B)/%,$(STRICT_B)/%,$(LINT_BIN))
 	printf '%s\n' $(DOUBLE) $(TYPED) $(ENGINE_C) $(SHELL_C) | xargs -P $$(nproc) -n 8 $(CLANG_READ)
 	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(CLANG_READ) -DDOMQ
 	@# The library with the C library musl.
-	printf '%s\n' $(DOUBLE) $(TYPED) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
-	printf '%s\n' $(QUAD) | xargs -P $$(nproc) -n 4 $(MUSL_READ) -DDOMQ
+	printf '%s\n' $(DOUBLE) | xargs -P $$(nproc) -n 4 $(MUSL_READ)
+	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 $(MUSL_READ) -DDOMQ
 	printf '%s\n' $(filter-out tests/fuzz/%,$(filter tests/%,$(C_FILES))) | xargs -P $$(nproc) -n 8 $(CLANG_READ) -Wno-conversion -DBENCH_FLAGS='""'
-	@# In quad no answer is narrowed on its way out, which clang-tidy would report of each.
-	printf '%s\n' $(TYPED) $(QUAD) | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet "$$@" -- $(STD) -DDOMQ $(INCLUDES)' clang-tidy
-	printf '%s\n' $(DOUBLE) $(ENGINE_C) $(SHELL_C) $(wildcard examples/*.c) | xargs -P $$(nproc) -n 4 sh -c \
-	  'clang-tidy --quiet "$$@" -- $(STD) $(INCLUDES)' clang-tidy
-	@# cppcheck takes the order of the series in one precision for that in another.
+	@# These two read the source of the kernels once, as the kernel in double. cppcheck takes the order of the series in
+	@# one precision for that in another.
+	printf '%s\n' $(CHECKED) | xargs -P $$(nproc) -n 4 sh -c 'clang-tidy --quiet "$$@" -- $(STD) $(INCLUDES)' clang-tidy
 	cppcheck --quiet -j $$(nproc) --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) src examples
+	  --suppress=missingIncludeSystem --suppress=ctuArrayIndex:src/model/numerics/linear.c $(INCLUDES) $(CHECKED)
 	$(MAKE) --no-print-directory abi KEEP=
 	tests/layers $(STRICT_B)
 	tests/equations
