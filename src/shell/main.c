@@ -63,10 +63,10 @@ struct plan {
     bool keep_going; /* continue after an error in -e, -f and FILE */
 };
 
-/* ---- Signals: a script that is ended first writes what it has found ---- */
+/* ---- Signals: before a script ends, it writes what it has found ---- */
 
-/* `interrupted` is the number of the signal that ends the running command, and `ended` that of the signal
- * that ends the whole script. Both are 0 before a signal. */
+/* `interrupted` is the number of the signal that ends the running command, and `ended` is the number of the
+ * signal that ends the whole script. Both are 0 before a signal. */
 static volatile sig_atomic_t interrupted, ended;
 
 /* True after --interruptible: SIGINT ends only the running command. */
@@ -110,7 +110,7 @@ static bool shard_read(const char *text, struct shard *shard)
     *shard = (struct shard){part, parts};
     if (is_read && part >= 1 && part <= parts && parts <= PARTS_MAX)
         return true;
-    fprintf(stderr, "domino: --shard '%s': I/N is the part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
+    fprintf(stderr, "domino: --shard '%s': I/N means part I of N, with 1 <= I <= N <= %d, such as 2/7\n",
             text, PARTS_MAX);
     return false;
 }
@@ -121,7 +121,7 @@ static bool options_check(int argc, char **argv, struct session *session, struct
 {
     int option;
     while ((option = getopt_long(argc, argv, short_options, options, NULL)) != -1) {
-        if (option == 'b' || option == 'k') { /* if both are given, the last one counts */
+        if (option == 'b' || option == 'k') { /* the last of --bail and --keep-going counts */
             session->bail = option == 'b';
             plan->keep_going = option == 'k';
         }

@@ -229,7 +229,7 @@ END
     for shard in 0/3 4/3 3 /3 3/ a/b 1/2/3 -1/2 '' 1//2 1/0 ' 1/2' 1/99999999999999999999; do
         run --separate-stderr "$DOMINO" --shard "$shard" -e rmax
         same "--shard '$shard'" "2  1" "$status $output $(wc -l <<<"$stderr")"
-        grep -qF -- "--shard '$shard': I/N is the part I of N" <<<"$stderr"
+        grep -qF -- "--shard '$shard': I/N means part I of N" <<<"$stderr"
     done
     run -2 --separate-stderr "$DOMINO" -e rmax --shard
 }

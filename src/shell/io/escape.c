@@ -75,7 +75,7 @@ const char *escape_text(const char *text, char *shown, size_t size)
 {
     static const char more[] = "...";
     char piece[ESCAPE_PIECE];
-    size_t n = 0, last = 0; /* the length of the longest beginning that leaves room for "..." */
+    size_t n = 0, last = 0; /* the length of the longest prefix that leaves room for "..." */
     for (;;) {
         /* a fast path, because nearly all text is ASCII */
         while (*text >= ' ' && *text <= '~' && n + sizeof more < size)

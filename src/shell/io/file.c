@@ -60,8 +60,8 @@ static FILE *file_open(struct file *f, const char *path)
 
 /* ---- The end ---- */
 
-/* If the text begins with the same line of column names as the last such line in the file, returns the length
- * of this line, which need not be appended again. Otherwise returns 0. */
+/* If the text begins with a line of column names that repeats the last such line in the file, returns the
+ * length of this line, because the line need not be appended again. Otherwise returns 0. */
 static long repeated_head(const struct file *f)
 {
     char first[OUTPUT_HEAD + 1], line[sizeof first], last[sizeof first] = "";

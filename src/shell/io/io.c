@@ -9,7 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The pause between two attempts if no system call can wait: short for a user, but long for a processor. */
+/* The pause between two attempts when no system call can wait for the event: short for a user, but long for a
+ * processor. */
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 sigset_t io_block(void)

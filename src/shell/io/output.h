@@ -51,12 +51,12 @@ const char *output_pop(struct output **top, bool keep);
 /* Writes all buffered text of the level. */
 void output_flush(struct output *output);
 
-/* The level at which text ends up is a file or standard output. The levels below all files and pagers are
- * standard output, and the log and tee above it. */
+/* OUTPUT_END has the kinds of levels at which text ends up, and OUTPUT_BASE those that are below all files
+ * and pagers. */
 enum { OUTPUT_END = OUTPUT_FILE | OUTPUT_STANDARD, OUTPUT_BASE = OUTPUT_STANDARD | OUTPUT_LOG | OUTPUT_TEE };
 
-/* Returns the pointer that points to the highest level of one of these kinds. Returns NULL if there is none.
- */
+/* Returns the address of the pointer to the highest level whose kind is in `kinds`, or NULL if there is no
+ * such level. */
 struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */

@@ -23,7 +23,8 @@ struct record {
     enum sequence { NONE, ESCAPE, CONTROL, STRING } sequence;
 };
 
-/* Tracks the control sequences of a terminal. Returns true if the character is not part of one. */
+/* Returns true if the character is not part of a control sequence for terminals. *sequence keeps the state
+ * between calls. */
 static bool is_text(enum sequence *sequence, char c)
 {
     const enum sequence before = *sequence;

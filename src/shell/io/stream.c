@@ -93,7 +93,7 @@ void io_stdout_flush(void)
 static int standard_close(void *cookie)
 {
     (void)cookie;
-    held_begin(); /* never released, because the timer may still fire */
+    held_begin(); /* the lock is never released, because the timer may still fire */
     held_write();
     errno = held_error ? held_error : errno;
     return held_error ? -1 : 0;

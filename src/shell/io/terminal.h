@@ -36,14 +36,14 @@ int terminal_columns(const char *text);
 /* Returns the time of a monotonic clock in seconds. */
 double terminal_clock(void);
 
-/* If standard error is a terminal, progress_begin shows a line such as "3 s; ^C stops it" on it, which is
+/* If standard error is a terminal, progress_begin shows a line there, such as "3 s; ^C stops it", which is
  * updated every second. progress_end clears the line. After progress_show with a fraction of the work, the
  * line shows "12 %, 3 s left" instead. A fraction of 1 restores the first form. */
 void progress_begin(void);
 void progress_end(void);
 void progress_show(double fraction);
 
-/* A dom_progress that calls progress_show with done / of. */
+/* A callback of type dom_progress, which calls progress_show with done / of. */
 void progress_count(size_t done, size_t of, void *context);
 
 /* If `mute` is true, this thread ignores calls of progress_show from now on; otherwise such calls take

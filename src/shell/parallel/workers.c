@@ -13,8 +13,8 @@
 #define BLOCK_SECONDS 1e-3
 
 enum {
-    /* a worker's block has at most this many times as many points as its previous block, because later points
-     * may take longer */
+    /* a block has at most this many times the points of the worker's previous block, because later points may
+     * take longer */
     GROWTH = 4,
     WINDOW = 16, /* how many blocks each worker may be ahead of the output */
     BLOCK_MOST = 4096,

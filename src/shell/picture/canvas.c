@@ -10,7 +10,8 @@
 
 static const struct {
     int rgb;
-    /* the nearest of the 8 basic colours, as in escape sequences; 0 for the default colour of text */
+    /* the nearest of the 8 basic colours, by its number in escape sequences, or 0 for the default colour of
+     * text */
     int of_8;
     char letter; /* the character with which curves are drawn on a terminal without braille */
 } inks[INKS] = {
@@ -109,7 +110,7 @@ void canvas_dot(struct canvas *c, int x, int y, enum ink ink)
 static bool dash_on(const struct canvas *c, int dash, int phase)
 {
     static const struct {
-        unsigned bits; /* the pattern, from the lowest bit to the highest */
+        unsigned bits; /* a bit for each dot of the pattern, beginning with the lowest bit */
         int length;
     } dashes[DASHES] = {{1, 1}, {0x0f, 7}, {0x1, 3}, {0x11f, 11}, {0x3, 5}};
     const int k = dash % DASHES;
@@ -174,7 +175,8 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
     const int shade = isnan(mean) ? -1 : (int)(255 * mean + 0.5);
     if (!cell)
         return;
-    if (!c->look.braille || c->look.colours < COLOURS_256) /* show shades by characters instead of colours */
+    /* Without enough colours, or without half blocks, a character shows the shade. */
+    if (!c->look.braille || c->look.colours < COLOURS_256)
         canvas_text(c, column, row,
                     shade < 0         ? " "
                     : c->look.braille ? blocks[shade * 4 / 256]
@@ -189,8 +191,7 @@ void canvas_shade(struct canvas *c, int column, int row, double upper, double lo
 
 enum ground { GROUND_FRONT = 38, GROUND_BACK = 48 };
 
-/* Writes the escape sequence for a colour. If `rgb` is negative, this is the default colour of the
- * terminal. */
+/* Writes the escape sequence for a colour. A negative `rgb` stands for the default colour of the terminal. */
 static void colour_write(const struct canvas *c, enum ground ground, int rgb, FILE *out)
 {
     int red = rgb >> 16, green = rgb >> 8 & 255, blue = rgb & 255;

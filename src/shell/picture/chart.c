@@ -100,7 +100,7 @@ static const char *axis_dress(struct chart *c, int k)
     if (look->scale[k] != CHART_SCALE_USUAL)
         axis->logarithmic = look->scale[k] == CHART_LOG;
     if (axis->logarithmic && axis->low <= 0)
-        axis->low = (double)NAN; /* chart_fit chooses where the axis begins */
+        axis->low = (double)NAN; /* lets chart_fit choose where the axis begins */
     if (axis->logarithmic && look->has_range[k] && !(look->low[k] > 0))
         return k == 0 ? "xrange must begin above 0, because the x axis is logarithmic; 'xscale linear' "
                         "changes that"
@@ -136,8 +136,8 @@ static void axis_include(const struct chart_axis *axis, double value, double *lo
     *high = fmax(*high, value);
 }
 
-/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`. On both sides of the data,
- * `pad` times this range is left free. */
+/* Sets the ends of an axis that are NaN. The data extend from `low` to `high`, and the margin on either side
+ * is `pad` times the range of the data. */
 static void axis_fit(struct chart_axis *a, double low, double high, double pad)
 {
     if (!(low <= high)) { /* there is no data */
@@ -171,7 +171,7 @@ static double axis_within(const struct chart_axis *a, double value)
                                                                   : value;
 }
 
-/* Moves the ends of an axis from the centres of the outermost cells of a map to the edges of these cells. */
+/* Moves the ends of an axis of a map from the centres of the outermost cells to their outer edges. */
 static void cells_fit(struct chart_axis *a, int cells)
 {
     double half = 0.5 / (cells - 1), low = axis_number(a, -half), high = axis_number(a, 1 + half);
@@ -288,7 +288,7 @@ static void tick_add(struct ticks *t, double tick)
 
 struct ticks axis_ticks(const struct chart_axis *a, int most)
 {
-    /* The ticks in a decade, if there is room for few, some or many of them. */
+    /* The ticks of a decade on an axis that has room for few, some or many of them. */
     static const double parts[3][3] = {{1}, {1, 3}, {1, 2, 5}};
     struct ticks t = {.count = 0};
     double decades = a->logarithmic ? log10(a->high / a->low) : 0;

@@ -139,12 +139,12 @@ double axis_number(const struct chart_axis *axis, double place);
 enum { TICKS = 24, TICK_TEXT = 24 };
 
 struct ticks {
-    int count, widest; /* the number of ticks, and the length of the longest text */
+    int count, widest; /* the number of ticks, and the length of the longest label */
     double at[TICKS];
     char text[TICKS][TICK_TEXT];
 };
 
-/* Returns the ticks of an axis, of which there are about `most` or fewer. */
+/* Chooses the ticks of an axis: about `most`, or fewer. */
 struct ticks axis_ticks(const struct chart_axis *axis, int most);
 
 /*

@@ -81,7 +81,7 @@ static int columns_of(const struct chart *c)
     return columns_in(look.width, look.font);
 }
 
-/* Returns for how many ticks the y axis has room. */
+/* Returns how many ticks fit on the y axis. */
 static int ticks_up(const struct chart *c)
 {
     const struct chart_look look = chart_size(c);
@@ -102,7 +102,7 @@ static double letter_of(const struct chart *c)
  */
 static int lines_make(const struct chart *chart, const char *text, int most, char script[ROOM])
 {
-    enum { LETTER = 20 /* the longest form of a character */ };
+    enum { LETTER = 20 /* the maximum length of an escaped character */ };
     int lines = 0, at = 0, all = terminal_columns(text), columns = all / (all / most + 1) + 8;
     char piece[ESCAPE_PIECE];
     script[0] = '\0';
@@ -140,7 +140,7 @@ static void legend_script(const struct chart *c, FILE *out)
         const int lines = lines_make(c, c->curve[k].title, legend_columns(c, columns_of(c)), title);
         most = lines > most ? lines : most;
     }
-    /* By itself, gnuplot leaves room for only one line of each title. */
+    /* By default, gnuplot leaves room for only one line of each title, but a title may have `most` lines. */
     if (c->look.legend == CHART_LEGEND_OFF)
         fprintf(out, "unset key\n");
     else if (c->look.legend == CHART_LEGEND_RIGHT)
@@ -285,7 +285,7 @@ void chart_script(const struct chart *c, FILE *out)
     fprintf(out, "set border 3\nset tics nomirror\nset datafile missing 'nan'\n"
                  "set grid lc rgb '#bbbbbb' lw 0.5 dt 1\n");
     if (c->look.has_range[0] || c->look.has_range[1])
-        fprintf(out, "set clip two\n"); /* also draws a line whose ends are both outside the axes */
+        fprintf(out, "set clip two\n"); /* makes gnuplot draw lines whose ends are both outside the axes */
     legend_script(c, out);
     texts_script(c, out);
     const int across = 9 * columns_of(c) / 64;

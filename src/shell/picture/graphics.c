@@ -72,7 +72,7 @@ enum graphics graphics_of(FILE *stream)
     static const char *const inside[] = {"tmux", "screen", NULL}; /* multiplexers, which pass on only sixel */
     static const char *const candidates[] = {"xterm", "foot",   "mlterm", "wezterm", "contour",
                                              "tmux",  "screen", "yaft",   NULL};
-    static int sixel = -1; /* -1 until the terminal has been asked; it is asked only once */
+    static int sixel = -1; /* -1 until the terminal has been asked, which happens only once */
     const char *wanted = getenv("DOMINO_GRAPHICS");
     if (!terminal_colour(stream))
         return GRAPHICS_NONE;

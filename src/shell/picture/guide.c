@@ -59,7 +59,7 @@ struct page {
     struct sheet sheet;
     double y;    /* the distance of the next line from the top of the page */
     int number;  /* from 1 */
-    bool is_cut; /* the guide continues on another page after this one */
+    bool is_cut; /* the guide is cut into A4 pages; otherwise it is one long page */
 };
 
 static void text_put(const struct page *p, double x, const char *align, int size, bool bold, const char *text)

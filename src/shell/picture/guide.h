@@ -31,8 +31,8 @@ struct guide {
 /* Writes a table in characters. Cells that are bold on paper are followed by a '!'. */
 void guide_text(const struct guide_table *table, FILE *out);
 
-/* Draws a guide as the picture to which the answer goes. A .pdf file gets as many A4 pages as are needed.
- * Other pictures are one long page. On failure, sets *problem and returns false. */
+/* Draws a guide where the answer goes. A .pdf file gets as many A4 pages as are needed. Other pictures are
+ * one long page. On failure, sets *problem and returns false. */
 bool guide_show(const struct guide *guide, const struct answer *a, const volatile sig_atomic_t *interrupt,
                 struct problem *problem);
 

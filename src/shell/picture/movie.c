@@ -11,7 +11,7 @@ enum { OPTIONS = 9, BEFORE = 16, ARGUMENTS = BEFORE + OPTIONS + 1 };
 struct movie_kind {
     const char *ending;
     bool ffmpeg;
-    const char *option[OPTIONS]; /* a list that ends with NULL */
+    const char *option[OPTIONS]; /* the options, followed by NULL */
 };
 
 static const struct movie_kind kinds[] = {

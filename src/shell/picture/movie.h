@@ -32,8 +32,8 @@ bool movie_begin(struct movie *movie, const char *path, const struct stage *stag
 /* Adds a frame to the script. */
 void movie_frame(struct movie *movie, const struct stage *stage);
 
-/* Ends the animation. If `whole` is true, the script is complete, and the film is written to the file.
- * Otherwise discards the film and returns false. */
+/* Ends the animation. Writes the film to its file if `whole` is true, which means that the script is
+ * complete. Otherwise discards the film and returns false. */
 bool movie_end(struct movie *movie, bool whole, struct problem *problem);
 
 #endif

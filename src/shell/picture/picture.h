@@ -21,8 +21,8 @@ bool gnuplot_ready(struct problem *problem);
 bool picture_begin(struct picture *picture, FILE *out, const char *terminal,
                    const volatile sig_atomic_t *interrupt, struct problem *problem);
 
-/* Ends a picture. If `whole` is true, the script is complete, and the picture is drawn. Otherwise discards
- * the picture and returns false. */
+/* Ends a picture. Draws the picture if `whole` is true, which means that the script is complete. Otherwise
+ * discards the picture and returns false. */
 bool picture_end(struct picture *picture, bool whole, struct problem *problem);
 
 /* Returns true if a program with this name is in one of the directories in PATH. */
@@ -32,7 +32,7 @@ bool program_exists(const char *name);
 FILE *temporary_open(struct problem *problem);
 
 /* Runs a program with `in` as standard input and `out` as standard output. If the program fails, the message
- * says that it did not `what`, for example "draw it". */
+ * is "PROGRAM did not WHAT: REASON", where WHAT is the text `what`, for example "draw it". */
 bool program_run(char *const argv[], FILE *in, FILE *out, const char *what,
                  const volatile sig_atomic_t *interrupt, struct problem *problem);
 

@@ -125,7 +125,7 @@ void script_head(const struct answer *a, const char *terminal)
             "terminal %s\n"
             "set output '",
             name, length, name, terminal);
-    for (int i = 0; i < length; i++) /* in a text between two ', another ' is doubled */
+    for (int i = 0; i < length; i++) /* gnuplot reads '' within single quotes as one quote */
         fprintf(a->out, name[i] == '\'' ? "''" : "%c", name[i]);
     fprintf(a->out, ".pdf'\n");
 }

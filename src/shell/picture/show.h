@@ -17,7 +17,7 @@ enum ending_kind {
     ENDING_NONE,  /* no extension: the session's settings decide */
     ENDING_OTHER, /* an unknown extension, which is an error */
     ENDING_TEXT,  /* .txt, which has the same effect as no extension */
-    ENDING_DATA,  /* .csv, .json, and those of any other format of answers */
+    ENDING_DATA,  /* the extension of a format of answers, such as .csv */
     ENDING_SHEET, /* the extension of a picture, of a document, or of both, such as .pdf */
 };
 
@@ -39,7 +39,7 @@ bool picture_fits(const struct answer *a, const char *command, struct problem *p
  * returns false if it cannot. */
 bool picture_ready(const struct answer *a, struct problem *problem);
 
-/* Returns the words for captions of pictures that go where the answer goes. */
+/* Returns the words with which the caption explains the marks in a picture of this answer. */
 struct marks picture_marks(const struct answer *a);
 
 /* Writes the first lines of the script of a picture. The script draws into a .pdf file with the same name as

@@ -43,7 +43,7 @@ struct drawn {
     /* The corners that the domino would have with sharp edges: front foot, front top, back top and back
      * foot. */
     struct point corner[CORNERS];
-    bool touched; /* the domino's follower touches the domino at `contact`; otherwise `contact` is NaN */
+    bool touched; /* the follower of this domino touches it at `contact`; if not, `contact` is NaN */
     struct point contact;
     /* The push at the contact: `force` is relative to the weight of the head, and `of_own` to the weight of
      * this domino. Both are NaN if the push is not known. */
@@ -53,13 +53,13 @@ struct drawn {
 enum { CAPTION = 1024 };
 
 struct stage {
-    struct drawn *domino; /* the dominoes; each domino is drawn over those after it */
+    struct drawn *domino; /* the dominoes, each of which is drawn over all later ones */
     size_t count;
     double left, right, top; /* the limits of the visible part */
     /* the unit of lengths: "h", or NULL for m; lengths in m are shown in mm, cm or m */
     const char *unit;
     const char *ruler; /* what the ruler measures */
-    /* if not NULL, the sizes of the dominoes, which are written where there is room */
+    /* the sizes of the dominoes, which are written where there is room, or NULL to write no sizes */
     const struct domq_domino *row;
     bool forces;           /* the picture shows the forces that are known */
     char caption[CAPTION]; /* caption of one or more lines */

@@ -154,8 +154,8 @@ struct labels {
 
 /*
  * Writes a text at the position x on the ruler. If `upright` is true, the text is rotated by 90 degrees and
- * starts `height` dots above the ground. Otherwise its centre is there. Returns false if the text would
- * overlap another one.
+ * starts `height` dots above the ground. Otherwise the centre of the text is at this height. Returns false if
+ * the text would overlap another text.
  */
 static bool label_put(struct labels *l, double x, double height, bool upright, const char *colour,
                       const char *text)

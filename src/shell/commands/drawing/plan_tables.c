@@ -16,8 +16,7 @@ const struct domq_window *plan_window(const struct plan *p, enum dom_window_of k
 
 /* ---- Texts ---- */
 
-/* Writes a length in mm with one decimal. The length is rounded down if `round` is -1, up if it is 1, and to
- * the nearest 0.1 mm if it is 0. */
+/* Writes a length in mm. If `round` is -1 or 1, the length is rounded down or up to a multiple of 0.1 mm. */
 static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 {
     double tenths = 10000 * (double)metres;

@@ -10,7 +10,7 @@ static const char *scale_names(const void *context, int k)
     return names[k];
 }
 
-/* Lists the words after 'legend', in the order of enum chart_legend. */
+/* In the order of enum chart_legend. */
 static const char *legend_names(const void *context, int k)
 {
     static const char *const names[] = {"below", "right", "off", NULL};
