@@ -136,7 +136,7 @@ void dom_lean_limits(const struct dom_domino *domino, dom_real alpha, dom_real r
 
 /*
  * Dominoes 1, 2, ... of any sizes, in the order in which they fall. As in a train, the foremost falling
- * domino is the head, and the dominoes behind the head lean on each other and on it until the head hits the
+ * domino is the head, and the dominoes behind the head lean on each other and on the head until it hits the
  * next domino.
  */
 struct dom_engine;
@@ -206,7 +206,7 @@ struct dom_verdict {
 /*
  * Runs a row. Calls visit, which may be NULL, for each domino that is hit, in order. visit returns false to
  * end the run early. If `times` is false, no times are computed, which is faster, and all times are NaN. If a
- * status such as DOM_BAD_HEIGHT is about one domino, its number is written to verdict->domino.
+ * status such as DOM_BAD_HEIGHT is about one domino, the number of this domino is written to verdict->domino.
  * compute->method is not used.
  */
 typedef bool dom_fall_visit(const struct dom_fall *fall, void *context);
@@ -248,8 +248,8 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict);
 
-/* Writes the first `count` dominoes of a train. The gap of each is s times its own height, and the first
- * domino has the given mass in kg. Does not check the arguments. */
+/* Writes the first `count` dominoes of a train. The gap of each domino is s times the height of this domino,
+ * and the first domino has the given mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);
 
@@ -302,8 +302,8 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              size_t *count);
 
 /* The window of one gap, place, height, thickness, friction or lean: the values with which all dominoes fall
- * while all other values stay as they are. A friction has no unit, a lean is in rad, and all others are in
- * m. */
+ * while all other values stay as they are. A friction has no unit, a lean is in rad, and all other values are
+ * in m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
     dom_real now;  /* the present value */
@@ -359,7 +359,7 @@ struct dom_limits {
     dom_real hall; /* m, the space for the row with its last domino lying; may be infinite */
     /* For dom_row_improve: kg, the mass of the heaviest domino that changes; may be infinite. */
     dom_real heaviest;
-    /* m, the grid: all measures that change are multiples of this length; 0 if there is no grid */
+    /* m, the grid: all sizes and gaps that change are multiples of this length; 0 if there is no grid */
     dom_real grid;
     const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
     size_t boards;
@@ -412,11 +412,11 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
                                 const struct dom_compute *compute, struct dom_design *design);
 
 /*
- * Does what dom_design_find does, for a row that can be built: the measures of all dominoes except the first
- * are multiples of the grid, and thicknesses are those of boards if any are given. The row has the safety and
- * fits into the hall of the wish after it has been rounded; the results about the endless train are those
- * before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits are not
- * used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
+ * Does what dom_design_find does, for a row that can be built: the sizes and gaps of all dominoes except the
+ * first are multiples of the grid, and thicknesses are those of boards if any are given. The row has the
+ * safety and fits into the hall of the wish after it has been rounded; the results about the endless train
+ * are those before rounding. The last domino keeps its height. `sizes`, `hall` and `heaviest` of the limits
+ * are not used. Other statuses are DOM_BAD_Q, DOM_BAD_THICKNESS and DOM_BAD_GAP for the limits.
  */
 enum dom_status dom_design_fit(const struct dom_train *train, const struct dom_wish *wish,
                                const struct dom_limits *limits, const struct dom_compute *compute,
@@ -452,8 +452,8 @@ struct dom_error {
  * The random errors of a row. A domino keeps its density, so its mass changes with its height and its
  * thickness. Dominoes that would overlap are placed so that they touch. No error makes a size smaller than
  * 1/100 of its value. A domino that would fall over by itself gets the largest lean with which it stands. A
- * friction or a push that would be negative becomes 0. Errors of radii have no effect without rounded edges,
- * nor do errors of the floor without an engine, or errors of the push without a push.
+ * friction or a push that would be negative becomes 0. Errors of radii have an effect only with rounded
+ * edges, errors of the floor only with an engine, and errors of the push only with a push.
  */
 struct dom_placement {
     struct dom_error error[DOM_ERROR_COUNT];

@@ -85,13 +85,13 @@ struct engine_fall {
     double gain;
     /* How much the foremost boxes slowed down: the smallest ratio of the angular velocity of a box to the
      * largest angular velocity that this box has had since it was hit. A row that almost stops has a small
-     * ratio. The ratio is 0 if anything other than the tip of the box behind it, on its back face, has
-     * touched the foremost box. */
+     * ratio. Any contact of the foremost box makes the ratio 0, except that of its back face with the tip of
+     * the box behind it. */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
      * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */
     double climbed;
-    /* true if two boxes have touched in any way other than with the tip of one on the back face of the
+    /* true if two boxes have had any contact other than between the tip of a box and the back face of the
      * next */
     bool other_contact;
 };
@@ -127,7 +127,7 @@ typedef bool engine_visit(const struct engine_moment *moment, void *context);
 /*
  * Runs a row once. `hit` is an array of row->count elements, or NULL. `visit`, which may be NULL, is called
  * after each step and returns false to end the run. If both are NULL, only the verdict is wanted, and the run
- * ends as soon as it is certain; fall->seconds is then the time of that moment.
+ * ends as soon as the verdict is certain; fall->seconds is then the time at which the run ended.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -24,7 +24,7 @@ static const double rests = 1e-5; /* angular velocities below this count as 0, i
 static const double hinged_rest = 0.1,
                     any_rest = 3; /* time, in sqrt(height / g), after which a box at rest counts as stopped */
 /* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
- * rows need a twentieth of this. */
+ * rows need a twentieth of this limit. */
 static const double most_work = 30;
 enum { CALM = 2 }; /* number of short steps after a hit */
 

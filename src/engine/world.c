@@ -183,8 +183,8 @@ static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
     }
 }
 
-/* Sets friction and restitution of a contact. A box is hit when it is first touched while standing next to
- * the head. */
+/* Sets friction and restitution of a contact. The box in front of the head counts as hit when it is first
+ * touched. */
 static cpBool touch(cpArbiter *arbiter, cpSpace *space, void *data)
 {
     struct world *w = data;
