@@ -250,6 +250,11 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     close 'mass of the first box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; t = h * 7 / 48; print 600 * (h * h / 2 * t - (h - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; row" | values mass | sed -n 6p)" 1e-9
     differ 'time of the boxes' "$(json "$tall; effect walls 12 mm 30 cm; verdict" | values seconds)" "$(json "$tall; verdict" | values seconds)"
+    # A changed height may make a box of a block; the mass is then that of the wood.
+    close 'a block becomes a box' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^4; t = h * 7 / 48; print 600 * (0.4 * h / 2 * t - (0.4 - 0.024) * (h / 2 - 0.024) * (t - 0.024)) }')" \
+        "$(json "$tall; effect walls 12 mm 30 cm; change 5 height 40 cm; row" | values mass | sed -n 5p)" 1e-9
+    close 'a box becomes a block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; print 600 * 0.2 * h / 2 * 0.05 }')" \
+        "$(json "$tall; effect walls 12 mm 30 cm; change 6 height 20 cm; change 6 thickness 5 cm; row" | values mass | sed -n 6p)" 1e-9
     # A window of heights leaves a block a block, and an error of the heights does, too.
     run -0 "$DOMINO" -e "$tall; effect walls 12 mm 30 cm; tolerance; effect placement 1 mm 5 %; placement 50; improve sizes"
     [ "$(json "set q solid; effect walls 12 mm 30 cm; design 2 m" | values steps)" -gt 3 ]

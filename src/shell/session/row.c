@@ -37,7 +37,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
-    row_changes_apply(listed, domino, count);
+    row_changes_apply(scene, domino, count);
     /* if a change has affected the first domino, its m g h / 2 must be made 1 again */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);

@@ -30,17 +30,36 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-void row_changes_apply(const struct listed_row *row, struct domq_domino *domino, size_t count)
+/* Changes a height or a thickness. The domino keeps its width, and the mass is proportional to the volume. If
+ * the walls were part of the mass before, that volume is the volume of the wood, because the change may make
+ * a box of a solid domino, or the reverse. */
+static void size_change(const struct scene *scene, domq_real width, struct domq_domino *d, domq_real *size,
+                        domq_real value)
 {
-    for (size_t k = 0; k < count && k < row->changes; k++)
+    const struct listed_row *row = &scene->listed;
+    const bool of_wood = row->width || (!row->domino && scene_boxes_above(scene) > 0);
+    const domq_real filled = of_wood ? scene_filled(scene, d->height, d->thickness, width) : 1;
+    d->mass *= value / *size;
+    *size = value;
+    if (of_wood)
+        d->mass *= scene_filled(scene, d->height, d->thickness, width) / filled;
+}
+
+void row_changes_apply(const struct scene *scene, struct domq_domino *domino, size_t count)
+{
+    const struct listed_row *row = &scene->listed;
+    for (size_t k = 0; k < count && k < row->changes; k++) {
+        const domq_real width = row->width ? row->width[k] : domino[k].height / 2;
         for (enum row_measure m = 0; m < ROW_MEASURES; m++) {
             domq_real value = changed(row, k, m), *member = row_measure_at(&domino[k], m);
             if (isnan(value))
                 continue;
             if (m == MEASURE_HEIGHT || m == MEASURE_THICKNESS)
-                domino[k].mass *= value / *member;
-            *member = m == MEASURE_MASS ? *member * value : value;
+                size_change(scene, width, &domino[k], member, value);
+            else
+                *member = m == MEASURE_MASS ? *member * value : value;
         }
+    }
 }
 
 bool row_changes_open(struct listed_row *row, size_t count)
