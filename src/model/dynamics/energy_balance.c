@@ -140,7 +140,8 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    /* At the beginning of the motion, rounding may make end - by slightly smaller than the lean. */
+    /* At the beginning of the motion, rounding may put end - by slightly below the tilt at which the head
+     * started. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);

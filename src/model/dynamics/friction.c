@@ -38,7 +38,7 @@ static enum dom_status friction_inertia_ratio(const struct geometry *next, const
 /* ---- The law ---- */
 
 /* Finds -2 C, which has the sign of the derivative of the required energy, and equals dH/dtheta without
- * friction. The solution of the motion already has the sign. */
+ * friction. If `rough` is true, the sign comes from the solution of the motion. */
 static enum dom_status friction_slope(const struct geometry *geometry, struct tilt head, bool rough,
                                       real *slope)
 {
@@ -56,7 +56,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
                                              real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
-    /* Forces need as many dominoes as energies do, so count the dominoes of an energy pass. */
+    /* Forces need as many dominoes as energies do, so *n is the number of dominoes in an energy pass. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
         status = geometry->law->equation(geometry, head, &equation);

@@ -265,7 +265,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
-    if (tops.height <= 0) /* the upright train is higher than this top */
+    if (tops.height <= 0) /* H of the upright train is higher than this top */
         tops.height = tops.half = tops.theta_m = 0;
     if (barrier_single(geometry)) {
         *b = tops;

@@ -17,8 +17,9 @@ struct barrier {
     int edges;
 };
 
-/* The relative tolerance for the tilt of a top if only the height of the top must have the tolerance of the
- * sums. The error of the height is of third order in the last step to the top. */
+/* A top is a local maximum of H. This is the relative tolerance for the tilt of a top if only the height of
+ * the top must have the tolerance of the sums. The error of the height is of third order in the last step to
+ * the top. */
 #define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
 
 /* Finds the barrier. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the height is
@@ -49,8 +50,8 @@ KERNEL real barrier_most(const struct geometry *geometry);
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
-/* Finds the barrier over the tilts from the first edge of `whole` to `end`, with the edges of `whole` that
- * lie between them. Heights are relative to H at `from`. */
+/* Finds the barrier over the tilts from the first edge of `whole` to `end`. The edges of `whole` inside this
+ * range are edges of the result, too. Heights are relative to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
 

@@ -15,7 +15,8 @@ static void bound_geometry(const struct geometry *geometry, const struct link *k
          rLx = geometry->r * geometry->L * k->tilt.x;
     real of_rLx = geometry->r * geometry->L * k->tilt.y * b->angle + 3 * UNIT * rLx;
     b->Y = X * rLx / Y * b->angle + 4 * UNIT * Y;
-    /* Here geometry_contact computes the slope as 1 - r L x / Y. In this form, errors of Y matter little. */
+    /* In this range geometry_contact computes the slope as 1 - r L x / Y, a form in which errors of Y matter
+     * little. */
     if (2 * rLx <= Y) {
         b->arm = b->Y + of_rLx + UNIT * arm;
         b->step = (of_rLx + rLx * b->Y / Y) / Y + UNIT;

@@ -172,8 +172,8 @@ KERNEL real geometry_finest(const struct geometry *geometry)
     return theta_u > 0 && !(down > 0 && down < theta_u) ? theta_u : down;
 }
 
-/* These functions return theta_u, the tilt at which a single domino tips over, then tan(theta_u / 2), and
- * h(theta_u) - h(0). */
+/* Let theta_u be the tilt at which a single domino tips over. These functions return theta_u,
+ * tan(theta_u / 2) and h(theta_u) - h(0). */
 KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);

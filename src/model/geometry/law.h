@@ -33,7 +33,7 @@ struct arms {
     real ratio; /* a / b, the part of a torque on the follower that the contact passes on to the leader */
 };
 
-/* One domino of a chain. From an array of all dominoes of the chain, forces.c finds the forces. */
+/* One domino of a moving chain. forces.c computes the forces from an array of all dominoes of the chain. */
 struct moving {
     struct link link;
     real second_derivative; /* theta_i'' */
@@ -46,10 +46,10 @@ struct moving {
 enum pass {
     PASS_PLAIN = 0,
     PASS_ERROR = 1, /* bounds of the errors */
-    /* the head is at theta_c, and each domino has the tilt with which its follower began */
+    /* the head is at theta_c, and each domino has the tilt that its follower had at the start of the cycle */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
-    PASS_PUSHES = 8,            /* whether all contacts are proved to push */
+    PASS_PUSHES = 8,            /* a proof, if possible, that all contacts push */
 };
 
 struct contact_law {
@@ -93,8 +93,8 @@ struct contact_law {
     /* Finds the contact of a domino that has detached only because of rounding errors. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Returns true if a sufficient condition shows that a contact stays closed while its leader moves from b
-     * to a. */
+    /* Tests a condition on one contact, whose leader moves from b to a. If all contacts of a chain meet the
+     * condition, all of them stay closed. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Fills `list` with the dominoes up to the end of the chain, but at most `room` of them, and returns
      * their number. */
@@ -159,8 +159,8 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
 /* Finds geometry->far_friction for an endless train with sharp edges from which no domino detaches. */
 KERNEL void far_friction_make(struct geometry *geometry);
 
-/* Returns true if a contact of sharp edges meets a sufficient condition for all contacts of the chain to stay
- * closed while its leader moves from b to a (sharp_change.c). */
+/* Tests a condition on one contact of sharp edges, whose leader moves from b to a. If all contacts of a chain
+ * meet the condition, all of them stay closed (sharp_change.c). */
 KERNEL bool contact_pushes(const struct link *a, const struct link *b);
 
 #endif

@@ -65,11 +65,9 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/*
- * For a leader with the two tilts a and b, returns the ratio of t = tan((theta_a - theta_b) / 2) of its
- * follower to t of the leader itself. This ratio is (1 - G) / (1 + t^2 G), as in energy_change_between. 1 - G
- * is computed from the arms, so that it keeps its digits.
- */
+/* For a domino with the tilt theta_a in one chain and theta_b in another, let t = tan((theta_a -
+ * theta_b) / 2). Returns the ratio of t of the follower to t of its leader. This ratio is (1 - G) / (1 + t^2
+ * G), as in energy_change_between. 1 - G is computed from the arms, so that it keeps its digits. */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;

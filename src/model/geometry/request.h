@@ -22,12 +22,12 @@ struct request {
     const volatile sig_atomic_t *interrupt;
 };
 
-struct block; /* defined in run.h, for each precision */
+struct block; /* defined in joint.h, for each precision */
 
 /* The members of struct dom_row and of struct dom_compute. */
 struct row_request {
     const struct dom_domino *domino;
-    const struct block *block; /* the dominoes, once they are converted to the precision; may be NULL */
+    const struct block *block; /* the dominoes, converted to the precision of the kernel; may be NULL */
     size_t count;
     dom_real g, push;
     dom_real effect[DOM_DYNAMICS_COUNT];

@@ -142,10 +142,10 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * Returns true if a contact of rounded edges meets a sufficient condition for all contacts of the chain to
- * stay closed while its leader moves from b to a. The condition is that of pushes_between in sharp_change.c,
- * but the inertia of a domino changes with its tilt, so that c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2
- * i_k, and a_k has i_k in its denominator.
+ * Tests a condition on one contact of rounded edges, whose leader moves from b to a. If all contacts of a
+ * chain meet the condition, all of them stay closed. The condition is that of pushes_between in
+ * sharp_change.c, but the inertia of a domino changes with its tilt, so that c_k = -theta_k'' / theta_k' -
+ * i'_k theta_k' / 2 i_k, and a_k has i_k in its denominator.
  *
  * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. With p = 1 - step, Q = L - rho_1 turn
  * and more = rho - rho_1, the contact equation turns the left side into
@@ -210,7 +210,7 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* For sharp edges, energy_change_between does the same. No error bounds are known. */
+/* The counterpart for rounded edges of energy_change_between. No error bounds are known. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error)
 {

@@ -161,7 +161,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     };
 }
 
-/* Does the same as rolling_here, but is not inlined. Code outside of the loops calls this function. */
+/* A copy of rolling_here that is not inlined, for code outside of the loops. */
 static struct rolling rolling_of(const struct geometry *geometry, struct tilt leader, real theta)
 {
     return rolling_here(geometry, leader, theta);
@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* How many of the dominoes in geometry->n come before this one: 0 in a row, where n counts from this
-     * domino on. */
+    /* The number of dominoes before this domino that geometry->n includes. In a row the number is 0, since
+     * there geometry->n counts only from this domino on. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);

@@ -15,8 +15,8 @@ KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, s
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds of a pass down the chains a and b: those of the current domino in both chains, of its t
- * (energy_change_between), and of the sums. */
+/* The error bounds of a pass down the chains a and b: bounds for the current domino in each chain, for the t
+ * of that domino (see energy_change_between), and for the sums. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -127,8 +127,8 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Returns true if a contact meets a sufficient condition for all contacts of the chain to stay closed while
- * its leader moves from b to a. If all contacts meet the condition, all of them stay closed:
+ * Tests a condition on one contact, whose leader moves from b to a. If all contacts of a chain meet the
+ * condition, all of them stay closed, for the following reason.
  *
  * The torques on all dominoes from i on, times the factors S of dynamics/friction.c (theta_i' without
  * friction), pass through the contact of domino i with its leader. The part of them that does not accelerate
@@ -281,7 +281,8 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
 }
 
 /* `pass` is a constant in each call, so that the compiler can remove the sums that are not needed. The error
- * bounds are those of a pass without series, plus the difference between the sums of the two passes. */
+ * bounds come from a second pass, without series, and include the difference between the sums of the two
+ * passes. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums, struct sums *error)
 {

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The public API for the sources of the library. They are compiled as they are, where dom_real is double, or
- * with DOMQ defined, where every name of domino.h is replaced by that of domino_quad.h (domq_names.h has
- * lines such as "#define dom_train domq_train"), or once in each way.
+ * The public API for the sources of the library. Some sources are compiled as they are, so that dom_real is
+ * double. Others are compiled with DOMQ defined, which replaces every name of domino.h by the name of
+ * domino_quad.h (domq_names.h has lines such as "#define dom_train domq_train"). The rest are compiled in
+ * both ways.
  */
 #ifndef DOM_API_H
 #define DOM_API_H

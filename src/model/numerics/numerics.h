@@ -22,8 +22,8 @@ typedef real num_function(real x, void *context);
  */
 KERNEL enum num_status num_root(num_function *f, void *context, real lo, real hi, real tol, real *x);
 
-/* Finds a root as num_root does, if the values of f at both ends, or at least their signs, are already
- * known. */
+/* Does the same as num_root, for a caller that already knows the values of f at both ends, or at least their
+ * signs. */
 KERNEL enum num_status num_root_between(num_function *f, void *context, real lo, real f_lo, real hi,
                                         real f_hi, real tol, real *x);
 
