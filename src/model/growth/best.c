@@ -14,7 +14,8 @@
 #define BEST_PATIENCE 8           /* sampling ends after so many successive samples with a lower r_max */
 #define BEST_LOWEST   ((real)1e-6)
 #define BEST_FINEST   ((real)2e-3)
-#define BEST_FIRST    fmax((real)1e-6, 64 * REAL_EPSILON) /* narrowest interval before a growth is found */
+/* width of the narrowest interval before a growth is found */
+#define BEST_FIRST fmax((real)1e-6, 64 * REAL_EPSILON)
 
 struct search {
     struct margin_context *c;
@@ -298,7 +299,8 @@ static enum dom_status search_golden(struct search *b, real tol)
 }
 
 /* Finds a smooth maximum of r_max near b->s by searching for the place where the slope changes its sign.
- * *smooth is false at a kink or a jump. The relative error of b->s is much less than `width`. */
+ * *smooth is false at a kink or a jump. On entry the relative error of b->s must be much less than
+ * `width`. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
@@ -356,9 +358,10 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 
 /*
  * Finds the error bounds of s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
- * At a smooth maximum the slope of the margin is 0. Rounding, tol and the rule each add to the error of this
- * slope. That error, divided by the derivative of the slope, is the error bound of s. At a kink or a jump, s
- * is bracketed to tol, or to 1e-8 if tol is less. The error of r_max includes its change over the error of s.
+ * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
+ * error of this slope. That error, divided by the derivative of the slope, is the error bound of s. At a kink
+ * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error of r_max includes its change over
+ * the error of s.
  */
 static enum dom_status best_error(struct search *b, bool smooth, struct dom_best_error *error)
 {

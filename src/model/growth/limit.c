@@ -132,8 +132,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
-    /* If the growth is smaller than this, domino 1 has not yet tipped over when it hits the next domino
-     * (5; b0). */
+    /* Below this growth, domino 1 has not yet tipped over when it hits the next domino (5; b0). */
     struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;

@@ -78,7 +78,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     struct geometry two = *geometry;
     real u = geometry->reach, sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
-    two.n = 1; /* the domino that hits moves alone */
+    two.n = 1; /* no dominoes push behind the one that hits */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
     enum dom_status status =

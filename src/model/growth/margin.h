@@ -80,9 +80,10 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r);
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
- * margin_follow returns margin_share at r, which is less curved than the margin near a root. It begins its
- * search for the maximum of H at the maximum that the call before has found. It computes only as many digits
- * as a root search needs, whose next step nearly squares margin_share. Call margin_follow_begin first.
+ * margin_follow returns margin_share at r, which is less curved than the margin near a root. The search for
+ * the maximum of H begins at the maximum that the previous call has found. Since the next step of a root
+ * search nearly squares margin_share, only the digits that matter to that step are computed. Call
+ * margin_follow_begin first.
  */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);

@@ -15,10 +15,12 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* Samples are taken PROBE_PER_E to a factor of e in r, up to 0.9 of the reach, and at the reach. */
+/* There are PROBE_PER_E samples for each factor of e in r, up to 0.9 of the reach, and one sample at the
+ * reach. */
 #define PROBE_PER_E 8
 
-/* Returns sample k of r, between 1 and the reach. Any k above that of the reach returns the reach, too. */
+/* Returns sample k of r, between 1 and the reach. If k exceeds the number of the last sample, returns the
+ * reach. */
 static real probe_place(const struct margin_context *c, int k)
 {
     const real reach = c->geometry.span / c->s, ln_near = log((real)0.9 * reach);
@@ -75,9 +77,9 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 
 /*
  * Returns true if the margin is taken to have no sign change between lo and hi, other than the one at
- * p->root. `third` is a sample outside the interval; if it is lo itself, the result is false. Where only the
- * upper bound of a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from the
- * bound to barriers does not look like curvature.
+ * p->root. `third` is a sample outside the interval; if `third` is lo itself, the result is false. Where only
+ * the upper bound of a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from
+ * the bound to barriers does not look like curvature.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
@@ -90,11 +92,9 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/*
- * Finds the first sign change between two samples that comes before p->root, by taking further samples
- * between them. At `lo` the margin has the sign of the start. If the sign differs at `hi`, finds a root
- * between the two, and then looks for an earlier one.
- */
+/* Finds the first sign change between two samples that comes before p->root, by taking further samples
+ * between them. At `lo` the margin has the same sign as at the start of the search. If the sign differs at
+ * `hi`, finds a root between the two, and then looks for an earlier one. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {

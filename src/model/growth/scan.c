@@ -129,7 +129,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         if (known == KNOWN_POSITIVE || (step <= finest && !below)) {
             lo = hi;
             step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
-        } else { /* a shorter strip may be known to be positive, or not underflow */
+        } else { /* for a shorter strip the bounds may suffice, or the numbers may not underflow */
             step /= 2;
         }
     }

@@ -132,8 +132,8 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 /*
  * Finds a lower bound of the head's tilt at the maximum of H, for those trains whose barrier is at least
  * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus the energy that the first
- * follower has lost. This loss increases with the tilt of the head, and is at least 1 / grows of the loss at
- * hi.
+ * follower has lost. This loss increases with the tilt of the head, and is at least the loss at hi divided by
+ * `grows`.
  */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
@@ -225,9 +225,9 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
  * Returns tan(theta / 2) of an upper bound of the head's tilt at the maximum of H of every train in the
  * strip: theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi
  * theta_i' g(theta_i). None of these terms is negative. The first is at least the product of lower bounds of
- * its factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. Half of the
- * angle by which the tilt is below theta_u is less than the tangent of that half, so it takes the tangent's
- * place.
+ * its factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. `below` is
+ * at most half of the angle between the tilt and theta_u. It takes the place of the tangent of that half
+ * angle, which is larger.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {

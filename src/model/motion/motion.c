@@ -188,8 +188,8 @@ KERNEL enum dom_status motion_state(struct motion *m, real theta, real time, str
         status = geometry->dynamics->acceleration(geometry, head, omegasq, &acceleration, NULL);
     if (status != DOM_OK)
         return status;
-    /* The train that hits is this same train at theta_c, but every size is smaller by the factor r, so its
-     * energy has the additional factor r^-q. */
+    /* The train that hits the head is this train at theta_c, but with every size divided by r, so its energy
+     * has the additional factor r^-q. */
     real before = geometry->weight * launch->arrives;
     *state = (struct dom_state){
         .theta = theta,

@@ -11,8 +11,8 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* Returns the height nearest to `height` with which a domino of the height `before` stays what it is, solid
- * or a box. */
+/* A domino of the height `before` is to stay solid if it is solid, and to stay a box if it is a box. Returns
+ * the height nearest to `height` that this allows. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

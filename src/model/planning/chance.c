@@ -136,7 +136,8 @@ static double weigh(const struct chance *c, size_t margins, const struct weighed
     return before;
 }
 
-/* Returns by how much the probability that the row falls changes with the energy margins. */
+/* Returns the change of the probability that the row falls, to first order in the changes of the energy
+ * margins. */
 static double change_of(const struct weighed *w, size_t count)
 {
     double sum = 0;

@@ -24,8 +24,8 @@ static bool enough(struct planner *p, struct choice c)
            (!p->limits || row_feet(p, c) + p->wish->height <= p->wish->hall);
 }
 
-/* Returns true if the row has the safety in the model, and all its dominoes also fall in the engine. A row
- * that the engine cannot decide counts as one that does not fall. */
+/* Returns true if the row has the required safety in the model, and all its dominoes also fall in the engine.
+ * A row that the engine cannot decide counts as one that does not fall. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -42,8 +42,8 @@ static bool enough_in_engine(struct planner *p, struct choice c)
 
 /* ---- The separation ---- */
 
-/* Returns the largest growth at which the train has the safety, with a relative tolerance of 1e-7. Returns 0
- * if the train does not have the safety at r = 1. */
+/* Returns the largest growth at which the train has the required safety, with a relative tolerance of 1e-7.
+ * Returns 0 if the train is not safe enough at r = 1. */
 static dom_real safe_growth(struct planner *p, dom_real s)
 {
     dom_real lo = 1, hi = 1 / s;
@@ -99,8 +99,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Starting from the separation `good`, at which the row must have the safety, returns the smallest separation
- * down to which the row keeps the safety. */
+/* Starting from the separation `good`, at which the row must have the required safety, returns the smallest
+ * separation down to which the row keeps this safety. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -129,7 +129,7 @@ static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row with at least `fewest` steps. Returns false if no row has the safety. */
+/* Finds the shortest row with at least `fewest` steps. Returns false if no row has the required safety. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
@@ -155,8 +155,8 @@ static bool shortest(struct planner *p, size_t fewest, int k, struct choice *bes
     return p->status == DOM_OK && isfinite(length);
 }
 
-/* Finds the row with the fewest dominoes that has the safety and fits into the hall. Returns false if there
- * is no such row. */
+/* Finds the row with the fewest dominoes that has the required safety and fits into the hall. Returns false
+ * if there is no such row. */
 static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
@@ -172,8 +172,8 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
     return false;
 }
 
-/* Returns the weakest push with which the row has the safety, with a relative tolerance of 1e-4. Returns NaN
- * if no push was found. */
+/* Returns the weakest push with which the row has the required safety, with a relative tolerance of 1e-4.
+ * Returns NaN if no push was found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -279,7 +279,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train has the safety */
+        p.wish = &falls; /* no train has the required safety */
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;

@@ -9,8 +9,8 @@
  * no effect at the place where the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Finds the gap closest in size to the present one, between the present one and `end`, with which all
- * dominoes fall. Returns false if there is none. */
+/* Searches from the present gap towards the gap `end`, and finds the first gap with which all dominoes fall.
+ * Returns false if there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Candidates for a design: trains, and rows of the same growth; how safe they are, and how long. */
+/* Finds how safe the candidates for a design are, and how long. A candidate is a train or a row with a
+ * constant growth. */
 #ifndef DOM_PLANNER_H
 #define DOM_PLANNER_H
 
@@ -26,11 +27,11 @@ struct planner {
     size_t room;
     enum dom_status status;
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
-    bool whole;      /* if false, a run of a row may end at the first domino without the safety */
-    size_t weakest;  /* number of the domino with the smallest ratio in the last row */
-    dom_real least;  /* kinetic / barrier of the domino `weakest` */
+    bool whole;     /* if false, a run of a row may end at the first domino that is less safe than required */
+    size_t weakest; /* number of the domino with the smallest ratio in the last row */
+    dom_real least; /* kinetic / barrier of the domino `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last row, by the model and by the engine */
-    bool engine_refused; /* some row had the safety in the model, but did not fall in the engine */
+    bool engine_refused; /* some row had the required safety in the model, but did not fall in the engine */
 };
 
 /* A candidate row: the separation k/GRID, and the number of steps from the first domino to the last. */
@@ -61,7 +62,7 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
                       const struct dom_engine *engine);
 
 /* Returns the smallest kinetic / barrier of the row's dominoes, or 0 if not all of them fall. Unless `times`
- * is set, the run ends at the first ratio below the safety. */
+ * is set, the run ends at the first ratio below the required safety. */
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
 /* Returns the length of the standing row from the back of the first domino to the front of the last one, for
@@ -76,8 +77,8 @@ dom_real length_of(const struct planner *p, struct choice c);
  * written last. */
 dom_real row_feet(const struct planner *p, struct choice c);
 
-/* Returns the largest k with which the row fits into a hall of this length, or a number below 1 if the row
- * does not fit with any k. */
+/* Returns the largest k such that a row with the separation k/GRID fits into a hall of this length. Returns a
+ * number below 1 if there is none. */
 int widest(const struct planner *p, size_t steps, dom_real hall);
 
 /* Computes the chosen row with the requested precision, and fills the design with the result. */

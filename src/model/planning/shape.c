@@ -95,8 +95,8 @@ static dom_real on_grid(const struct shape *s, dom_real length)
     return grid > 0 ? fmax(floor(length / grid + (dom_real)0.5), 1) * grid : length;
 }
 
-/* Returns the thickness of the board nearest to a thickness. If no boards are given, returns the thickness,
- * which is rounded to the grid if `final` is true. */
+/* Returns the thickness of the board that is closest to the given thickness. If there are no boards, returns
+ * the given thickness, rounded to the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;

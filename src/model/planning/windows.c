@@ -23,7 +23,7 @@ struct range {
 
 /* Returns the range of heights that are tried. On a slope, or if it leans, a domino stands only up to the
  * height foot / tan |tilt|. Each rounded edge makes the foot shorter by its radius, and a domino must be
- * taller than two radii. A solid domino stays solid, and a box a box. */
+ * taller than two radii. A solid domino stays solid, and a box stays a box. */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));

@@ -31,7 +31,8 @@ struct mark {
     real below, above; /* relative deviations of omegasq that do not change the verdict */
     /* the smallest contact force from this head on, relative to the weight of the pushed domino */
     real pushes;
-    bool falls; /* all dominoes from this head on fall; otherwise the row ends like the unchanged row */
+    /* true if all dominoes from this head on fall; false if the row ends like the unchanged row */
+    bool falls;
 };
 
 struct course {
@@ -128,7 +129,7 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
  * same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
-    /* how such a row ends depends on the sizes alone */
+    /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
     bool reach = end == DOM_ROW_MISSES || end == DOM_ROW_PASSES;
     m->below = reach || end == DOM_ROW_STOPS ? (real)INFINITY : 0;
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;

@@ -20,8 +20,8 @@ struct block {
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* Check a whole row, or domino k alone. If there are bad dominoes, *wrong receives the number of the first
- * one, counted from 1. */
+/* row_check checks a whole row, and row_domino_check checks domino k alone. If a row has bad dominoes, *wrong
+ * receives the number of the first bad domino, counted from 1. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 

@@ -83,7 +83,8 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds the duration of the passage, unless `lasts` is known, and the series of its time. */
+/* Finds the series for the time in the passage, and the duration of the passage. `lasts` is the duration, or
+ * NaN if it is not known yet. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
@@ -205,8 +206,7 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 /* A single domino with rounded edges that falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* `end` is p = ln tan(phi / 4) when the domino hits the next one, and `left` is how long before that hit
-     * p is wanted */
+    /* p = ln tan(phi / 4) at the hit on the next domino, and the time before that hit at which p is wanted */
     real end, left;
 };
 

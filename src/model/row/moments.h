@@ -5,7 +5,7 @@
 
 #include "motion/segment.h"
 
-/* Says when a passage begins: `passed` times tau after the head was hit, which was at the time `begins`.
+/* The time at which a passage begins, which is begins + passed * tau. The head was hit at the time `begins`.
  * `begins` and `tau` are in s. */
 struct since {
     real begins, tau, passed;
@@ -37,7 +37,7 @@ struct watch {
     struct passage last;    /* the last passage so far */
 };
 
-/* Allocate and free the memory for a row of `count` dominoes. */
+/* These two functions allocate and free the memory for a row of `count` dominoes. */
 KERNEL enum dom_status watch_begin(struct watch *watch, size_t count);
 KERNEL void watch_free(struct watch *watch);
 

@@ -154,7 +154,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
 }
 
 /* Runs the first domino, which is tipped over its edge and let go. Its kinetic energy is the potential energy
- * that it has lost since then (9; b5). */
+ * that it has lost since it was let go (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
