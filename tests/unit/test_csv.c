@@ -156,7 +156,7 @@ TEST(units)
         {"size (g),gap\n", "1:1: '(g)' is not a unit of size; its units are: m, mm"},
         {"size (mm,gap\n1,2 m", "0.001 2 - ; "},
         {"size,gap,count (m)", "1:10: '(m)' is not a unit of count; its units are: none"},
-        {"size (m),gap (m)\nmm,\n", "2:1: the first line gives another unit of size than 'mm'"},
+        {"size (m),gap (m)\nmm,\n", "2:1: the first line gives size a unit other than 'mm'"},
         {"size (mm),gap\nmm,m\n2,3", "0.002 3 - ; "},
         {"size,gap\nmm,1\n", "2:4: '1' is not a unit of gap"},
         {"size (m),gap (m)\n1 g,0", "2:1: size: this is a mass; write a length"},

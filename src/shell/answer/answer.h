@@ -124,11 +124,12 @@ void column_fit(struct column *column, const char *word);
 /* Copies columns into the answer, where they may be changed, and returns the copy. */
 struct column *answer_columns(struct answer *answer, const struct column *columns);
 
-/* Removes columns, whose keys are separated by blanks, from the answer. Rows are still passed with a cell for
- * each of them. */
+/* Removes columns, whose keys are separated by blanks, from the answer. The rows passed to answer_row still
+ * have cells for the removed columns. */
 void answer_leave_out(struct answer *answer, const char *keys);
 
-/* Changes the unit or the explanation of a column in this answer. NULL keeps what the column has. */
+/* Changes the unit or the explanation of a column in this answer. If an argument is NULL, the column keeps
+ * its unit or its explanation. */
 void answer_describe(struct answer *answer, const char *key, const char *unit, const char *meaning);
 
 /*
@@ -140,17 +141,17 @@ void answer_largest(struct answer *answer, const char *key, domq_real number);
 /* ---- Rows ---- */
 
 /*
- * Writes a row. If a cell of the row has no value, `reason` explains why. People read the reason on a line
- * below the row. Programs read it in a column or key "reason"; csv has this column only if the first row has
- * a reason. For a row without a reason, `reason` is NULL, or "" if other rows may have one. Always returns
- * true, so that a command can end with `return answer_row(...)`.
+ * Writes a row. If a cell of the row has no value, `reason` explains why. For people, the reason is written
+ * on a line below the row. For programs, it is in a column or key "reason", which csv has only if the first
+ * row has a reason. For a row without a reason, `reason` is NULL, or "" if other rows may have one. Always
+ * returns true, so that a command can end with `return answer_row(...)`.
  */
 bool answer_row(struct answer *answer, const struct cell *cells, const char *reason);
 
 /* Writes a row in which no value is missing. */
 #define answer_cells(answer, ...) answer_row(answer, (const struct cell[]){__VA_ARGS__}, NULL)
 
-/* Keeps the cells of a row for 'ans' without writing them. For answers that consist of sentences. */
+/* Keeps the cells of a row for 'ans' without writing them, for a command that answers in sentences. */
 void answer_keep(struct answer *answer, const struct cell *cells);
 
 /* answer_plan fixes the layout before the first row, as if the first row were `sample`. If `sample` is NULL,
@@ -182,7 +183,7 @@ void answer_holds(struct answer *answer, bool yes);
 /* Returns the number of digits, at least 1, that the tolerance guarantees. */
 int style_tol_digits(const struct answer_style *style);
 
-/* The first function returns an angle in the unit of the style, and the second the name of this unit. */
+/* style_angle returns an angle in the unit of the style, and style_angle_unit the name of this unit. */
 domq_real style_angle(const struct answer_style *style, domq_real radians);
 const char *style_angle_unit(const struct answer_style *style);
 

@@ -15,7 +15,7 @@
 
 #include "answer/cell.h"
 
-/* A unit for people, in which a number of base units is multiplied by 10^power. */
+/* A unit for people. A number in the base unit is multiplied by 10^power to convert it to this unit. */
 struct measure {
     const char *unit;
     int power;

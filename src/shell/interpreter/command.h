@@ -93,8 +93,8 @@ struct command {
     /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter omits
      * the column, unless an argument of the command replaces the parameter. */
     const char *echo;
-    /* The key of the last column if its number takes much longer to find than the others. Only an answer
-     * that the user asks for by itself has this column. Sweeps and expressions do not have it. */
+    /* The key of the last column, if its number takes much longer to compute than the others. Sweeps and
+     * expressions leave this column out. NULL if there is no such column. */
     const char *alone;
     const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
     bool train;          /* the answer is about the endless train */

@@ -270,7 +270,7 @@ static void run_command_at(struct session *session, struct reader *line)
 /* ---- Lines ---- */
 
 /* Returns true if the commands of the current line are logged. The commands of a sourced file are not logged,
- * because the 'source' command is. */
+ * because the 'source' command is logged instead. */
 static bool has_log(struct session *session)
 {
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);

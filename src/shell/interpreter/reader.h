@@ -86,8 +86,8 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the next word of the reader is this word, skips the word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* The first function returns zeroed memory from the arena, and the second a copy of a text in such memory.
- * Both return NULL with a problem if there is no memory. */
+/* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a text in the arena.
+ * Both set the reader's problem and return NULL if there is no memory. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 
@@ -98,8 +98,8 @@ char *reader_copy(struct reader *reader, const char *text, size_t length);
  */
 char *read_word(struct reader *reader, bool quotes);
 
-/* Reads a word or a quoted text as it was typed: Greek letters are not replaced by their names. Otherwise
- * like read_word. */
+/* Like read_word, reads a word or a quoted text, but as it was typed: Greek letters are not replaced by their
+ * names. */
 char *read_text(struct reader *reader);
 
 /* Reads the name of a file, as read_text does. A leading '~' is replaced by the home directory. */

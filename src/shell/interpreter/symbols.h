@@ -66,7 +66,7 @@ struct resolver {
  * returns -1. */
 int resolve(struct resolver *resolver, struct tree *tree);
 
-/* After an error in the body of a function, adds to the message in which function the error is. `at` is the
+/* After an error in the body of a function, adds the name of the function to the message. `at` is the
  * position at which an expression uses the function. */
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 

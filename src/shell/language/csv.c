@@ -16,7 +16,7 @@ bool csv_wrong(struct csv_file *file, struct csv_place at, const char *format, .
     va_start(arguments, format);
     vsnprintf(file->problem.text, sizeof file->problem.text, format, arguments);
     va_end(arguments);
-    /* In an empty file, no record has a position. */
+    /* An error in an empty file has no position, so it is reported at the first character. */
     file->problem.at = at.line > 0 ? at : (struct csv_place){1, 1};
     return false;
 }

@@ -50,7 +50,7 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
                          c->units);
     if (csv->unit[k] > 0 && csv->unit[k] != q.value)
         return csv_wrong(&csv->file, at,
-                         "the first line gives another unit of %s than '%s'; delete one of the two units",
+                         "the first line gives %s a unit other than '%s'; delete one of the two units",
                          c->name, shown);
     csv->unit[k] = q.value;
     return true;
@@ -102,7 +102,8 @@ static const char *name_split(const char *text, char name[NAMES_SHOWN])
     return unit;
 }
 
-/* Returns the index of the column of a kind that has this name, or kind->columns if there is none. */
+/* Returns the index in kind->column of the column with this name, or kind->columns if there is no such
+ * column. */
 static int column_find(const struct csv_kind *kind, const char *name)
 {
     int k = 0;

@@ -54,8 +54,8 @@ struct csv_kind {
         *items;
     const char *names;   /* for messages: a list of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind that a file may be, or NULL. The kinds are tried in turn, and the first kind whose
-     * required columns the file has is chosen. If there is none, this kind is chosen. */
+    /* Another kind to try, or NULL. A file gets the first kind all of whose required columns it has. If no
+     * kind fits, the file gets this kind, so that messages are about this kind. */
     const struct csv_kind *otherwise;
 };
 

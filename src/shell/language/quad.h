@@ -43,7 +43,7 @@ enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 #define quad_text(value, digits) quad_write(value, digits, (char[WIDE_TEXT]){""})
 
-/* The same for a growth, with more digits if a growth other than 1 would be rounded to 1. */
+/* Like quad_write, but for a growth, with more digits if a growth other than 1 would be rounded to 1. */
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 

@@ -42,9 +42,9 @@ static void emit_name(const struct completion *c, const char *name, const char *
 
 /* ---- Values ---- */
 
-/* Returns true if a name whose value has this unit may be the whole value of the argument. If the argument
- * has no unit, only the name of its parameter, and names that begin with this name and '_', may be the
- * value: for r, for example, r_max. */
+/* Returns true if a name whose value has this unit may be the whole value of the argument. For an argument
+ * without a unit, the name must be that of the argument's parameter, or must extend it by '_' and more
+ * letters, as r_max extends r. */
 static bool fits(const struct argument *a, const char *name, const char *unit)
 {
     struct quantity wanted = argument_unit(a);

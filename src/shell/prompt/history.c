@@ -147,7 +147,7 @@ static bool line_append(int file, off_t size, const char *text)
     char last = '\n', *line = NULL;
     if (size > 0)
         (void)!pread(file, &last, 1, size - 1);
-    /* If the last line has no line end, because a session was killed, a line end is written first. */
+    /* If a session was killed and left the last line without a newline, a newline is written first. */
     int length = asprintf(&line, "%s%s\n", last == '\n' ? "" : "\n", text);
     if (length < 0) {
         errno = ENOMEM;

@@ -15,7 +15,7 @@
 
 enum { HINT = 256, COLOURED_MOST = 2000 };
 
-#define SAVE_CURSOR    "\0337\033[?7l" /* This escape sequence also turns wrapping off. */
+#define SAVE_CURSOR    "\0337\033[?7l" /* also turns line wrapping off */
 #define TO_CURSOR      "\0338"
 #define RESTORE_CURSOR "\033[?7h" TO_CURSOR
 

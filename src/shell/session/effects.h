@@ -18,10 +18,10 @@ const char *effect_setting_write(const struct scene *scene, int name, char setti
 const char *effect_file(const struct scene *scene, int name);
 
 /*
- * Completes the list of values of an effect. `value` holds the `given` values that the user typed; the
- * first of them may be EFFECT_OFF or EFFECT_ON. Stores them in `all`, with the usual values for those that
- * were left out. Sets *problem and returns false if a missing value has no usual value, or if the effect is
- * turned off while another effect needs it.
+ * Completes the list of values of an effect. `value` holds the `given` values that the user typed; the first
+ * of them may be EFFECT_OFF or EFFECT_ON. Stores these values in `all`, with the usual values in place of
+ * those that the user left out. Sets *problem and returns false if a missing value has no usual value, or if
+ * the effect is turned off while another effect needs it.
  */
 bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);

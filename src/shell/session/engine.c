@@ -45,8 +45,8 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
     if (row->walls == 0 || d->height <= row->boxes_above ||
         domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    /* box.inertia is the ratio of the same moments about the lower edge. The parallel axis theorem converts
-     * it to the ratio about the centre. */
+    /* box.inertia is this ratio for the moments about the lower edge. The parallel axis theorem converts it
+     * to the ratio for the moments about the centre. */
     return 4 * (double)box.inertia - 3;
 }
 

@@ -49,7 +49,7 @@ const struct domq_effect error_effect_thickness = {
             "thickness, such as 0.01 or 1 %. Gaps and the density do not change, so a thicker domino is "
             "heavier. A thickness is never below 1/100 of its value without the error, nor below twice the "
             "thickness of the walls or twice the radius of the edges.",
-    SIZED("", "error of each thickness, as a fraction of it", 1, 0.01),
+    SIZED("", "error of each thickness, as a fraction of the thickness", 1, 0.01),
 };
 
 const struct domq_effect error_effect_mass = {
@@ -57,7 +57,7 @@ const struct domq_effect error_effect_mass = {
     .synonyms = "weight density",
     .adds = "random errors of the masses of dominoes",
     .help = "Each domino is heavier or lighter by a separate random error, given as a fraction of its mass.",
-    SIZED("", "error of each mass, as a fraction of it", 1, 0.05),
+    SIZED("", "error of each mass, as a fraction of the mass", 1, 0.05),
 };
 
 const struct domq_effect error_effect_lean = {
@@ -76,7 +76,7 @@ const struct domq_effect error_effect_radius = {
     .adds = "random errors of the radii of rounded edges",
     .help = "The radius of the edges of each domino has a separate random error, given as a fraction of the "
             "radius. A radius is at most half of the thickness.",
-    SIZED("", "error of each radius, as a fraction of it", 1, 0.1),
+    SIZED("", "error of each radius, as a fraction of the radius", 1, 0.1),
     .needs = NEEDS(DOM_EFFECT_edges),
 };
 

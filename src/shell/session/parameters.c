@@ -210,7 +210,7 @@ const char *parameter_word(const struct parameter *p, domq_real value)
 const char *parameter_range_write(const struct state *state, const struct parameter *p, int i,
                                   char text[PARAMETER_RANGE])
 {
-    int digits = p->value[i].whole ? 15 : 6; /* show every digit of a whole number */
+    int digits = p->value[i].whole ? 15 : 6; /* every digit of a whole number is shown */
     text[0] = '\0';
     if (!p->words_only)
         text_add(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
@@ -223,7 +223,7 @@ const char *parameter_range_write(const struct state *state, const struct parame
 const char *parameter_text(const struct parameter *p, domq_real value, int digits, char text[WIDE_TEXT])
 {
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
-    digits = p->value->whole && digits < 15 ? 15 : digits; /* show every digit of a whole number */
+    digits = p->value->whole && digits < 15 ? 15 : digits; /* every digit of a whole number is shown */
     return word                    ? word
            : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, text)
                                    : quad_write(value, digits < 15 ? digits : 15, text);
@@ -264,7 +264,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* equals ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* that is, ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

@@ -18,12 +18,13 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter that has the word as its first synonym, by which most people call the parameter. If
- * `any` is true and there is no such parameter, returns the one in whose list of synonyms the word comes
- * first. Returns NULL if there is none. */
+/* Returns the parameter whose first and most common synonym is the word. If there is no such parameter, and
+ * `any` is true, returns the parameter in whose list of synonyms the word comes earliest. Otherwise returns
+ * NULL. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests it. */
+/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests that
+ * name. */
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.

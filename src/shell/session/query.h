@@ -15,7 +15,7 @@ struct shard {
     size_t part, parts;
 };
 
-/* Under which circumstances a command runs. They do not change the numbers of its answer. */
+/* The circumstances in which a command runs, which do not change the numbers in its answer. */
 struct means {
     struct shard shard;
     bool safe;          /* commands may not touch files */
@@ -46,8 +46,8 @@ struct ans {
     struct quantity value;
 };
 
-/* How far the commands that step through the train's motion have come: at an event, or between two events of
- * a cycle. */
+/* How far the commands that step through the motion of the train have come. `theta` is the tilt that they
+ * have reached, at an event or between two events of a cycle. */
 struct walk {
     struct domq_train train; /* the train of the walk; when the scene's train changes, a new walk begins */
     struct domq_compute compute; /* the options of the walk, with a smaller tolerance than the session's */
@@ -70,8 +70,9 @@ struct query {
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* The options for the library's computations, which request error bounds if the settings do. Like the texts
- * of names_shown, those of the macro live until the end of the block that contains the call. */
+/* query_options returns the options for computations of the library, which request error bounds if the
+ * settings do. query_compute returns a pointer to these options, which live until the end of the block that
+ * contains the call. */
 static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;
@@ -80,7 +81,7 @@ static inline struct domq_compute query_options(const struct query *query)
 }
 #define query_compute(query) ((const struct domq_compute[]){query_options(query)})
 
-/* problem_status for the scene of a query. */
+/* Calls problem_status for the scene of a query. */
 static inline bool query_status(const struct query *query, struct problem *problem, enum dom_status status)
 {
     return problem_status(problem, query->scene, status);

@@ -9,13 +9,13 @@
 /*
  * Opens a csv file, and reads the first line of its table. Looks for the file first in the directory of the
  * running script, and then in the current directory. If `standard` is true, the name '-' means standard
- * input. Returns NULL with a problem.
+ * input. On failure, sets *problem and returns NULL.
  */
 struct csv_table *csv_named(const struct scene *scene, const struct means *means, const char *name,
                             bool standard, const struct csv_kind *kind, struct problem *problem);
 
-/* Closes a table. Returns true if the table was read without a problem. Otherwise copies its problem to
- * *problem and returns false. The table may be NULL, which also returns false. */
+/* Closes a table. Returns true if the table was read without a problem. Otherwise copies the problem of the
+ * table to *problem and returns false. If the table is NULL, only returns false. */
 bool csv_end(struct csv_table *csv, struct problem *problem);
 
 /*

@@ -67,7 +67,7 @@ void effects_apply(struct scene *scene)
     DOM_DYNAMICS(APPLY)
 #undef APPLY
     if (scene_boxes_above(scene) > 0)
-        scene->train.walls = 0; /* a train has no height at which its boxes could begin */
+        scene->train.walls = 0; /* an endless train has no height above which dominoes could be boxes */
 }
 
 void effects_reset(struct scene *scene)

@@ -51,7 +51,7 @@ struct listed_row {
 
 struct scene {
     struct domq_train train;
-    /* the options, except whether error bounds are computed, which query_compute adds */
+    /* the options of the library; query_options adds the one that requests error bounds */
     struct domq_compute compute;
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */

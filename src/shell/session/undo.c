@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* the maximum number of steps; the maximum number of dominoes and changed dominoes in all steps together */
+/* the maximum number of steps, and of dominoes and changed dominoes in all steps together */
 enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*

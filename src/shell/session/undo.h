@@ -12,9 +12,9 @@ struct undo;
  * command. Returns NULL if there is no memory; the command then cannot be undone. */
 struct state *undo_begin(const struct state *state);
 
-/* If a command has changed the state, adds a step to the history. `before` is the result of undo_begin before
- * the command, and this function takes ownership of it; `text` is the command. *undo is NULL for an empty
- * history. */
+/* If a command has changed the state, adds a step to the history. `before` is the copy that undo_begin made
+ * before the command, and this function takes ownership of the copy. `text` is the command. *undo is NULL for
+ * an empty history. */
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
