@@ -282,7 +282,7 @@ END
     one_line "'a.mov' is not the name of an animation: use the extension .gif, .webm or .mp4" "$record; animate a.mov"
     one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"
-    one_line "at most 3000 are drawn; 'speed" "$record; animate a.gif speed 0.01"
+    one_line "at most 3000 are drawn; enter 'speed" "$record; animate a.gif speed 0.01"
     one_line "'speed' and 'rate' are for rows; first enter 'effect row N'" 'animate a.gif speed 2'
     one_line "'quickly' is neither a value nor one of the words; usage: animate row.gif" "$record; animate a.gif quickly"
     same 'nothing is left' '(nothing)' "$(ls)"

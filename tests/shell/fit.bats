@@ -88,7 +88,7 @@ END
     printf 'domino, time (s)\n1, 0.2\n2, 0.1\n' >back.csv
     printf 'domino, place (m)\n1, 0.2\n2, 0.1\n' >timeless.csv
     printf 'time (s), angle\n0, 1\n1, 12\n' >angle.csv
-    wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: .fit ... FILE 240.'
+    wrong 'fit friction frames.csv' 'frames.csv:2:4: frames need a frame rate: enter .fit ... FILE 240.'
     wrong 'fit friction mixed.csv' 'mixed.csv:4:9: the lines of run 1 are interrupted by another run'
     wrong 'fit friction twice.csv' 'twice.csv:3:1: domino 2 comes after domino 2'
     wrong 'fit friction back.csv' 'back.csv:3:1: the time 0.1 s is not later than 0.2 s'

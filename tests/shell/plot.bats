@@ -206,7 +206,7 @@ END
 }
 
 @test "what cannot be plotted: an error in one line that says what to do, and no file" {
-    wrong 'plot energy rmax' "'plot energy' takes nothing after it"
+    wrong 'plot energy rmax' "'plot energy' takes no arguments"
     wrong 'plot growth pair' "unknown word after 'plot growth' 'pair'; use one of: paper"
     wrong 'plot cost' "needs the NAME of an answer: fuel, launch"
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
@@ -310,7 +310,7 @@ plot growth font 40 > a.svg|font is 40; it is 5 .. 30 points
 plot growth width|the value of 'width' is missing
 plot growth title "x|never closed
 plot growth paper paper|one argument too many
-plot fall 3|takes nothing after it
+plot fall 3|takes no arguments
 END
 }
 
@@ -337,7 +337,7 @@ plot growth xrange 5 6|no point of the chart is within its axes
 plot growth yscale up|use one of: linear, log
 plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the cells of a map are spaced like its grid
 plot growth legend right width 8 cm > a.svg|has no room for a legend at the right
-plot growth family "a,b" > a.svg|a family has letters, digits
+plot growth family "a,b" > a.svg|the name of a font family has letters, digits
 END
 }
 

@@ -198,7 +198,7 @@ static const struct column cost_columns[] = {
     {"error", "", "the relative error that was achieved, compared with the most accurate quad answer", 9},
     {"dominoes", "", "the largest number of dominoes in one pass along the train", 8},
     {"passes", "", "how many times the computation passes along the train", 9},
-    {"time", "us", "time of one answer, the shortest of several", 10},
+    {"time", "us", "time of one answer, the shortest of several measurements", 10},
     {"times", "", "time divided by the time of the cheapest answer", 9},
     {NULL, NULL, NULL, 0},
 };
@@ -315,8 +315,8 @@ const struct command cost_commands[] = {
      .summary = "how much time each digit of an answer costs",
      .help = "COMMAND is fuel, launch, barrier, duration, rmax or pair, with the parameters of the session. "
              "Each method computes the answer in each precision to more and more digits. The error is the "
-             "true one, which includes the rounding of the parameters. For rmax and pair, the table also has "
-             "lines for proofs, as 'prove' makes them.",
+             "true error, which includes the effect of rounding the parameters. For rmax and pair, the table "
+             "also has lines for proofs, as 'prove' makes them.",
      .see = "plot",
      .unswept = "it measures computing time, which other points running at the same time would distort",
      .rows = true,

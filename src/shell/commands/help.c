@@ -147,10 +147,11 @@ static void help_columns(FILE *out, const struct command *c)
     for (int k = 0; topic_at(k, &first) && first.command->columns != c->columns; k++)
         continue;
     if (first.command != c) {
-        fprintf(out, "\nIt answers as '%s' does; 'help %s' explains each number.\n", first.name, first.name);
+        fprintf(out, "\nIts answer has the columns of '%s'; 'help %s' explains them.\n", first.name,
+                first.name);
         return;
     }
-    fprintf(out, "\nIt answers%s:\n", c->rows ? " in rows of" : "");
+    fprintf(out, "\n%s:\n", c->rows ? "Each row of the answer has" : "The answer has");
     for (const struct column *k = c->columns; k->key; k++) {
         key = (int)strlen(k->key) > key ? (int)strlen(k->key) : key;
         unit = (int)strlen(k->unit) > unit ? (int)strlen(k->unit) : unit;

@@ -333,7 +333,7 @@ const struct command limit_commands[] = {
          "row ends, and 'push' is the weakest push with which the row would fall. 'goes_on' tells whether an "
          "endless train that is already moving keeps falling, and 'r_start' is the largest growth with which "
          "a row starts and keeps falling. The row has gaps of s heights, even if the session has another "
-         "row. If an effect is on that needs the rigid-body engine, the engine runs the row.",
+         "row. If an effect that needs the rigid-body engine is on, the engine runs the row.",
      .example = "count 112 m 2",
      .see = "rmax best",
      .echo = "r",

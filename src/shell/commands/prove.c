@@ -131,7 +131,7 @@ static const struct {
     [DOM_PROVED_GOES_ON] = {"goes on", "the train keeps falling: at no tilt of the cycle is the climb larger "
                                        "than its energy"},
     [DOM_PROVED_STOPS] = {"stops", "the train stops: at one tilt the climb is larger than its energy"},
-    [DOM_PROVED_NO_FUEL] = {"no fuel", "the train stops: a cycle sets no energy free"},
+    [DOM_PROVED_NO_FUEL] = {"no fuel", "the train stops: a cycle releases no energy"},
     [DOM_PROVED_OUT_OF_REACH] = {"out of reach", "r s > 1: the head falls past the next domino"},
     [DOM_PROVED_NOTHING] = {"not proved", NULL},
 };
@@ -156,7 +156,7 @@ static bool prove_cycle(const struct query *query, struct answer *a, struct prob
     prove_row(a, train.s, what, cell_proved(range.low, 0), cell_proved(range.high, 0),
               cycle_verdicts[proof.verdict].result, proof.work, gap_reason(proof.gap, reason));
     if (what == PROVE_BARRIER && isfinite(range.high))
-        answer_say(a, "Proved: the barrier is between these two, in m g h/2 of the head.");
+        answer_say(a, "Proved: the barrier is between these two bounds, in m g h/2 of the head.");
     say_cycle(query, a, &proof);
     return true;
 }

@@ -83,7 +83,7 @@ static bool run_record(struct session *session, const struct arguments *given, s
     enum output_kind kind = strcmp(a->command, "tee") == 0 ? OUTPUT_TEE : OUTPUT_LOG;
     struct output **before = output_find(&session->output, kind);
     if (session->output->path)
-        return problem_error(problem, "answers go to '%s' here; begin a record before",
+        return problem_error(problem, "answers go to '%s' here; begin the record before that",
                              names_shown(session->output->path));
     fflush(session->output->out);
     if (strcmp(path, "off") != 0)

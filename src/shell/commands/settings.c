@@ -91,7 +91,7 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
 }
 
 static const struct column step_columns[] = {
-    {"change", "", "the command whose change was undone or done again", 0},
+    {"change", "", "the command whose change was undone or redone", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -240,7 +240,7 @@ const struct command session_commands[] = {
      .act = run_undo},
     {.name = "redo",
      .synonyms = "again forward repeat",
-     .summary = "make the change again that undo has undone",
+     .summary = "redo the change that 'undo' has taken back",
      .example = "set s 0.3; undo; redo; print s",
      .see = "undo",
      .unswept = "it computes nothing",

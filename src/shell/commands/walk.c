@@ -148,7 +148,7 @@ static void say_launch(const struct place *p)
                    p->is_rounded ? "i(theta_i) " : "");
     if (p->is_rounded)
         answer_say(p->answer, "i(theta) is the inertia of a domino with rounded edges, about its line of "
-                              "contact with the floor, over that with sharp edges.");
+                              "contact with the floor, divided by its inertia with sharp edges.");
     if (impulses.bounded)
         answer_say(p->answer,
                    "The impulses from contact to contact down the train: %s%s %s s; all of them push (> 0).",

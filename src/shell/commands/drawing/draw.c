@@ -279,16 +279,16 @@ const struct command draw_commands[] = {
           {.name = "HOW", .kind = ARGUMENT_WORDS, .optional = true, .parse = film_parse, .bind = draw_bind}},
      .summary = "a film of the falling row or of the train, in FILE",
      .help =
-         "'animate row.gif' shows the row from the push until the last domino lies, or until the row stops, "
-         "with a clock: in real time, or faster if that would take more than 9 s. 'speed 0.5' shows it half "
-         "as fast as in real time, and 'rate 20' takes 20 frames for each second of the film. Where the "
+         "'animate row.gif' shows the row, with a clock, from the push until the last domino lies or the row "
+         "stops. The film runs in real time, or faster if it would take more than 9 s. 'speed 0.5' shows the "
+         "row half as fast as in real time, and 'rate 20' makes a film of 20 frames per second. Where the "
          "largest domino is more than 30 times as tall as the smallest, the view follows the front and grows "
          "with it. 'animate quiz.gif tower' after 'count 112 m' shows the row of that answer fall towards a "
-         "tower of 112 m. Without a row, or with 'animate train.gif train', the film "
-         "shows cycles of the endless train, and 'animate train.gif train 4' four of them. Each cycle lasts "
-         "sqrt(r) times as long as the one before, and is r times larger, so that at most 9 can be seen "
-         "together at r = 1.5. The name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is "
-         "installed. gnuplot draws the frames. csv and json have the times and tilts of the frames instead.",
+         "tower of 112 m. Without a row, or with 'animate train.gif train', the film shows cycles of the "
+         "endless train, and 'animate train.gif train 4' four of them. Each cycle lasts sqrt(r) times as "
+         "long as the one before, and is r times larger, so that at most 9 can be seen together at r = 1.5. "
+         "The name of the file ends in .gif, or in .webm or .mp4 if ffmpeg is installed. gnuplot draws the "
+         "frames. csv and json have the times and tilts of the frames instead.",
      .example = NULL,
      .see = "draw duration",
      .unswept = "it draws",

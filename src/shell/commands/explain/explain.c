@@ -222,7 +222,7 @@ const struct command explain_commands[] = {
          "decides the verdict. Where no equation in closed form exists, as with friction or rounded edges, "
          "or where a search finds a maximum, the derivation says so and ends. 'explain ... > lesson.pdf' "
          "writes the derivation for a lesson, typeset by pdflatex; '> lesson.tex' and '> lesson.md' write it "
-         "with formulas. json gives the tree: 'needs' names the quantities below each one.",
+         "with formulas. json gives the tree: 'needs' names the quantities from which each quantity comes.",
      .example = "explain theta1 0.2; explain barrier deep",
      .see = "why theta1 barrier launch recipe paper",
      .unswept = "it explains one train",
@@ -232,7 +232,7 @@ const struct command explain_commands[] = {
     {.name = "recipe",
      .synonyms = "paper method algorithm steps compare",
      .train = true,
-     .summary = "the paper's recipe for the largest growth, beside this program",
+     .summary = "the paper's recipe for the largest growth, compared with this program",
      .help = "The section 'A general domino train' ends with five steps 'to find the maximum r'. 'recipe' "
              "shows the number that each step gives at the session's s and r, computed as in the paper and "
              "by this program, and says where the two differ and why. With friction, a slope or rounded "
@@ -244,7 +244,7 @@ const struct command explain_commands[] = {
      ANSWER(recipe)},
     {.name = "paper",
      .synonyms = "figures table compare reproduce van Leeuwen magnification",
-     .summary = "all that the paper states or draws, recomputed with both fuels",
+     .summary = "the numbers and figures of the paper, recomputed with both fuels",
      .help = "A table with points of the paper's figures, its limits and its optimum, its printed relations "
              "and the quiz. Each is computed with the paper's closed form of the fuel and with the fuel from "
              "the balance of energy, and the table says why the two differ. It is about the paper's own "

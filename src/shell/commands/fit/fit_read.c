@@ -8,7 +8,7 @@
 #define TIME   "s", "s, ms", "s", "write a time such as 0.12 s"
 #define ANGLE  "rad", "deg, rad", "deg", "write an angle such as 12 deg"
 #define PLAIN  "", "none", "", "write a plain number"
-#define FRAMES "", "none", "", "write the frames in a second, such as 240"
+#define FRAMES "", "none", "", "write the number of frames per second, such as 240"
 
 #define GAP_COLUMN(traits)                                                                                   \
     {                                                                                                        \
@@ -140,10 +140,9 @@ static bool time_find(struct csv_table *csv, double rate, double *time)
         return csv_wrong(&csv->file, csv->head.at,
                          "there is neither a column 'time (s)' nor a column 'frame'");
     if (isnan(*time) && !isnan(frame) && isnan(rate))
-        return csv_wrong(
-            &csv->file, csv_cell(csv, FRAME).at,
-            "frames need a frame rate: 'fit ... FILE 240' for 240 frames in a second, or a column "
-            "'rate'");
+        return csv_wrong(&csv->file, csv_cell(csv, FRAME).at,
+                         "frames need a frame rate: enter 'fit ... FILE 240' for 240 frames per second, or "
+                         "add a column 'rate'");
     *time = isnan(*time) ? frame / rate : *time;
     return true;
 }

@@ -90,11 +90,11 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
                  safety.text, measured(d->needs, "", 4).text,
                  measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
-        snprintf(text, size,
-                 "infeasible: the start is too weak for safety %s at the next domino; it would need a push "
-                 "of %s at "
-                 "the top of domino 1, and one of more than %s throws it instead; enter a smaller safety",
-                 safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
+        snprintf(
+            text, size,
+            "infeasible: the start is too weak for safety %s at the next domino; it would need a push of %s "
+            "at the top of domino 1, but a push of more than %s throws this domino; enter a smaller safety",
+            safety.text, push_speed(wish, d->needs).text, push_speed(wish, push_most(wish)).text);
     } else if (d->limit == DOM_DESIGN_START && isfinite(d->needs)) {
         const struct measured push = measured(round_digits(d->needs, 3, true), "", 3);
         snprintf(
@@ -115,7 +115,7 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
         else
             snprintf(more, sizeof more, "another thickness may help");
         snprintf(text, size,
-                 "infeasible: rows with safety %s fall by the model, in which feet are hinges, but none that "
+                 "infeasible: rows with safety %s fall in the model, in which feet are hinges, but none that "
                  "was tried falls in the rigid-body engine, which runs rows because %s; %s",
                  safety.text, scene_engine_why(query->scene), more);
     } else {
@@ -203,7 +203,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
     if (isfinite(d->row))
         snprintf(least, sizeof least,
                  " Every domino after the first has at least %.0f %% of the energy that it needs%s.",
-                 floor(100 * (double)d->row), wish->engine ? ", by the model, in which feet are hinges" : "");
+                 floor(100 * (double)d->row),
+                 wish->engine ? ", according to the model, in which feet are hinges" : "");
     if (wish->engine)
         snprintf(engine, sizeof engine,
                  " All fall in the rigid-body engine, too, which runs rows because %s.",
@@ -299,7 +300,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
     if (answer_for_people(a))
         design_say(query, a, wish, d, plan);
     if (keeps)
-        answer_say(a, "\nThis is the session's row now, with its s and r: 'fall' runs it, 'row > hall.csv' "
+        answer_say(a, "\nThe session now has this row, with its s and r: 'fall' runs it, 'row > hall.csv' "
                       "writes it, 'effect row off' ends it.");
     return true;
 }

@@ -12,7 +12,7 @@ const struct column design_columns[] = {
     {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
     {"length", "m", "the length with the last domino fallen", 0},
     {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
-    {"surface", "m^2", "the surface of the walls of all dominoes, if q is 3", 0},
+    {"surface", "m^2", "the surface area of the walls of all dominoes, if q is 3", 0},
     {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
     {"weakest", "", "the weakest domino, which has this safety", 0},

@@ -180,7 +180,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
 static bool limits_unmet(const struct wishes *w, struct problem *problem)
 {
     return problem_no_answer(
-        problem, "no row within these limits was found that falls; enter other values of%s%s%s%s%s",
+        problem, "no row that falls was found within these limits; enter other values of%s%s%s%s%s",
         w->boards > 0 ? " 'boards'" : "", isfinite(w->mass) ? " 'mass'" : "", w->grid > 0 ? " 'grid'" : "",
         w->has_hall ? " 'hall'" : "", ", or leave some of them out");
 }

@@ -17,20 +17,19 @@ const struct command design_commands[] = {
      .summary = "a row whose last domino is H tall, with safety",
      .help =
          "'design' finds the gaps and the growth with which each domino has at least 'safety' times the "
-         "energy that it needs, both in the endless train and in the row, except for the first domino. "
-         "The first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in "
-         "any order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its "
-         "last domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', "
-         "'boards 9, 12, 15 mm' (the thicknesses to choose from), and 'grid 1 mm' for measures in whole mm; "
-         "the rounded row has the safety. The fewest dominoes weigh least. "
-         "'design 8 m falls 99 %' finds the fewest dominoes with which the row falls with this probability "
-         "under the random errors of the scene, such as 'effect placement 3 mm'. The lower end of the 95 % "
-         "interval counts. A table shows what fewer and more dominoes would give, and then the row is "
-         "improved as by 'improve sizes'. "
-         "If the rigid-body engine runs rows ('effect feet', "
-         "'effect bounce', 'set method engine'), all dominoes of the row also fall in the engine, while "
-         "'safety' is that of the model, in which feet are hinges. The session then has this row; "
-         "'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
+         "energy that it needs, both in the endless train and in the row, except for the first domino. The "
+         "first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in any "
+         "order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its last "
+         "domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', 'boards "
+         "9, 12, 15 mm' (the thicknesses to choose from), and 'grid 1 mm' for measures in whole mm; the row "
+         "still has the safety after rounding. The row with the fewest dominoes also has the least mass. "
+         "'design 8 m falls 99 %' finds the smallest number of dominoes with which the row falls with this "
+         "probability under the random errors of the scene, such as 'effect placement 3 mm'. The lower end "
+         "of the 95 % interval must reach this probability. A table shows what fewer and more dominoes would "
+         "give, and then the row is improved as by 'improve sizes'. If the rigid-body engine runs rows "
+         "('effect feet', 'effect bounce', 'set method engine'), all dominoes of the row also fall in the "
+         "engine, while 'safety' is that of the model, in which feet are hinges. The session then has this "
+         "row; 'design ... > hall.csv' writes a file for 'effect row hall.csv'.",
      .example = "set q hollow; effect friction 0.3; design 8 m",
      .see = "verdict fall row assert solve",
      .principal = "steps",
@@ -86,11 +85,11 @@ const struct command design_commands[] = {
            .parse = solve_parse_answer,
            .bind = solve_bind,
            .choices = question_names}},
-     .summary = "the values of a parameter with which ANSWER has a value",
+     .summary = "the values of a parameter at which ANSWER has a given value",
      .help = "The form is 'solve NAME : ANSWER = VALUE', as in 'solve d : rmax = 5/3'. 'solve' finds the "
-             "values of the parameter NAME with which ANSWER has this VALUE, and whether ANSWER rises or "
-             "falls there. ANSWER is a command, or an expression with commands as names: 'solve s : rmax(s) "
-             "- pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= "
+             "values of the parameter NAME at which ANSWER has this VALUE, and whether ANSWER rises or falls "
+             "there. ANSWER is a command, or an expression with commands as names: 'solve s : rmax(s) - "
+             "pair(s) = 0.1'. A range may follow the name: 'solve d 0.05 0.3 : rmax = 5/3'. Without '= "
              "VALUE', and with a command that 'assert' takes, 'solve' finds where the verdict of this "
              "command changes: 'solve friction : verdict'. The search tries 241 values and looks between "
              "them; it can miss a dip that is narrower than one step.",
@@ -108,7 +107,7 @@ const struct command design_commands[] = {
            .parse = watch_parse_answer,
            .bind = solve_bind,
            .choices = question_names}},
-     .summary = "change a parameter by keys, and see ANSWER move on a curve",
+     .summary = "change a parameter with keys, and see ANSWER move on a curve",
      .help = "For example 'watch s 0.1 0.9 : rmax'. The left and right arrows take large steps, and up and "
              "down take small ones. Enter keeps the value; q and ^C leave the parameter as it was.",
      .see = "solve sweep plot",
@@ -136,18 +135,18 @@ const struct command design_commands[] = {
                   {.name = "FILE", .kind = ARGUMENT_FILE},
                   {.name = "FPS", .kind = ARGUMENT_NUMBER, .optional = true}},
      .summary = "the parameters that explain measurements best",
-     .help =
-         "NAME is a parameter or an effect, or up to four of them with commas between them, as in 'friction, "
-         "push'. FILE is a csv file of one of three kinds. With the columns 'domino' and 'time (s)' (or "
-         "'frame'), it says when each domino of the row is hit, as a camera shows it. With the columns 'time "
-         "(s)' (or 'frame') and 'angle (deg)', it says how domino 1 turns, or the one in the column "
-         "'domino'. With the columns 'gap (mm)' and 'speed (m/s)', each line has the speed of one row of "
-         "equal dominoes. FPS is the number of frames in a second; a column 'rate' can give it instead. A "
-         "column 'run' numbers several runs, each with its own clock; a column 'gap (mm)' gives the gap of "
-         "each run; a column 'error' gives standard errors. The dominoes are those of 'effect row', or else "
-         "all have the growth r. 'fit' finds the values with the least sum of squared residuals, each "
-         "divided by its error, and their standard deviations and correlations. 'plot fit ...' and 'fit ... "
-         "> fit.svg' (or .png, .pdf) draw the measurements against the values that the model gives.",
+     .help = "NAME is a parameter or an effect, or up to four of them with commas between them, as in "
+             "'friction, push'. FILE is a csv file of one of three kinds. With the columns 'domino' and "
+             "'time (s)' (or 'frame'), it says when each domino of the row is hit, as a camera shows it. "
+             "With the columns 'time (s)' (or 'frame') and 'angle (deg)', it says how domino 1 turns, or the "
+             "domino whose number is in the column 'domino'. With the columns 'gap (mm)' and 'speed (m/s)', "
+             "each line has the speed of one row of equal dominoes. FPS is the number of frames per second; "
+             "a column 'rate' can give it instead. A column 'run' numbers several runs, each with its own "
+             "clock; a column 'gap (mm)' gives the gap of each run; a column 'error' gives standard errors. "
+             "The dominoes are those of 'effect row', or else all have the growth r. 'fit' finds the values "
+             "with the least sum of squared residuals, each divided by its error, and their standard "
+             "deviations and correlations. 'plot fit ...' and 'fit ... > fit.svg' (or .png, .pdf) draw the "
+             "measurements against the values that the model gives.",
      .see = "plot solve duration fall sensitivity",
      .files = true,
      .rows = true,

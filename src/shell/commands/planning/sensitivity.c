@@ -8,7 +8,7 @@
 
 const struct column sensitivity_columns[] = {
     {"parameter", "", "the parameter that is changed", 9},
-    {"value", "", "the present value of the parameter, or 0 for an effect that is off", 0},
+    {"value", "", "the current value of the parameter, or 0 for an effect that is off", 0},
     {"step", "", "by how much the parameter is changed", 8},
     {"less", "share", "change of the answer when the value is smaller", 0},
     {"more", "share", "change of the answer when the value is larger", 0},

@@ -148,7 +148,7 @@ struct plot_given {
 static bool argument_parse(struct reader *r, const struct plot *plot, struct question *q)
 {
     if (!plot->argument)
-        return problem_error(r->problem, "'plot %s' takes nothing after it", plot->name);
+        return problem_error(r->problem, "'plot %s' takes no arguments", plot->name);
     switch (plot->argument->kind) {
     case ARGUMENT_GRID:
         return sweep_parse_grid(r, q) && sweep_parse_answers(r, q);

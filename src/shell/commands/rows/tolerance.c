@@ -29,7 +29,7 @@ const struct column tolerance_columns[] = {
     {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
     {"friction_high", "", "the largest such friction; the search ends at 2, or at 4 times the friction now",
      8},
-    {"first", "", "'place' or 'height' if that of this domino has the least room of all, or 'both'", 6},
+    {"first", "", "what has the least room of all at this domino: 'place', 'height' or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -229,13 +229,13 @@ static void heights_say(struct answer *a, const struct windows *w)
         passing += !w->scene->row.engine && (h->below == DOM_ROW_PASSES || h->above == DOM_ROW_PASSES);
     }
     if (open > 0)
-        answer_say(a, "%zu window%s of heights end%s at 4 times the height: taller ones are not tried.", open,
-                   open == 1 ? "" : "s", open == 1 ? "s" : "");
+        answer_say(a, "%zu window%s of heights end%s at 4 times the height: taller dominoes are not tried.",
+                   open, open == 1 ? "" : "s", open == 1 ? "s" : "");
     if (passing > 0)
         answer_say(a,
                    "%zu window%s of heights end%s where the upper edge of a domino would pass above the next "
                    "domino, so that its face would strike that domino. The model does not include this "
-                   "contact, so the row may fall beyond; 'set method engine' includes it.",
+                   "contact, so the row may also fall with taller dominoes; 'set method engine' includes it.",
                    passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
