@@ -40,6 +40,10 @@ static real probe_place(const struct margin_context *c, int k)
  */
 #define PROBE_SAFETY 3
 
+/* The relative tolerance of samples is at most this. The errors of coarser samples would look like bends of the
+ * margin, and every interval would be bisected down to the smallest width. */
+#define PROBE_TOL ((real)1e-3)
+
 struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
@@ -139,7 +143,10 @@ KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge 
     struct probe p = {
         .c = c, .positive = margin_value(&from->margin) >= 0, .root = (real)INFINITY, .after = *from};
     struct edge hi;
+    const real tol = c->geometry.tol;
+    c->geometry.tol = fmin(tol, PROBE_TOL);
     enum dom_status status = from->r < c->geometry.span / c->s ? probe_from(&p, from, from, 0, &hi) : DOM_OK;
+    c->geometry.tol = tol;
     *found = isfinite(p.root);
     *change = (struct edge){p.root, p.after.margin};
     return status;
