@@ -106,27 +106,31 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
                                         enum dom_end *ends)
 {
     const real reach = 1 / c->s;
-    struct edge lo = *from; /* the margin is positive up to this growth */
-    bool found = false;
+    struct edge lo = *from, below; /* the margin is positive up to lo, and negative at `below` */
+    bool found = false, bracketed = false;
     enum dom_status status = foresee_root(c, &lo, r, &found);
     *ends = found && *r == reach ? DOM_END_REACH : DOM_END_BARRIER;
     if (status != DOM_OK || found)
         return status;
     real step = scan_ahead(c, &lo); /* in ln r */
     for (int strips = 1; lo.r < reach; strips++) {
-        const real left = log(reach / lo.r), finest = scan_finest(c, strips);
+        const real left = log((bracketed ? below.r : reach) / lo.r), finest = scan_finest(c, strips);
+        if (bracketed && left <= fmax(SCAN_CLOSE, finest))
+            return scan_root(c, &lo, &below, r);
         step = fmax(step, finest);
-        const bool last = step >= left * (real)0.8;
-        struct edge hi = {.r = last ? reach : lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
-        step = last ? left : step;
+        step = bracketed ? fmin(step, left / 2) : step >= left * (real)0.8 ? left : step;
+        struct edge hi = {.r = step == left ? reach : lo.r * exp(step), .margin = {.kinetic = REAL_NAN}};
         enum known known = KNOWN_NOTHING;
         status = scan_strip(c, &lo, &hi, &known);
-        const bool below = known != KNOWN_POSITIVE && margin_value(&hi.margin) < 0;
         if (status != DOM_OK && !(status == DOM_UNDERFLOW && step > finest))
             return status;
-        if (known == KNOWN_TO_FALL || (below && step <= fmax(SCAN_CLOSE, finest)))
+        if (known == KNOWN_TO_FALL)
             return scan_root(c, &lo, &hi, r);
-        if (known == KNOWN_POSITIVE || (step <= finest && !below)) {
+        const bool falls = status == DOM_OK && known == KNOWN_NOTHING && margin_value(&hi.margin) < 0;
+        if (falls) {
+            below = hi;
+            bracketed = true;
+        } else if (known == KNOWN_POSITIVE || step <= finest) {
             lo = hi;
             step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
         } else { /* for a shorter strip the bounds may suffice, or the numbers may not underflow */
