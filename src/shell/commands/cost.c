@@ -67,8 +67,8 @@ static enum dom_status compute_answer(int which, const struct domq_train *train,
 
 double seconds_of(bool (*answer)(void *context), void *context)
 {
-    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. No other batch
-     * follows a batch longer than `slow` seconds. */
+    /* A batch shorter than `shortest` seconds is too short for the clock and is discarded. A batch longer
+     * than `slow` seconds is the last one. */
     const double shortest = 2e-4, slow = 0.1;
     const int batches = 7;
     double least = HUGE_VAL;
@@ -221,10 +221,10 @@ static void cost_line(struct answer *a, const struct cost *cost, const struct co
 }
 
 /*
- * If the measured quantity is r_max, of a train or of two dominoes, adds rows for the time that a proof of it
- * takes. The error in such a row is half of the distance between the two proved bounds, divided by the lower
- * one. Each proof takes long and is timed only once. Returns the time in seconds of the proof to 1e-12, or
- * NaN if there is no such proof.
+ * If the measured quantity is r_max, of a train or of two dominoes, adds rows for the time that its proofs
+ * take. The error in such a row is half of the distance between the two proved bounds, divided by the lower
+ * bound. Each proof takes long and is timed only once. Returns the time in seconds that the proof to within
+ * 1e-12 takes, or NaN if there is no such proof.
  */
 static double cost_proved(const struct query *query, struct answer *a, const struct cost *cost, int which)
 {
@@ -269,8 +269,8 @@ static void times_say(struct answer *a, const char *what, double seconds, double
         answer_say(a, "%s %s times %s.", what, measured((domq_real)(seconds / others), "", 3).text, than);
 }
 
-/* Prints sentences that compare the times for 3, 6 and 12 correct digits. The digits of
- * a measurement are those of the error that it achieved, not of its tolerance. */
+/* Prints sentences that compare the times for 3, 6 and 12 correct digits. A measurement has as many correct
+ * digits as the error that it achieved shows, whatever its tolerance was. */
 static void cost_say(struct answer *a, const struct cost *cost, int which, double proved)
 {
     double few = seconds_for(cost, DOM_METHOD_OURS, DOM_DOUBLE, 1e-3);

@@ -49,7 +49,7 @@ static enum dom_status count_feasible(const struct domq_train *train, const stru
 struct tower {
     struct domq_limit limit; /* the largest growth of the endless train */
     const char *stops;       /* why the endless train stops, or NULL */
-    struct start start;      /* how the row starts; it includes the domino to topple */
+    struct start start;      /* how the row, including the domino to topple, starts */
     struct start_growths growths;
     bool falls; /* The row falls. */
 };
@@ -107,8 +107,8 @@ static void kind_say(const struct query *query, struct answer *a, domq_real q, d
                (double)t->limit.r_max, enough_words(query, height, t->limit.r_max).text, starts);
 }
 
-/* Calls kind_say for each kind of domino that has a name. `session_tower` is the result for the kind of the
- * session. If this kind has no name, calls kind_say for it, too. */
+/* Calls kind_say for each kind of domino that has a name, and for the kind of the session even if that kind
+ * has no name. `session_tower` is the result for the kind of the session. */
 static bool kinds_say(const struct query *query, struct answer *a, struct problem *problem,
                       const struct domq_train *train, domq_real height, domq_real dominoes,
                       const struct tower *session_tower)
@@ -146,7 +146,7 @@ static struct words ordinal(domq_real n)
     return words;
 }
 
-/* Prints the answer for people, in three lines. */
+/* Prints the answer for people. */
 static void count_say(struct answer *a, const struct domq_train *train, const struct domq_count *count,
                       const struct tower *t, domq_real height, domq_real first)
 {
@@ -183,7 +183,7 @@ static void start_say(const struct query *query, struct answer *a, const struct 
     answer_say(a, "%s", "");
 }
 
-/* Writes why the row does not topple a domino of this height. Returns NULL if the row does, or if the
+/* Writes why the row does not topple a domino of this height. Returns NULL if the row topples it, or if the
  * sentences for people have already given the reason. */
 static const char *count_reason(const struct query *query, const struct answer *a, domq_real dominoes,
                                 const struct tower *t, const struct domq_train *train,

@@ -137,7 +137,7 @@ static bool run_fuel(const struct query *query, struct answer *a, struct problem
     return answer_row(a, ROW(used, exact, paper), used.number > 0 ? NULL : no_fuel(query));
 }
 
-/* Writes the reason for a train that stops, with the tilt at which it stops if this tilt is known. */
+/* Writes why the train stops, with the tilt at which it stops if this tilt is known. */
 static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 {
     struct domq_value stop;
@@ -154,9 +154,10 @@ static void stop_reason(const struct query *query, char reason[ANSWER_REASON])
 }
 
 /*
- * Decides whether a command can print an answer after a computation that ended with `status`. If so, returns
- * true. It then sets *why to the reason why numbers are missing from the answer, which may be stored in the
- * buffer `reason`, or to NULL if the cycle is complete. Otherwise sets *problem and returns false.
+ * Decides whether a command can print an answer after a computation that ended with `status`. If it cannot,
+ * sets *problem and returns false. If it can, returns true, and sets *why to NULL if the cycle is complete,
+ * or else to the reason why numbers are missing from the answer. This reason may be stored in the buffer
+ * `reason`.
  */
 static bool missing_explain(const struct query *query, enum dom_status status, struct problem *problem,
                             char reason[ANSWER_REASON], const char **why)

@@ -36,9 +36,8 @@ static enum dom_status scene_answer(const struct scene *scene, const struct scen
     return status == DOM_STOPS || status == DOM_NO_FUEL || status == DOM_LOCKS ? DOM_OK : status;
 }
 
-/* Counts the work of one answer of the scene without random errors, because the work of random rows is not
- * counted. If `random` is true, adds the work of one random row. On failure, sets *problem and returns
- * false. */
+/* Counts the work of one answer of the scene with all random errors turned off. If `random` is true, adds the
+ * work of one random row. On failure, sets *problem and returns false. */
 static bool scene_work(const struct query *query, struct problem *problem, bool random, struct dom_work *work,
                        size_t *dominoes)
 {
@@ -152,7 +151,7 @@ static bool run_effects(const struct query *query, struct answer *a, struct prob
     struct domq_error error[DOM_ERROR_COUNT];
     if (!scene_work(query, problem, scene_errors(query->scene, error), &work, &dominoes))
         return false;
-    answer_leave_out(a, "adds source"); /* for people, effects_say prints these two columns below the table */
+    answer_leave_out(a, "adds source"); /* for people, effects_say prints them below the table */
     for (int k = 0; k < EFFECT_ENGINE_END; k++)
         column_fit(&a->copy[1], effect_setting(query->scene, k));
     for (int k = 0; k < EFFECT_ENGINE_END && !answer_lost(a); k++) {
@@ -190,8 +189,7 @@ static void part_row(struct answer *a, const char *part, const char *solved, siz
                  cell_word(why), cell_word(solved));
 }
 
-/* Adds a row for each part of the computation of a train or a row. n is the largest number of dominoes in a
- * sum. */
+/* Adds a row for each part of the computation of a train or a row. The longest sum is over n dominoes. */
 static void parts_list(const struct query *query, struct answer *a, size_t n)
 {
     const struct scene *scene = query->scene;

@@ -214,7 +214,7 @@ struct curve {
     struct domq_train train;
     struct domq_compute compute;
     struct answer answer;
-    bool has_missing;       /* no growth was possible at one of the points */
+    bool has_missing;       /* no growth was possible at one point or more */
     enum dom_status status; /* status of the last point */
 };
 

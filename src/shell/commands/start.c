@@ -31,7 +31,8 @@ static struct scene start_scene(const struct query *query, const struct domq_tra
 }
 
 /* If the status says that the size or the mass of a domino is out of the range of the precision, makes the
- * row shorter, and returns true. Such a domino is so far from the start that it does not matter. */
+ * row shorter, and returns true. A domino of such a size or mass is so far from the start that it does not
+ * matter. */
 static bool row_shorten(struct domq_row *row, enum dom_status status)
 {
     const bool shorter = status >= DOM_BAD_COUNT && status <= DOM_BAD_MASS && row->count > 2;

@@ -36,8 +36,8 @@ bool start_growths_find(const struct query *query, const struct domq_train *trai
 /* Returns "with a first domino that just tips over", or "with a push of 3 rad/s". */
 struct words start_words(const struct query *query);
 
-/* Writes why a row does not fall: "with a push of 3 rad/s it ends at domino 2: its energy is not enough to
- * tip it over; a push of 6.8 rad/s is enough". */
+/* Writes why a row does not fall, for example "with a push of 3 rad/s it ends at domino 2: its energy is not
+ * enough to tip it over; a push of 6.8 rad/s is enough". */
 enum { START_TEXT = 400 };
 const char *start_problem(const struct query *query, const struct start *start, char text[START_TEXT]);
 

@@ -179,8 +179,8 @@ static bool walk_answer(const struct query *query, struct answer *a, struct prob
 
 /* ---- Moving ---- */
 
-/* Moves to the next event, or to the last one before the current position, which may be in another cycle.
- * Returns false if there is none. */
+/* Moves to the next event or, if `forward` is false, to the last event before the current position. The event
+ * may be in another cycle. Returns false if there is no such event. */
 static bool walk_step(struct walk *w, bool forward)
 {
     const bool is_between = w->theta > w->events[w->event].theta;

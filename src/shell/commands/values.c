@@ -93,7 +93,7 @@ bool conversion_bind(const struct question *question, const struct query *query,
     return quantity_alike(*q, c->unit) ||
            problem_error(problem, "the value is %s, and '%s' is %s%s%s%s", expression_kind(*q), c->name,
                          quantity_bare(c->unit)       ? "for a plain number"
-                         : strncmp(of, "in ", 3) == 0 ? "" /* such as "in m s^-1" */
+                         : strncmp(of, "in ", 3) == 0 ? "" /* `of` is a phrase such as "in m s^-1" */
                                                       : "a unit of ",
                          quantity_bare(c->unit) ? "" : of, *units ? "; its units:" : "", units);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command animate, which makes a film of the row as it falls, with a clock, or of several cycles of the
+/* The command animate, which makes a film of the falling row with a clock, or a film of several cycles of the
  * train, each r times larger than the one before. */
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
@@ -25,7 +25,7 @@ bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct f
 enum { FRAMES_MOST = 3000 };
 /* The view follows the front if the largest domino is more than this many times as tall as the smallest. */
 #define FOLLOWED 30
-#define HELD     1 /* seconds for which the last frame is shown */
+#define HELD     1 /* time for which the last frame is shown, in s */
 /* Longest playing time of the motion, in s; a longer motion is shown faster, unless the user gives the
  * speed. */
 #define SHORTEST 9
@@ -34,7 +34,7 @@ struct row_film {
     struct film film;
     struct falling_row row;
     domq_real *time; /* time of each frame, in s */
-    domq_real speed; /* seconds of the row in one second of the film */
+    domq_real speed; /* seconds of the fall that are shown in one second of the film */
     bool follows;
     size_t towers; /* 1 if a tower stands behind the row, and 0 otherwise */
 };
@@ -177,8 +177,8 @@ bool run_animate(const struct query *query, struct answer *a, struct problem *pr
     if (!film.answer && !movie_named(query->given->word[0], problem))
         return false;
     if (row || what->train || what->tower)
-        /* There is no note that the answer is about the train: it would be wrong for a row, and the user
-         * who typed 'train' does not need it. */
+        /* Leave out the note that the answer is about the train. For a row the note would be wrong, and a
+         * user who typed 'train' does not need it. */
         a->note = NULL;
     a->style.errors = 0; /* a picture shows no error bounds */
     if (what->tower) {

@@ -10,10 +10,10 @@ enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 /* The largest domino of a film is at most this many times as tall as the first head. Otherwise the first
  * head would look like a dot. */
 #define GROWN_MOST 40
-#define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than an eye can see */
+#define FILM_TOL   ((domq_real)1 / 1000000000) /* finer than the eye can see */
 
 /* A film of several cycles of the train. Lengths are in units of the height of the first head, and times in
- * units of its tau. */
+ * units of tau of that head. */
 struct train_film {
     struct film film;
     struct domq_train train;

@@ -95,7 +95,8 @@ static bool moment_time(struct problem *problem, const struct draw_what *what, c
     if (*time < 0 && !row_run_tipped(&row->run, 0))
         return problem_no_answer(problem,
                                  "the clock starts at 0 s, with the push; 'draw at 0' shows that moment");
-    /* The user may have copied the end of the motion from an answer that was rounded up to a few digits. */
+    /* The user may have copied the end of the motion from an answer that was rounded up, so a slightly later
+     * time is accepted, too. */
     return what->end || !((double)*time > row->end * 1.005) ||
            problem_no_answer(problem, "the motion ends at %s; 'draw at end' shows that",
                              measured((domq_real)row->end, "s", 4).text);
@@ -201,13 +202,12 @@ static bool draw_train(const struct query *query, struct answer *a, struct probl
     const struct domq_train *train = &query->scene->train;
     domq_real theta = walk ? walk->theta : what->value[DRAW_TILT];
     if (what->train)
-        a->note = NULL; /* no note that the picture shows the train, because the user asked for the train */
+        a->note = NULL; /* the user asked for the train, so no note has to say that the picture shows it */
     if (!walk && !train_comes_to(query, problem, theta))
         return false;
     bool people = answer_for_people(a), good = false;
     enum dom_status forces = DOM_OK, status = stage_train(&stage, train, compute, theta, 0);
-    /* Data for programs includes the forces whenever they can be computed. They cannot if the margin is too
-     * small. */
+    /* Output for programs always includes the forces, unless the margin is too small to compute them. */
     if (status == DOM_OK && (what->forces || !people))
         forces = stage_forces(&stage, train, compute, theta);
     if (status == DOM_OK && what->forces)

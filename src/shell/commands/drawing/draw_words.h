@@ -7,9 +7,9 @@
 
 enum draw_value {
     DRAW_TIME,   /* the time at which to show the row, in s */
-    DRAW_DOMINO, /* the domino that is hit when the row is shown; its number is not checked here */
+    DRAW_DOMINO, /* number of the domino that is hit at the moment to show; may be out of range */
     DRAW_TILT,   /* the tilt of the head at which to show the train */
-    DRAW_CYCLES, /* the number of cycles of the train; not checked here */
+    DRAW_CYCLES, /* number of cycles of the train; may be out of range */
     DRAW_SPEED,  /* the speed of the film, where 1 is real time */
     DRAW_RATE,   /* frames per second of playing time */
     DRAW_VALUES
@@ -21,7 +21,7 @@ struct draw_what {
     bool forces, end;      /* the user typed 'forces', or 'at end' */
     bool has[DRAW_VALUES]; /* whether the user gave each of the values */
     domq_real value[DRAW_VALUES];
-    int column; /* for messages: where the moment or the number of cycles begins in the line */
+    int column; /* column of the line where the moment or the number of cycles begins, for messages */
 };
 
 /* Returns the arguments of 'draw' or 'animate', with defaults for those that were not given. */

@@ -55,7 +55,8 @@ static void plan_free(struct plan *p)
     falling_row_free(&p->row);
 }
 
-/* Computes everything that the guide shows. Returns false with a problem; nothing needs to be freed then. */
+/* Computes everything that the guide shows. If this fails, sets *problem and returns false; nothing needs to
+ * be freed then. */
 static bool plan_make(const struct query *query, const struct answer *a, struct problem *problem,
                       struct plan *p)
 {

@@ -16,7 +16,8 @@ const struct domq_window *plan_window(const struct plan *p, enum dom_window_of k
 
 /* ---- Texts ---- */
 
-/* Writes a length in mm. If `round` is -1 or 1, the length is rounded down or up to a multiple of 0.1 mm. */
+/* Writes a length in mm with one decimal. The length is rounded down if `round` is -1, up if it is 1, and to
+ * the nearest 0.1 mm if it is 0. */
 static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
 {
     double tenths = 10000 * (double)metres;
@@ -25,8 +26,8 @@ static void mm(char cell[GUIDE_CELL], domq_real metres, int round)
         snprintf(cell, GUIDE_CELL, "%.1f", tenths / 10);
 }
 
-/* Writes a value and the two ends of its window into three cells, and makes them bold if this window has the
- * least room of all. */
+/* Writes a value and the two ends of its window into three cells, and makes the cells bold if this window has
+ * the least room of all. */
 static void window_put(struct guide_line *line, int at, const struct plan *p, enum dom_window_of kind,
                        size_t k, domq_real now)
 {

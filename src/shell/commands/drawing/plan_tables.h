@@ -11,8 +11,8 @@
 struct plan {
     struct falling_row row;
     struct windows windows;
-    double *back;           /* the back edges of the dominoes on the tape, in m */
-    bool is_thin;           /* the dominoes are hollow, with walls of no known thickness */
+    double *back;           /* where the back edges of the dominoes are on the tape measure, in m */
+    bool is_thin;           /* the dominoes are hollow, and the thickness of their walls is not known */
     const domq_real *width; /* the widths in m, or NULL if they are half the heights */
     struct domq_study study;
     struct domq_error error[DOM_ERROR_COUNT];
@@ -24,7 +24,7 @@ struct plan {
 domq_real plan_width(const struct plan *plan, size_t k);
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
-/* Add a table to the guide of a plan. Return false if there is no memory. */
+/* Each of these functions adds a table to the guide of a plan, and returns false if there is no memory. */
 bool plan_tape_table(struct plan *plan);
 bool plan_size_table(struct plan *plan, bool has_masses);
 bool plan_board_table(struct plan *plan);

@@ -13,9 +13,9 @@
 #define ZOOM_WIDE  0.36 /* largest width of the larger copy, as a fraction of the width of the picture */
 #define ZOOM_HIGH  0.4
 #define ZOOM_ABOVE 0.52 /* height at which the copy stands, as a fraction of the tower's height */
-/* The distance between the tower and the last domino in a film, in heights of that domino. */
+/* The distance between the tower and the last domino in a film, in units of that domino's height. */
 #define BEYOND     1.1
-#define ZOOM_LEAST 2 /* a copy that is less than this many times larger is not drawn */
+#define ZOOM_LEAST 2 /* a copy that would be enlarged by less than this factor is not drawn */
 
 bool tower_query(const struct query *query, struct state *state, struct query *changed, double *height,
                  struct problem *problem)

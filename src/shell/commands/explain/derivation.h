@@ -10,7 +10,7 @@
 #include "interpreter/symbols.h"
 #include "language/formula.h"
 
-/* Properties of a train that decide which equations hold for it, as bits. */
+/* Bits for the properties of a train that decide which equations hold for it. */
 enum {
     HAS_SLOPE = 1,
     HAS_FRICTION = 2,
@@ -19,15 +19,15 @@ enum {
     HAS_PAPER = 16,    /* the fuel is computed by the paper's closed form */
     HAS_DETACHED = 32, /* followers detach */
     HAS_REACH = 64,    /* the reach 1/s limits the largest growth */
-    HAS_LEFT = 128,    /* at the tilt of the question, the follower of the head has detached */
+    HAS_LEFT = 128,    /* at the tilt that the user asked about, the head's follower has detached */
 };
 
-/* If a quantity is a sum over all dominoes i, its equation gives the term of one domino, and this is the
- * tilt of the head for which the sum is taken. */
+/* Some quantities are sums over all dominoes i. The equation of such a quantity gives the term of one domino,
+ * and enum sum tells at which tilt of the head the sum is taken. */
 enum sum {
     SUM_NONE,
     SUM_LAUNCH, /* the tilt 0 */
-    SUM_TILT,   /* the tilt theta of the question */
+    SUM_TILT,   /* the tilt theta that the user asked about */
     SUM_TOP,    /* the tilt theta_m, where the train is highest */
 };
 
@@ -41,16 +41,17 @@ struct symbol_names {
 struct derived {
     struct symbol_names names;
     unsigned with; /* conditions, as bits */
-    unsigned ends; /* conditions, as bits: with any of them no equation exists, and the derivation ends */
+    unsigned ends; /* conditions: if any of them holds, there is no equation, and the derivation ends */
     enum sum sum;
-    const char *equation; /* NULL where no equation in closed form exists, so that the derivation ends */
-    /* Where the number comes from: an expression that computes it with the library, in which '@' stands for
-     * the value in the question; '$' and the name of a parameter or effect; or '#' and the name of a member
-     * of struct domq_fall. NULL for a number that differs from term to term of a sum. */
+    const char *equation; /* NULL if there is no equation in closed form; the derivation ends here */
+    /* Where the number comes from: '$' followed by the name of a parameter or effect, '#' followed by the
+     * name of a member of struct domq_fall, or an expression that computes the number with the library. In
+     * the expression, '@' stands for the value that the user typed after the question. NULL if the number
+     * differs from term to term of a sum. */
     const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
-    const char *words;  /* what the quantity is; where the derivation ends, also why */
+    const char *words;  /* what the quantity is and, if the derivation ends here, why it ends */
     bool is_given;      /* the number is given rather than derived */
 };
 extern const struct derived derived_list[];
@@ -58,7 +59,7 @@ extern const struct derived derived_list[];
 /* A question, and the quantities that answer it. */
 struct explained {
     const char *name;
-    const char *value; /* what the value after the question is: "theta", "s" or "H"; NULL if there is none */
+    const char *value; /* which value follows the question, "theta", "s" or "H"; NULL if none does */
     const char *roots; /* names of quantities, with blanks between them */
 };
 extern const struct explained explained_list[];
@@ -82,7 +83,7 @@ struct step {
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    int depth; /* 0 for an answer to the question */
+    int depth; /* 0 for a quantity that answers the question */
 };
 
 struct derivation {
@@ -93,11 +94,11 @@ struct derivation {
     struct arena arena;
     unsigned has; /* the conditions that the train fulfils */
     domq_real theta, height;
-    const struct domq_fall *fall; /* the domino of a row to explain, or NULL */
+    const struct domq_fall *fall; /* the domino of a row that is to be explained, or NULL */
     const char *energy_unit;      /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
-    /* The tilts of the dominoes and their slopes: at launch, and at the head's tilt of the current sum. */
+    /* The tilts and slopes of the dominoes at launch, and at the head's tilt for the current sum. */
     struct chain {
         struct domq_link *link;
         size_t count, room;

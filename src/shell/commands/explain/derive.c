@@ -22,7 +22,7 @@ static void fill_in(const char *text, domq_real number, char *filled, size_t siz
             text_add(filled, size, "%c", *text);
 }
 
-/* Returns the quantity of a hit that has this name, such as "margin". */
+/* Returns the quantity with this name, such as "margin", of one hit. */
 static domq_real fall_value(const struct domq_fall *fall, const char *name)
 {
     return strcmp(name, "margin") == 0    ? fall->margin
@@ -171,7 +171,8 @@ static bool names_add(struct derivation *d, struct step *s, struct tree *t)
     return true;
 }
 
-/* Returns what the quantity is in words and, if its equation does not hold for this train, why. */
+/* Returns a description of the quantity. If the equation of the quantity does not hold for this train, the
+ * description also says why. */
 static const char *words_of(struct derivation *d, const struct derived *q)
 {
     const unsigned ends = q->ends & d->has;
@@ -185,7 +186,8 @@ static const char *words_of(struct derivation *d, const struct derived *q)
     return ends ? arena_text(&d->arena, words, (size_t)n) : q->words;
 }
 
-/* Adds a step for the quantity with this name, without its value. Returns NULL with a problem. */
+/* Adds a step for the quantity with this name, without its value. On failure, sets d->problem and returns
+ * NULL. */
 static struct step *step_begin(struct derivation *d, const char *name, int depth)
 {
     const struct derived *q = derived_list;
@@ -211,7 +213,7 @@ static struct step *step_begin(struct derivation *d, const char *name, int depth
     return NULL;
 }
 
-/* Returns the step for a quantity, with its value. Returns NULL with a problem. */
+/* Returns the step for a quantity, with its value. On failure, sets d->problem and returns NULL. */
 static struct step *step_add(struct derivation *d, const char *name, int depth)
 {
     for (int k = 0; k < d->count; k++)
@@ -243,9 +245,9 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
-/* If the question is about the largest growth at a separation, sets the separation of the train, sets the
- * growth to the largest one, and sets *reach to whether the reach limits this growth. On failure, sets
- * *problem and returns false. */
+/* If the question is about the largest growth at a separation, gives the train this separation and the
+ * largest growth, and sets *reach to true if the reach limits this growth. On failure, sets *problem and
+ * returns false. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;

@@ -126,8 +126,9 @@ enum { VERDICT_TEXT = 160 };
 
 static const struct explained of_row = {"verdict", NULL, "margin_k"};
 
-/* Runs the row, and finds the domino that decides its verdict: the one at which it stops, or the weakest.
- * Writes a sentence about it. Sets *problem and returns false if the verdict does not depend on an energy. */
+/* Runs the row, and finds the domino that decides the verdict: the domino at which the row stops, or the
+ * weakest domino. Writes a sentence about this domino. Sets *problem and returns false if the verdict does
+ * not depend on an energy. */
 static bool deciding_find(const struct query *query, struct answer *a, struct domq_fall *fall,
                           char verdict[VERDICT_TEXT], struct problem *problem)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command paper, which recomputes numbers and figures of the paper, to compare them with those in print.
- */
+/* The command paper, which recomputes numbers and figures of the paper, and compares them with the printed
+ * values. */
 #include "commands/explain/recipe.h"
 #include "language/quad.h"
 

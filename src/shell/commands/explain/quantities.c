@@ -4,8 +4,8 @@
 #include <stddef.h>
 
 /* An entry of the list: the name in three forms, the conditions, the sum, the equation, the expression for
- * the library's number, the unit, the number of the equation in the paper, and the words. GIVEN is a number
- * that is not derived. */
+ * the library's number, the unit, the number of the equation in the paper, and the words. GIVEN makes the
+ * entry of a number that is not derived. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, number_, words_)              \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, number_, words_, false      \

@@ -123,11 +123,11 @@ static void words_write(const struct writer *w, const struct step *s)
             putc(*c, w->formula.out);
 }
 
-/* A difference of two numbers counts as their rounding error up to this many times the machine epsilon of the
- * larger number, because each of them is the result of a few dozen operations. */
+/* A difference of two numbers counts as rounding error if it is at most this many times the machine epsilon
+ * of the larger number, because each number is the result of a few dozen operations. */
 #define ROUNDINGS 64
 
-/* Returns true if a value is only the rounding error of the numbers that it comes from, as is the margin at
+/* Returns true if a value is only the rounding error of the numbers that it comes from, as the margin is at
  * the largest growth. */
 static bool is_rounding(const struct writer *w, const struct step *s)
 {

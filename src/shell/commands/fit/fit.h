@@ -22,19 +22,19 @@ enum fit_kind { FIT_SPEEDS, FIT_ANGLES, FIT_HITS };
 /* One measurement, in SI units. */
 struct fit_point {
     size_t run;      /* index of the run to which the measurement belongs */
-    double gap;      /* for a speed */
-    size_t domino;   /* for a hit and an angle: the number of the domino, from 1 */
-    double time;     /* for an angle: its time on the clock of its run */
+    double gap;      /* for a speed: the gap of the row */
+    size_t domino;   /* for a hit or an angle: the number of the domino, from 1 */
+    double time;     /* for an angle: when it was measured, on the clock of its run */
     double measured; /* the speed, the time of the hit on the clock of its run, or the angle */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
-/* The measurements of one run of a row, which share a clock. Speeds are all in one run. */
+/* The measurements of one run of a row, which share a clock. All speeds belong to a single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
     double gap;    /* the gap of this run's row, or NaN if the row is that of the scene */
     size_t first, count;
-    size_t dominoes; /* the largest number of a domino that was measured */
+    size_t dominoes; /* the highest number of a measured domino */
 };
 
 struct fit_data {
@@ -71,7 +71,7 @@ struct fit {
     size_t free_count;
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
     double spread;    /* the sum of the squares of residual / error, divided by the degrees of freedom */
-    size_t freedom;   /* the degrees of freedom: the number of measurements minus that of fitted numbers */
+    size_t freedom;   /* the degrees of freedom: how many more measurements there are than fitted numbers */
     double *computed; /* for each measurement: what the model gives with the best values */
     struct problem problem; /* why the last computation gave no answer */
 };

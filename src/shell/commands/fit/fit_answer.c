@@ -108,7 +108,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
 }
 
 /* Finds the measured number, the fitted number and the residual of point k. If times are compared as
- * intervals, these numbers are differences of times; the first hit of a run has none, and returns false. */
+ * intervals, these numbers are differences of times. Returns false for the first hit of a run, which has no
+ * such difference. */
 static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {
     *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);

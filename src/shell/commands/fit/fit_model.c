@@ -10,8 +10,8 @@ struct trial {
     struct query query;
 };
 
-/* Prepares the scene for a run. For a speed, the scene has equal dominoes with the gap of the point. Returns
- * false with fit->problem. */
+/* Prepares the scene for a run. For a speed, the scene has equal dominoes with the gap of the point. On
+ * failure, sets f->problem and returns false. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -83,11 +83,11 @@ static bool hits_compute(struct fit *f, const double *value, const struct fit_ru
 
 /* ---- Angles ---- */
 
-/* A list of tilts to find: those of the dominoes and at the times of these points. Times must not decrease.
- */
+/* A list of tilts to find: tilt[k] is the tilt of the domino of point[k] at the time of that point. The times
+ * must not decrease. */
 struct watch {
     const struct fit_point *point;
-    double clock; /* the time of the points at which the motion begins */
+    double clock; /* when the motion begins, on the clock of the points */
     size_t count, done;
     double *tilt;
 };

@@ -102,7 +102,7 @@ static bool point_add(struct fit_data *d, struct csv_table *csv, struct fit_poin
     return true;
 }
 
-/* Begins a new run if the row of the file belongs to another run than the row above it. */
+/* Begins a new run if the row of the file belongs to a different run from the row above it. */
 static bool run_follow(struct fit_data *d, struct csv_table *csv, bool is_timed)
 {
     const double number = is_timed && csv->column[RUN] ? (double)csv->value[RUN] : 1,

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Finds the unknowns that are not at a limit, and forgets the correlations of an earlier search. */
+/* Finds the unknowns that are not at a limit, and discards the correlations of an earlier search. */
 static void free_find(struct fit *f)
 {
     f->free_count = 0;
@@ -55,7 +55,7 @@ static double residuals_fill(const struct fit *f, gsl_vector *residual)
         double left = f->computed[k] - d->point[k].measured;
         if (d->intervals && fit_is_first(f, k))
             continue;
-        if (d->intervals) /* the errors of n gaps add up to sqrt(n) times the error of one gap */
+        if (d->intervals) /* the random errors of n gaps add up to sqrt(n) times the error of one gap */
             left = (left - (f->computed[k - 1] - d->point[k - 1].measured)) /
                    sqrt((double)(d->point[k].domino - d->point[k - 1].domino));
         gsl_vector_set(residual, n++, left / fit_error(f, k));
@@ -139,7 +139,7 @@ static int derivatives_of_gsl(const gsl_vector *x, void *context, gsl_matrix *J)
 /* ---- Where the search begins ---- */
 
 /* Returns starting value number k of an unknown, or NaN after the last one. The first starting value is the
- * present value of the parameter. */
+ * current value of the parameter. */
 static double start_of(const struct fit *f, int i, int k)
 {
     static const double few[] = {0.06, 0.25, 0.6}, many[] = {0.025, 0.06, 0.125, 0.25, 0.5, 0.85};
@@ -152,8 +152,8 @@ static double start_of(const struct fit *f, int i, int k)
                      : u->lowest + (f->unknowns > 2 ? few : many)[k - 1] * (u->highest - u->lowest);
 }
 
-/* Tries all combinations of starting values, and stores the best one in the unknowns and in *clock. Returns
- * false with fit->problem if the model has an answer for none of them. */
+/* Tries all combinations of starting values, and stores the best one in the unknowns and in *clock. If the
+ * model has an answer for none of them, sets f->problem and returns false. */
 static bool start_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int k[FIT_UNKNOWNS] = {0};
@@ -283,8 +283,8 @@ static bool limit_take(struct fit *f, double near)
 }
 
 /* Finds the minimum. If the sum of squares decreases towards a limit of the range of an unknown, the search
- * would jump to and fro across the limit. Such an unknown is therefore set to the limit, and the others are
- * searched again. */
+ * would jump back and forth across the limit. Such an unknown is therefore set to the limit, and the others
+ * are searched again. */
 static int minimum_find(struct fit *f, double *clock, gsl_vector *residual)
 {
     int status;

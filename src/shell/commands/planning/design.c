@@ -132,8 +132,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* Returns true if there is a design for the wish once its boards and its grid are left out, and then writes
- * that they are the reason why there is none. */
+/* Tries the wish without its boards and its grid. If that gives a design, writes that the boards and the grid
+ * are the reason why there is none with them, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -217,8 +217,8 @@ static void design_say(const struct query *query, struct answer *a, const struct
     plan_write(&list, plan, false);
 }
 
-/* Makes the design the row of the session. Does nothing if the command only gives the value of an expression:
- * then query->next is NULL. */
+/* Makes the design the row of the session. Does nothing if query->next is NULL, because the command is then
+ * part of an expression and changes nothing. */
 static bool design_keep(const struct query *query, struct problem *problem, const struct domq_design *d,
                         const struct designed_row *plan)
 {
@@ -284,7 +284,7 @@ static bool design_none(struct answer *a, const struct domq_design *d, const cha
     return true;
 }
 
-/* Answers with a design that was found. */
+/* Prints the answer for a design that was found. */
 static bool design_answer(const struct query *query, const struct wishes *w, struct answer *a,
                           const struct domq_wish *wish, struct designed_row *plan, struct domq_design *d,
                           struct domq_study *study, struct problem *problem)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The design that falls with a given probability: counts how many random rows fall with more and more
- * dominoes. */
+/* Finds the design that falls with a given probability, by counting how many random rows fall with more and
+ * more dominoes. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/rows.h"
@@ -9,7 +9,7 @@
 #include "session/errors.h"
 #include <stdlib.h>
 
-/* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE rows that fall if their
+/* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE designs whose row falls if its
  * measures are exact. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
@@ -23,8 +23,8 @@ struct tried {
     struct domq_study study;
 };
 
-/* Returns the number of random rows for a probability: enough to see the failures that it allows. An engine
- * takes thousands of times as long for a row. */
+/* Returns how many random rows to run for a probability. About 20 of them may fail, or 10 with the engine,
+ * because the engine takes thousands of times as long for a row. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),

@@ -53,8 +53,8 @@ bool plan_make(const struct query *query, struct problem *problem, const struct 
     return problem_status(problem, query->scene, status);
 }
 
-/* Returns the surface of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half as
- * wide as they are tall. */
+/* Returns the surface area of a hollow domino, or the volume of a solid one. Dominoes are assumed to be half
+ * as wide as they are tall. */
 static domq_real plan_material(const struct designed_row *p, const struct domq_domino *d)
 {
     domq_real width = d->height / 2;

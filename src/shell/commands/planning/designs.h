@@ -28,7 +28,7 @@ domq_real plan_mass(const struct designed_row *plan);
  * For a file, the list has the columns that 'effect row FILE' reads. */
 void plan_write(struct answer *a, const struct designed_row *plan, bool file);
 
-/* Leaves the columns about random rows out unless `falls` is true. */
+/* Leaves out the columns about random rows unless `falls` is true. */
 void design_columns_choose(struct answer *a, bool falls);
 
 /* Writes the row with the numbers of a design. If no design fits the wishes, `plan` is NULL and `reason` says

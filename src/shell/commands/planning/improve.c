@@ -50,8 +50,8 @@ static bool is_changed(const struct domq_domino *a, const struct domq_domino *b)
     return a->height != b->height || a->thickness != b->thickness || a->gap != b->gap || a->mass != b->mass;
 }
 
-/* Makes the row of the scene, the limits and the errors. Returns false with a problem; the caller frees
- * the memory in both cases. */
+/* Makes the row of the scene, the limits and the errors. On failure, sets *problem and returns false. The
+ * caller frees the memory in both cases. */
 static bool improvement_make(const struct query *query, const struct wishes *w, struct problem *problem,
                              struct improvement *i)
 {

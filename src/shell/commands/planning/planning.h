@@ -13,7 +13,7 @@ struct probe {
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
     const struct parameter *parameter; /* NULL to leave all parameters as they are */
-    bool verdict;                      /* the answer is the verdict of the command, as 1 or -1 */
+    bool verdict;                      /* evaluate the verdict of the command, as 1 or -1, and not a number */
     struct problem problem;            /* why the last evaluation gave no answer */
     bool wrong;                        /* the question has an error at every value of the parameter */
     struct quantity unit;              /* the unit of the last answer */
@@ -130,8 +130,7 @@ const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);
 const char *assert_names(const void *context, int k);
 
-/* Finds the default range in which 'solve' searches a parameter of solve_names. It is used if the user
- * gives no range. */
+/* Finds the range in which 'solve' searches a parameter of solve_names if the user gives no range. */
 void solve_range(const char *name, double *from, double *to);
 
 #endif

@@ -129,8 +129,8 @@ static bool holds(domq_real f)
     return f > 0;
 }
 
-/* Finds by bisection where a predicate changes that is true at `good` and false at `bad`. Returns the point
- * closest to the change at which the predicate is true. */
+/* The predicate is_good is true at `good` and false at `bad`. Finds by bisection where the predicate changes
+ * between them, and returns the closest point at which the predicate is still true. */
 static domq_real edge_between(struct scan *s, domq_real good, domq_real bad, bool (*is_good)(domq_real f))
 {
     enum { HALVINGS = 60 };
@@ -158,7 +158,8 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
         end.f = scan_at(s, end.x);
         *(isnan(a.f) ? &a : &b) = end;
     }
-    /* Both points are in an interval of roots, of which only the two ends are listed. */
+    /* Both points are in an interval where the answer is equal to the value. Only the ends of such an
+     * interval are listed as roots. */
     if (a.f == 0 && b.f == 0)
         return;
     if (a.f == 0)
@@ -170,8 +171,8 @@ static void look_between(struct scan *s, struct scan_point a, struct scan_point 
 }
 
 /* If the middle one of three neighbouring points is an extremum, refines it with a golden-section search,
- * because the answer may cross the value between the points of the grid. If the answer does so, finds the
- * roots on both sides of the extremum. */
+ * because the answer may cross the value between the points of the grid. If the answer does cross the value,
+ * finds the roots on both sides of the extremum. */
 static void look_around(struct scan *s, struct scan_point a, struct scan_point m, struct scan_point b)
 {
     const domq_real golden = (domq_real)0.3819660112501051;

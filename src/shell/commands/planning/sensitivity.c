@@ -45,7 +45,7 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the absolute value of the larger of the two changes, or -1 if neither exists. */
+/* Returns the larger absolute value of the two changes, or -1 if neither change is known. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,
@@ -72,8 +72,8 @@ static domq_real change(struct probe *p, domq_real value, domq_real now)
     return quad(fabs)(by) <= 10 * p->query->scene->compute.tol ? 0 : by;
 }
 
-/* Makes a sorted list of all parameters that can be varied. Returns false with a problem after an interrupt.
- */
+/* Makes a sorted list of all parameters that can be varied. After an interrupt, sets *problem and returns
+ * false. */
 static bool influences_find(const struct query *query, struct problem *problem, struct probe *probe,
                             domq_real now, struct influence *list, int *count)
 {

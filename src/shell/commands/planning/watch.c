@@ -67,7 +67,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart.x.low = w->from;
     chart.x.high = w->to;
     snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
-    (void)chart_fit(&chart); /* a chart without any point is shown as well */
+    (void)chart_fit(&chart); /* a chart is shown even if it has no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))

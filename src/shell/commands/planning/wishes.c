@@ -11,7 +11,7 @@ static const char *const names[WISHES] = {
     [SAFETY] = "safety", [HALL] = "hall",     [MINIMISE] = "minimise", [FALLS] = "falls",
     [SIZES] = "sizes",   [BOARDS] = "boards", [MASS] = "mass",         [GRID] = "grid"};
 
-/* A larger probability could be shown only by so many random rows that they would take minutes. */
+/* A larger probability would need so many random rows that they would take minutes. */
 #define FALLS_MOST ((domq_real)9999 / 10000)
 
 const struct wishes usual_wishes = {

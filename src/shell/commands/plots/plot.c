@@ -132,11 +132,11 @@ static const char *plot_names(const void *context, int k)
 /* The parsed text after the name of a plot. */
 struct plot_parsed {
     struct look_parsed look;
-    bool has_argument; /* the plot has been given an argument */
+    bool has_argument; /* the user has given the plot an argument */
     void *argument;    /* the result of sweep_parse_grid or plot_fit_parse, or NULL */
 };
 
-/* The bound values of the members of plot_parsed; the arguments of a fit are bound later, when the fit is
+/* The bound values of the members of plot_parsed. The arguments of a fit are not bound until the fit is
  * drawn. */
 struct plot_given {
     struct chart_look look;

@@ -87,7 +87,7 @@ static double axis_label(struct chart_axis *to, const struct plot_axis *axis, co
         struct axis_unit chosen = axis->percent ? (struct axis_unit){"%", 0.01} : measure_axis(largest);
         unit = chosen.name;
         size = chosen.size;
-    } else if (*unit && column_is_angle(c)) { /* the numbers are already in this unit */
+    } else if (*unit && column_is_angle(c)) { /* the numbers are already in the session's unit of angles */
         over = unit + strlen("rad");
         unit = style_angle_unit(&a->style);
     }

@@ -14,7 +14,7 @@ enum { STEPS = 160 };
 #define BEYOND_STOP 4
 
 enum { LINES = PLOT_CURVES };
-/* A line is left out if it begins closer to theta_f than this fraction of theta_f. */
+/* A line is left out if the distance from its first tilt to theta_f is less than this fraction of theta_f. */
 #define LINES_APART ((domq_real)2 / 100)
 
 struct cycle {

@@ -10,7 +10,7 @@ static const char *scale_names(const void *context, int k)
     return names[k];
 }
 
-/* In the order of enum chart_legend. */
+/* Lists the words after 'legend', in the order of enum chart_legend. */
 static const char *legend_names(const void *context, int k)
 {
     static const char *const names[] = {"below", "right", "off", NULL};

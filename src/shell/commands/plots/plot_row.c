@@ -183,7 +183,7 @@ static double window_room(const struct domq_window *w)
 }
 
 /* Writes into the note of the chart which gap must be kept most precisely or, if the row does not fall, which
- * change saves it. */
+ * change saves the row. */
 static void gaps_note(const struct domq_window *w, size_t count, bool falls, struct chart *chart)
 {
     const struct domq_window *t = w;

@@ -64,7 +64,7 @@ struct plot {
     const char *keys; /* the keys of the plot's columns, with blanks between them */
     const char *title;
     struct plot_axis x, y;                /* if x.key is NULL, `run` or `draw` makes the curves */
-    struct plot_curve curve[PLOT_CURVES]; /* if there are fewer, a NULL title ends the list */
+    struct plot_curve curve[PLOT_CURVES]; /* if there are fewer curves, a NULL title ends the list */
     /* If not NULL, this function draws the rows, and the axes and curves above are not used. */
     bool (*draw)(const struct query *query, const struct plot_rows *rows, struct chart *chart,
                  struct problem *problem);
@@ -94,8 +94,8 @@ enum look_word {
     LOOK_WORDS
 };
 
-/* The values of the words that were typed. An item without an argument, or for a choice without a word, was
- * not typed. */
+/* The values of the words that were typed. If a word was not typed, its item has no argument or, for a
+ * choice, no word. */
 struct look_parsed {
     struct item item[LOOK_WORDS][2];
     const char *text[LOOK_WORDS];

@@ -129,8 +129,8 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves out the columns that are not needed. People see energies as percentages, and also in J if masses are
- * known. */
+/* Leaves out the columns that are not needed. For people, energies are percentages, and also in J if masses
+ * are known. */
 static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
     if (answer_for_people(a)) {

@@ -36,7 +36,7 @@ void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene
 
 /* ---- Words and numbers ---- */
 
-/* Returns a cell with a number for a narrow column: without an error bound, and in tables with this many
+/* Returns a cell with a number for a narrow column. The cell has no error bound and, in tables, this many
  * digits. */
 struct cell cell_narrow(domq_real value, int digits);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How much friction the floor must have so that no foot slips: in a train for 'slip', in a row for 'fall'. */
+/* Finds how much friction the floor must have so that no foot slips, in a train for 'slip' and in a row for
+ * 'fall'. */
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 

@@ -320,7 +320,7 @@ static int compare_first(const void *a, const void *b)
 }
 
 /* Writes how many rows of the study are missing, or "" if none is. Sets *problem and returns false if the
- * file has a row twice. */
+ * file has the same row of the study twice. */
 static bool blocks_check(struct pool *p, struct csv_table *csv, char *missing, size_t size)
 {
     const size_t all = (size_t)p->common[OF];

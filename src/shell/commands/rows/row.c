@@ -104,8 +104,8 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
 
 /* ---- change and place: parsing ---- */
 
-/* Dominoes with successive numbers, or a single domino whose number is an expression, as an element of a
- * linked list. */
+/* An element of a linked list: dominoes with successive numbers, or a single domino whose number is an
+ * expression. */
 struct selected {
     struct row_range range;
     struct item item; /* the expression; item.argument is NULL if there is none */
@@ -192,7 +192,7 @@ static bool change_parse_value(struct reader *r, struct question *q)
 /* A bound change. */
 struct changing {
     struct row_change change;
-    int ranges; /* 0 stands for all dominoes */
+    int ranges; /* number of ranges; 0 stands for all dominoes */
     struct row_range range[];
 };
 

@@ -15,8 +15,8 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* The friction of the floor with which the foot of a domino does not slip while the head, which is often
- * another domino, falls or is hit. */
+/* The friction that the floor must have so that the foot of a domino does not slip while the head falls or is
+ * hit. The head is often another domino. */
 struct slip {
     domq_real needs;     /* the friction; infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
@@ -47,7 +47,7 @@ struct study {
     bool causes; /* the rows were also run without each error */
     struct domq_study counts;
     size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
-    /* The number of dominoes in the row; the lists of stops that domq_placement_causes fills in. */
+    /* The number of dominoes in the row, and the lists of stops that domq_placement_causes fills in. */
     size_t count, *stops;
 };
 
@@ -61,7 +61,8 @@ bool study_run(const struct query *query, struct problem *problem, size_t rows, 
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
-/* Returns the list that counts at which dominoes rows stop because of one kind of error. */
+/* Returns a list with a count for each domino: how many rows stop at this domino because of one kind of
+ * error. */
 size_t *study_stops(const struct study *study, int kind);
 
 /* Writes the answer of 'placement'. If the study is incomplete, `reason` says why; otherwise it is NULL. */

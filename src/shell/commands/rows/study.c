@@ -133,7 +133,7 @@ struct budget_call {
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns the size of an error in its unit or, for a budget of all errors, the factor. */
+/* Returns the size of an error in its unit or, for a budget of all errors, the factor for them. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
@@ -230,7 +230,7 @@ static bool budget_check(const struct query *query, const struct trials *t, enum
     return errors_check(&with, problem);
 }
 
-/* Writes the row of the answer. */
+/* Writes the numbers of the answer as one row of cells. */
 static void budget_row(struct answer *a, const struct budget_call *call, const struct domq_budget *b,
                        bool interrupted)
 {
@@ -267,7 +267,7 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_text(call.share, 10));
     if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
-                     false /* how many studies the search takes is not known */, &t))
+                     false /* the number of studies that the search takes is not known */, &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
     enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,

@@ -49,11 +49,9 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
                : domq_placement_study(row, compute, p, &study->counts, study->stops);
 }
 
-/*
- * Steps through an array of counts from the largest to the smallest, and leaves out counts of 0. The
- * indices are, for example, the dominoes at which rows stop. Returns the index after `last`, or the first
- * index if `last` is count. Returns count after the last index.
- */
+/* Steps through an array of counts from the largest to the smallest, and leaves out counts of 0. Returns the
+ * index that follows `last` in this order, the first index if `last` is `count`, or `count` if no index is
+ * left. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -65,9 +63,9 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
     return next;
 }
 
-/* Steps through the kinds of errors, from the one that costs most rows to the one that costs fewest. Returns
- * the kind after `last`, or the first kind if `last` is DOM_ERROR_COUNT. Returns DOM_ERROR_COUNT after the
- * last kind. */
+/* Steps through the kinds of errors, from the kind that costs the most rows to the kind that costs the
+ * fewest. Returns the kind after `last`, or the first kind if `last` is DOM_ERROR_COUNT. Returns
+ * DOM_ERROR_COUNT after the last kind. */
 static int cause_next(const struct study *s, int last)
 {
     size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind that is left out */

@@ -239,8 +239,8 @@ static void heights_say(struct answer *a, const struct windows *w)
                    passing, passing == 1 ? "" : "s", passing == 1 ? "s" : "");
 }
 
-/* Writes the command that moves a domino of a row that falls to the middle of its window. Only this domino
- * moves, so that the gaps on both sides change. */
+/* Writes the command that puts a domino into the middle of its window, for a row that falls. Only this domino
+ * moves, so the gaps on both sides of it change. */
 static void place_change_say(struct answer *a, const struct windows *w, size_t k)
 {
     const struct domq_window *p = &w->kind[DOM_WINDOW_PLACE][k - 1];

@@ -153,7 +153,7 @@ void point_values(struct sweeper *w, size_t k)
 }
 
 /* Evaluates a list of questions, and writes their answers as one row. A question without an answer gets an
- * empty cell. Returns false with w->problem if a question has an error. */
+ * empty cell. If a question has an error, sets w->problem and returns false. */
 static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a)
 {
     struct cell cells[ANSWER_COLUMNS];
@@ -173,8 +173,8 @@ static bool list_ask(struct sweeper *w, const struct query *at, struct answer *a
     return answer_row(a, cells, *reason ? reason : NULL);
 }
 
-/* Evaluates the question at point k, and writes the rows to w->to, unless it is NULL. Returns false with
- * w->problem if the question has an error. */
+/* Evaluates the question at point k, and writes the rows to w->to, unless it is NULL. If the question has an
+ * error, sets w->problem and returns false. */
 static bool point_answer(struct sweeper *w, size_t k)
 {
     struct state state;

@@ -47,7 +47,7 @@ struct sweeper {
     /* The point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
-    struct answer *to;         /* the member `answer`, which receives the rows; NULL to discard them */
+    struct answer *to;         /* receives the rows: `answer` above, or NULL to discard them */
     bool answered;             /* the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
@@ -64,7 +64,7 @@ bool sweeper_columns(struct sweeper *w, struct problem *problem);
 void point_values(struct sweeper *w, size_t k);
 
 /* Looks among the first 256 points for one that has an answer. If there is one, stores its row in w->sample
- * and sets w->answered. Returns false with w->problem if the question has an error. */
+ * and sets w->answered. If the question has an error, sets w->problem and returns false. */
 bool point_probe(struct sweeper *w);
 
 /* The callbacks `point` and `merge` of struct workers. point_write writes the rows of point k. It returns

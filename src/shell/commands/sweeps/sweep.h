@@ -16,7 +16,7 @@ struct sweep_shape {
     const struct grid *grid;
     const struct command *command; /* the command that is swept, or the first one of a list */
     const char *typed;             /* the answers as they were typed */
-    size_t answers;                /* the number of answers; several answers have one column each */
+    size_t answers;                /* the number of answers; if there are several, each has one column */
 };
 
 /* Returns the grid and the answers of a sweep whose arguments have been bound. */

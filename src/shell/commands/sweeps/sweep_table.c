@@ -5,7 +5,7 @@
 #include "commands/sweeps/sweep.h"
 #include "commands/tables.h"
 
-/* Empty, since the columns depend on the arguments. */
+/* The list is empty, because the columns depend on the arguments. */
 static const struct column sweep_answers[] = {{NULL, NULL, NULL, 0}};
 
 const struct command sweep_commands[] = {
