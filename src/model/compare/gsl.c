@@ -21,7 +21,7 @@ struct gsl_context {
     enum dom_status status;
 };
 
-/* Returns H(0) - H(theta), with this sign because GSL searches for minima. */
+/* Returns H(0) - H(theta), not H(theta) - H(0), because GSL searches for minima. */
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Defaults, physical units and rows: functions that compute with dom_real, whatever the precision of a
+/* Functions for defaults, physical units and rows. They compute with dom_real, whatever the precision of a
  * request is. */
 #ifdef DOMQ
 #define REAL_QUAD

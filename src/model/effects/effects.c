@@ -12,7 +12,7 @@ const struct dom_effect dom_energy_balance = {
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
-/* The words of struct dom_error.uniform. */
+/* The words for false and true of struct dom_error.uniform. */
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
 const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
@@ -75,15 +75,14 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                 "only times change, because the moment of inertia enters only tau. With thin walls times are "
                 "2.8 % longer. In a row all dominoes are boxes of the same boards, whose thickness is "
                 "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
-                "With "
-                "ABOVE, as in 'effect walls 12 mm 30 cm', only dominoes of a row that are taller than ABOVE "
-                "are boxes, all others are solid, and the masses of a row without a file follow from the "
-                "volumes of blocks and boxes, whatever 'q' is; a train has no walls then. The "
-                "moments of inertia, and masses that follow from a density, are then those of the boxes. "
-                "Walls half as thick as the domino make a solid block. A domino is half as wide as it is "
-                "tall. The moment of inertia about the lower edge is that of a solid block of the same mass, "
-                "times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 t)(1 - 2 t/d)(1 "
-                "- 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+                "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
+                "than ABOVE are boxes, and all others are solid. The masses of a row without a file then "
+                "follow from the volumes of the blocks and boxes, whatever 'q' is, and a train has no walls. "
+                "The moments of inertia of the boxes, and masses that follow from a density, take the walls "
+                "into account. Walls half as thick as the domino make a solid block. A domino is half as "
+                "wide as it is tall. The moment of inertia about the lower edge is that of a solid block of "
+                "the same mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 "
+                "t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "one factor of the moment of inertia, in closed form",
@@ -110,11 +109,11 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .adds = "rounded edges, on which dominoes roll over the floor",
             .help = "The radius of the edges is RADIUS times the height, for every domino of a train; in a "
                     "row from a file each domino can have a radius of its own. The radius is at most half of "
-                    "the thickness. Edges rounded by 1 % of the height, as dominoes on sale have them, raise "
-                    "r_max by about 7 %. The foot rolls on the floor without slipping, and the round upper "
-                    "edge of a follower slides down the flat back of its leader. With l = 1 - 2 rho the "
-                    "potential energy of a domino is h(theta) = 2 rho + l cos theta + (d - 2 rho) sin theta. "
-                    "The moment of inertia is taken about the line of contact with the floor: J = sum "
+                    "the thickness. Edges rounded by 1 % of the height, like those of dominoes from a shop, "
+                    "raise r_max by about 7 %. The foot rolls on the floor without slipping, and the round "
+                    "upper edge of a follower slides down the flat back of its leader. With l = 1 - 2 rho "
+                    "the potential energy of a domino is h(theta) = 2 rho + l cos theta + (d - 2 rho) sin "
+                    "theta. The moment of inertia is taken about the line of contact with the floor: J = sum "
                     "r^-(q+1)i i(theta_i) theta_i'^2, and in the collision the angular velocity is "
                     "multiplied by (J(0) - i(0))/J(0). The head hits the next domino where rho theta_c + l "
                     "sin theta_c = r s. No error bounds are known, and r_max is found from samples of the "
@@ -136,11 +135,11 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .adds = "a finite row of dominoes, equal or not, instead of the endless train",
             .help = "With a number N, domino k is h r^(k-1) tall, the gap before it is s times its height, "
                     "and q decides its mass. FILE is a csv file with a line for each domino and the columns "
-                    "height, thickness, gap and, if known, mass or density. Units stand in the first line, "
-                    "as in 'height (mm)', or in the cells. The row starts with a push ('effect push'), or "
-                    "with its first domino just tipping over. 'fall' runs the row. Domino j leans on k = j + "
-                    "1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k. The energy is H "
-                    "= sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
+                    "height, thickness, gap and, if known, mass or density. Units are written in the first "
+                    "line, as in 'height (mm)', or in the cells. The row starts with a push ('effect push'), "
+                    "or with its first domino just tipping over. 'fall' runs the row. Domino j leans on k = "
+                    "j + 1, where h_j sin(theta_j - theta_k) = (gap_k + d_k) cos theta_k - d_k. The energy "
+                    "is H = sum m g (h cos theta + d sin theta)/2, the inertia is sum I theta'^2, and the "
                     "collision is that of the train, computed with these sums. Where an upper edge would "
                     "pass above the next domino, or a contact would have to pull, the model does not apply, "
                     "and the answer ends there with a message.",
@@ -160,7 +159,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
         {
             .name = "push",
             .synonyms = "start finger kick speed velocity",
-            .adds = "a push of the first domino, which then starts upright",
+            .adds = "a push on the first domino, which then starts upright",
             .help = "Without a push the first domino is let go where it just tips over its edge (tan theta_u "
                     "= d), and the clock starts when it hits the second domino. With a push the first domino "
                     "starts upright, and the clock starts with the push. A standard domino needs about 2.5 "
@@ -194,7 +193,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                       "generators of GSL",
-            .plan = "many rows, of which only the verdicts are computed, on all processors",
+            .plan = "many rows, for which only the verdicts are computed, on all processors",
             .argument = {{.name = "SIGMA",
                           .unit = "m",
                           .meaning = "standard deviation of every gap",

@@ -24,7 +24,8 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of a torque that reaches the head; with friction this part differs from the slope. */
+    /* The part of a torque on the present domino that reaches the head. Without friction this part is the
+     * slope. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);

@@ -33,7 +33,7 @@ enum { FAR_FIRST = 4, FAR_ORDER = 20 };
 
 /* H and J of a train, as power series around theta_inf (far.h). */
 struct far {
-    int order; /* the order of both series, an even number; 0 if there is no series */
+    int order; /* the order of both series, an even number, or 0 if there is no series */
     real radius, rest_H, rest_J;
     real H[FAR_ORDER + 1], J[FAR_ORDER + 1];
 };
@@ -72,7 +72,7 @@ struct geometry {
     real mu;                         /* friction coefficient between dominoes, >= 0 */
     real box;                      /* moment of inertia relative to that of a solid block: 1 without walls */
     const struct contact_law *law; /* how dominoes touch; geometry_gravity and rounded_make set it */
-    struct flow *flow;             /* solution of the equation of motion; NULL if the law needs none */
+    struct flow *flow;             /* solution of the equation of motion, or NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
     /* The work of the current search so far, and the limit of that work, both counted in dominoes of a plain

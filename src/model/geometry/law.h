@@ -10,8 +10,8 @@
 
 #include "geometry/sums.h"
 
-/* The contact of a domino with its follower: the values that geometry_contact finds, and also the turn, the
- * arm b and the second derivative. */
+/* The contact of a domino with its follower. Besides the values that geometry_contact finds, there are the
+ * turn, the arm b and the second derivative. */
 struct rolling {
     struct contact contact;
     real turn;  /* theta_1 - theta */

@@ -23,7 +23,7 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 
 /* ---- One contact ---- */
 
-/* The limit of the steps of an iteration. One to four steps are enough, unless there is no solution. */
+/* The largest number of steps of an iteration. One to four steps are enough, unless there is no solution. */
 enum { TURN_STEPS = 40 };
 
 /*

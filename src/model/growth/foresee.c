@@ -29,7 +29,7 @@ struct root_search {
     real lo, hi;
     struct root_point at[3];
     int known;
-    real slope; /* roughly -d margin / d ln r; 0 if unknown */
+    real slope; /* roughly -d margin / d ln r, or 0 if unknown */
 };
 
 static void root_add(struct root_search *s, struct root_point point)

@@ -65,8 +65,8 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
 /*
  * Finds the first growth after from->r at which the margin changes its sign. If the margin is not negative at
  * from->r, change->r is the root; otherwise `change` is a sample soon after the root. *found is false if the
- * sign does not change up to the reach. The result is not proved: a dip
- * between two samples is missed if the curvature of the margin at these samples does not point to it.
+ * sign does not change up to the reach. The result is not proved: a dip between two samples can be missed if
+ * the curvature of the margin at these samples does not point to it.
  */
 KERNEL enum dom_status probe_change(struct margin_context *c, const struct edge *from, struct edge *change,
                                     bool *found);

@@ -45,7 +45,7 @@ struct margin_context {
     struct barrier barrier; /* the barrier found by the last search */
     struct followed {
         real r, half;
-    } last[2];              /* the last two maxima that were followed: growth and tan(tilt / 2) */
+    } last[2];              /* the growths and tan(tilt / 2) of the last two maxima that were followed */
     struct barrier nearest; /* the barrier at the growth where the margin was closest to 0 */
     real share;             /* absolute value of margin_share at the growth of `nearest` */
     real error;             /* error bound of the last margin if `errors` is set */
@@ -53,7 +53,7 @@ struct margin_context {
     real followed_value, followed_tol; /* the last margin found by margin_follow, and its tolerance */
     /* If > 0, the width of the narrowest strip, for a scan whose result need only be an upper bound. */
     real coarse;
-    real near;     /* r_max close to s, as found by a coarser kernel, or 0 */
+    real near;     /* r_max at a separation close to s, as found by a coarser kernel, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
     size_t effort; /* work of the whole search, in the unit of geometry.effort */
     enum dom_status status;

@@ -40,7 +40,7 @@ static struct between between_of(const struct geometry *geometry, struct tilt lo
  * theta_f. */
 struct upright {
     struct link link;
-    bool ended; /* this domino and all after it are at theta_f */
+    bool ended; /* true if this domino and all after it are at theta_f */
     real weight, inertia, slope, step, inertia_ratio, next;
 };
 

@@ -16,7 +16,8 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
     m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
-        return DOM_NO_MARGIN; /* the duration of a cycle and all times in it grow like ln(1/margin) */
+        /* all times in a cycle grow like ln(1/margin), and the error of the margin is too large */
+        return DOM_NO_MARGIN;
     return cycle_end(&m->cycle, &m->end);
 }
 

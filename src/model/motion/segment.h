@@ -21,9 +21,9 @@ struct segment {
     struct geometry geometry; /* geometry.n is the number of moving dominoes */
     real lo, hi;              /* tilts of the head, in rad */
     struct start start;       /* the state at lo */
-    size_t summed;            /* number of dominoes that start.J includes; 0 if J is not known yet */
+    size_t summed;            /* number of dominoes that start.J includes, or 0 if J is not known yet */
     real gain;                /* derivative of omegasq with respect to omegasq at the launch */
-    /* Inertia ratio of the collision that begins the segment; 0 if the segment does not begin with a
+    /* Inertia ratio of the collision that begins the segment, or 0 if the segment does not begin with a
      * collision. */
     real inertia_ratio;
     bool locks;             /* true if friction locks the motion at hi */

@@ -91,10 +91,11 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends at terms of this relative size, since terms decrease faster than a geometric series. */
+    /* A sum ends at the first terms of this relative size. The remainder is negligible, since terms decrease
+     * faster than a geometric series. */
     real cut;
     bool failed;
-    /* The part of f, relative to f, that the nodes of the last level do not resolve. */
+    /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
     real step, sum; /* used by the double exponential rule */
     real peak, width, from, to,
@@ -103,7 +104,7 @@ struct span {
         *value;
 };
 
-/* Returns the integral as computed on the given level, which is finer than the level before. */
+/* Returns the integral as computed on the given level. Each level is finer than the previous one. */
 typedef real span_level(struct span *s, int level);
 
 /* Estimates the remaining error from the differences between successive levels. From level to level the

@@ -56,7 +56,7 @@ enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIR
 /* The integral of a function with a peak (see num_peak_integral) from lo to any x up to hi, as a Chebyshev
  * series in u. */
 struct num_series {
-    real lo, hi, peak, width; /* if width is NaN, there is no substitution and u = x */
+    real lo, hi, peak, width; /* if the width is NaN, there is no substitution, and u = x */
     real from, half;          /* u at lo, and half of the length of the interval in u */
     int terms;
     real term[CHEBYSHEV_MOST + 2];
@@ -96,7 +96,8 @@ enum { LINEAR_PANELS = 128 };
 
 struct num_rate {
     real p, c;
-    real p_noise, c_noise; /* absolute rounding errors of p and c; 0 stands for a few units of rounding */
+    /* absolute rounding errors of p and c, where 0 stands for a few units of rounding */
+    real p_noise, c_noise;
 };
 
 /* Computes p and c at x. Returns false if they cannot be computed. */

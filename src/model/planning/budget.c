@@ -10,9 +10,9 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    enum dom_error_of kind; /* the kind of error whose size is sought; DOM_ERROR_COUNT stands for all kinds */
+    enum dom_error_of kind; /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds */
     double widest;          /* the largest sigma that is tried */
-    /* the closest known bounds of sigma: enough rows fall with `lo`, and too few with `hi` */
+    /* the closest known bounds of sigma: enough rows fall at `lo`, and too few fall at `hi` */
     double lo, hi;
     /* true while the search is for sigma itself, not for an end of its confidence interval */
     bool of_answer;

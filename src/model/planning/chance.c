@@ -45,7 +45,7 @@ enum { BATCH = 16 };
 /* The energy margins of a row while it runs. */
 struct run {
     double *margin;
-    bool tips;          /* the first domino is tipped over its edge, and has no margin */
+    bool tips;          /* true if the first domino is tipped over its edge, and so has no margin */
     const double *base; /* the margins before the change that is tried, or NULL */
     size_t from;        /* the number of the first domino that the change concerns */
     double most;        /* the largest change of a margin so far */
@@ -221,7 +221,7 @@ static enum dom_status batches_run(struct shared *s, size_t batches)
     const struct dom_placement *p = &s->chance->placement;
     enum dom_status status = DOM_OK;
     for (size_t i = 0; i < batches; i++)
-        s->status[i] = DOM_INTERRUPTED; /* replaced when the batch has run */
+        s->status[i] = DOM_INTERRUPTED; /* batch_run replaces this status */
     if (p->parallel)
         status = p->parallel(batches, batch_run, s, p->pool);
     for (size_t i = 0; i < batches && !p->parallel; i++)

@@ -68,8 +68,8 @@ struct search {
     size_t left;             /* the number of evaluations that are left on this level */
     double fails;            /* the smoothed fraction of the rows that fail, for the best row so far */
     struct dom_study *study; /* two studies: of the row as given, and of the best row so far */
-    bool given_allowed;      /* the row as given is within the limits */
-    bool is_allowed;         /* the best row so far is within the limits */
+    bool given_allowed;      /* true if the row as given is within the limits */
+    bool is_allowed;         /* true if the best row so far is within the limits */
     enum dom_status status;
     dom_progress *progress;
     void *context;

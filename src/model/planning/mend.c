@@ -50,7 +50,7 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
 }
 
 /* Tries the gaps up to the one after the domino at which the row ends, since later gaps do not matter. If the
- * row ended because that gap is out of reach, no other gap is tried. */
+ * row ended because a gap is out of reach, only this gap is tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {

@@ -17,11 +17,11 @@ struct shared {
     const struct dom_row *row;
     struct dom_compute compute;
     const struct dom_placement *placement;
-    bool gaps;         /* the rows differ only in their gaps */
-    bool causes;       /* each row is also run without each kind of error, one at a time */
+    bool gaps;         /* true if the rows differ only in their gaps */
+    bool causes;       /* true if each row is also run without each kind of error, one at a time */
     atomic_int status; /* the first status that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* How many rows ended at each domino, in the layout of dom_placement_causes; NULL if not requested. */
+    /* How many rows ended at each domino, in the layout of dom_placement_causes, or NULL if not requested. */
     atomic_size_t *stops;
 };
 
@@ -29,7 +29,7 @@ struct shared {
 struct batch {
     struct draw draw;
     const struct kernel *kernel;
-    struct random_row *sample; /* runs the rows; NULL if an engine runs them */
+    struct random_row *sample; /* runs the rows, or NULL if an engine runs them */
 };
 
 /* Returns the number of elements of `stops`. */

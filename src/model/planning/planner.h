@@ -22,8 +22,9 @@ struct planner {
     /* settings of the search, which computes in double for every precision of the result */
     struct dom_compute compute;
     const struct dom_wish *wish;
-    const struct dom_limits *limits; /* the sizes that the dominoes may have; NULL if any sizes are allowed */
-    struct dom_domino *domino;       /* array with room for `room` dominoes */
+    /* the sizes that the dominoes may have, or NULL if any sizes are allowed */
+    const struct dom_limits *limits;
+    struct dom_domino *domino; /* array with room for `room` dominoes */
     size_t room;
     enum dom_status status;
     dom_real failed; /* last separation at which a train or row could not be computed, or 0 */
@@ -31,7 +32,7 @@ struct planner {
     size_t weakest; /* number of the domino with the smallest ratio in the last row */
     dom_real least; /* kinetic / barrier of the domino `weakest` */
     dom_real seconds, engine_seconds; /* duration of the last row, by the model and by the engine */
-    bool engine_refused; /* some row had the required safety in the model, but did not fall in the engine */
+    bool engine_refused; /* true if a row that was safe enough in the model did not fall in the engine */
 };
 
 /* A candidate row: the separation k/GRID, and the number of steps from the first domino to the last. */
@@ -40,8 +41,8 @@ struct choice {
     size_t steps;
 };
 
-/* Makes a search, or returns in `status` why there is none: a member of the wish or of the limits is outside
- * its range. The caller frees `domino`. */
+/* Prepares a search. If a member of the wish or of the limits is outside its range, `status` says which one.
+ * The caller frees `domino`. */
 struct planner planner_make(const struct dom_train *train, const struct dom_wish *wish,
                             const struct dom_limits *limits, const struct dom_compute *compute);
 

@@ -22,7 +22,7 @@ struct trial {
     size_t k;                  /* index of the domino that is changed, from 0 */
     dom_real place;            /* position of that domino before the change: see DOM_WINDOW_PLACE */
     const struct kernel *kernel;
-    /* runs the row again from the first changed domino on; NULL if an engine runs the row */
+    /* runs the row again from the first changed domino on, or NULL if an engine runs the row */
     struct course *course;
     dom_row_make *make; /* writes the dominoes of the row for a given growth */
     void *context;
@@ -59,11 +59,13 @@ dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* trial_now returns the value, and trial_change sets it. */
+/* trial_now returns the present value of the property t->of of domino t->k, and trial_change sets this
+ * value. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
-/* A trial_test: returns true if all dominoes fall with the value. Restores the row afterwards. */
+/* A trial_test: returns true if all dominoes fall when trial_change has set the value. Restores the row
+ * afterwards. */
 bool falls_with(dom_real value, void *context);
 
 /* trial_steps returns the number of values that are tried on the way from `value` to `end`, and value_step

@@ -17,7 +17,7 @@
 /* The range of values that are tried. */
 struct range {
     dom_real lowest, highest;
-    /* how the row ends if the value exceeds the highest one, or DOM_ROW_FALLS if that is unknown */
+    /* how the row ends if the value is above `highest`, or DOM_ROW_FALLS if that is unknown */
     enum dom_row_end above;
 };
 

@@ -15,11 +15,11 @@ struct since {
 struct passage {
     struct segment st;
     real to;    /* the tilt of the head where the passage ends */
-    bool rests; /* the head comes to rest at this tilt */
+    bool rests; /* true if the head comes to rest at this tilt */
     struct since since;
     real lasts;      /* duration in tau */
     size_t head;     /* index of the head, from 0 */
-    bool has_series; /* time is computed from the series; otherwise from integrals */
+    bool has_series; /* true if time is computed from the series, false if from integrals */
     real span;       /* for a passage that ends at rest, sqrt((to - lo) / passage_size) */
     real into;       /* the time within the passage that a search looks for */
     struct num_series series;
@@ -31,7 +31,7 @@ struct watch {
     size_t times, next;   /* number of times, and index of the next one */
     dom_moment_visit *visit;
     void *context;
-    bool ended;             /* the callback has ended the run */
+    bool ended;             /* true if the callback has ended the run */
     dom_real *tilt, *omega; /* tilt and angular velocity of each domino, in rad and rad/s */
     size_t head, moving;    /* index of the head, and number of moving dominoes */
     struct passage last;    /* the last passage so far */

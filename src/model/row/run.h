@@ -11,15 +11,16 @@ struct run {
     const struct row_request *request;
     /* geometry[k] describes domino k as a head, and as a follower of domino k + 1 */
     struct geometry *geometry;
-    size_t made; /* number of geometries that have been made, if some are still missing (steady.h) */
+    /* number of elements of `geometry` made so far, if they are made during the run (steady.h) */
+    size_t made;
     bool times;
     bool forces;   /* true to find the smallest contact force, and not only its sign */
     size_t moving; /* number of moving dominoes, including the head */
     real omegasq;  /* tau^2 omega^2 of the head when it is hit */
-    /* inertia ratio of the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction; 0
-     * without a collision */
+    /* inertia ratio of the collision in which the head was hit: J(0) - 1, or A(0) - 1 with friction. The
+     * ratio is 0 if no collision took place. */
     real inertia_ratio;
-    real time;           /* time of the run so far, in s; NaN if it has no value */
+    real time;           /* time of the run so far in s, or NaN if the time is unknown */
     real carried;        /* kinetic energy before the next collision, in J */
     struct watch *watch; /* the times to report, or NULL */
     struct dom_verdict verdict;

@@ -13,8 +13,8 @@
 
 struct random_row {
     struct row_request request;
-    bool plain; /* the edges are sharp and the dominoes are plumb */
-    bool rolls; /* the edges are rounded, and there is friction */
+    bool plain; /* true if the edges are sharp and the dominoes are plumb */
+    bool rolls; /* true if the edges are rounded, and there is friction */
     /* True if there is friction. The row is then run roughly at first, and precisely only if the verdict is
      * in doubt. */
     bool has_friction;
@@ -25,7 +25,7 @@ struct random_row {
     struct geometry *geometry;
     struct link *link;  /* dominoes `first` to `head` at the moment when domino `head` hits the next one */
     size_t first, head; /* `head` is SIZE_MAX if no chain is stored */
-    /* The dynamics whose memory must be freed; NULL if there is none. Rows drawn with and without friction
+    /* The dynamics whose memory must be freed, or NULL if there is none. Rows drawn with and without friction
      * have different dynamics. */
     const struct dynamics *begun;
 };
@@ -39,7 +39,7 @@ struct glide {
     real bend;  /* lower bound of -d2H/dtheta2, up to the tilt from which H decreases */
     real t;     /* tangent of half the angle by which the present domino turns */
     real curve; /* upper bound of -theta_i'' of the present domino */
-    bool rises; /* some follower rises at first */
+    bool rises; /* true if some follower rises at first */
 };
 
 /* Adds one domino, which moves from the state b to the state a, to the sums. */

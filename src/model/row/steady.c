@@ -2,7 +2,7 @@
 #include "row/steady.h"
 
 /* A head can repeat the motion of the previous one only if the number of equal dominoes up to the head
- * exceeds the longest pass by this. */
+ * exceeds the longest pass by at least this number. */
 enum { STEADY_MORE = 2 };
 
 /* If a row ends with equal dominoes, the geometry of this many of them is made before the run. */
