@@ -22,8 +22,8 @@ extern "C" {
     X(LEANS, "it touches the next domino before it tips over: it needs a push")                              \
     X(PARTS, "it moves ahead of the dominoes that lean on it, which the model does not include")             \
     X(LOCKS, "friction locks it: the contact force passes on the wrong side of its hinge")                   \
-    X(SKEWED, "because one of the dominoes leans, it already touches the next one, or would touch it in a "  \
-              "way that the model does not include")
+    X(SKEWED, "it or the next domino leans, so that the two already touch, or would touch in a way that "    \
+              "the model does not include")
 
 enum dom_row_end {
 #define DOM_ROW_ENUM(name, text) DOM_ROW_##name,

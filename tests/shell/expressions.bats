@@ -322,7 +322,7 @@ END
     wrong 'print 1 < 2 < 3' "join several by 'and'"
     wrong 'print 1 m < 2' 'a length and a plain number cannot be compared'
     wrong 'if(1 m, 1, 0)' 'a length is not a condition'
-    wrong 'if(1, 2)' 'if takes a condition and two values'
+    wrong 'if(1, 2)' "'if' takes a condition and two values"
     wrong 'let and = 1' "'and' is a word of the expression language"
 }
 

@@ -91,7 +91,7 @@ struct failure {
     int column; /* counted from 1, or 0 for an error in the line as a whole */
 };
 
-/* An output format. A function that would write nothing is NULL. */
+/* An output format. A member is NULL if its function would do nothing. */
 struct format {
     bool for_people; /* the format is for people, with sentences and units; otherwise it is for programs */
     bool escapes;    /* the format escapes control characters itself, in a way that programs can decode */

@@ -53,8 +53,9 @@ struct argument {
     int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Only the last four kinds have these functions. `parse` stores its result in question->parsed. `bind`
-     * evaluates this result in the state of the query, and stores its own result in given->bound. */
+    /* Only arguments of the last four kinds have these functions. `parse` stores its result in
+     * question->parsed. `bind` evaluates this result in the state of the query, and stores its own result in
+     * given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
                  struct problem *problem);

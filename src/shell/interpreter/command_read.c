@@ -216,8 +216,8 @@ static void command_unknown(struct reader *r, const char *name, int k, const cha
         problem_error(r->problem, "'%s' is a variable; '%s = VALUE' changes it, '%s' shows it", name, name,
                       name);
     else if (!command && names_exact(expression_names, NULL, name) >= 0 && strcmp(name, "pi") != 0)
-        problem_error(r->problem, "'%s' is a function; its values are in parentheses, as in '%s(2)'", name,
-                      name);
+        problem_error(r->problem, "'%s' is a function; write its arguments in parentheses, as in '%s(2)'",
+                      name, name);
     else if (named && named->effect)
         problem_error(r->problem, "'%s' is an effect; enter 'effect %s'", name, effect_usage(named->which));
     else if (p && p->effect)

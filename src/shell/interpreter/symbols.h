@@ -59,7 +59,7 @@ struct resolver {
     void *context;                /* for `with` */
     const struct variable *scope; /* the function whose body is being resolved, or NULL */
     struct routine *routines;
-    int depth; /* how many functions contain the function whose body is being resolved */
+    int depth; /* the nesting depth of the function whose body is being resolved */
 };
 
 /* Resolves every name of a tree. Returns the height of the tree. After an error, sets *resolver->error and

@@ -121,8 +121,8 @@ struct channel {
 };
 
 /* Reads the bytes that are available. If there are none yet, the program at the other end may be waiting for
- * answers before it writes its next command, so the collected answers are written first. They need not be
- * written after each command. */
+ * answers before it writes its next command, so the collected answers are written first. Answers therefore
+ * need not be written after each command. */
 static ssize_t channel_read(void *cookie, char *bytes, size_t size)
 {
     const struct channel *c = cookie;

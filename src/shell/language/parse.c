@@ -157,7 +157,7 @@ static struct tree *parse_name(struct parse *p)
     if (t->called && strcmp(t->name, "if") == 0) {
         if (t->count != 3) {
             p->end = at;
-            return parse_fail(p, "if takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
+            return parse_fail(p, "'if' takes a condition and two values, as in 'if(r > 1.5, 1, 0)'");
         }
         t->kind = TREE_IF;
         return t;

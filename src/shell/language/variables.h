@@ -12,7 +12,7 @@ struct variable {
     struct quantity value;                              /* the value of a variable */
     char *body;                                         /* the text of a function; NULL for a variable */
     int count;                                          /* the number of arguments of a function */
-    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* the names of these arguments */
+    char argument[EXPRESSION_ARGUMENTS][VARIABLE_NAME]; /* the names of the arguments of a function */
 };
 
 struct variables {

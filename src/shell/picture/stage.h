@@ -27,7 +27,7 @@ struct point {
 enum part { STANDS, FALLS, HEAD, WEAKEST, ENDS, PARTS };
 
 /* Special values of drawn.number. NUMBER_NEXT is the domino in front of the head of a train, and NUMBER_NONE
- * a domino without a label. NUMBER_TOWER and NUMBER_PERSON draw the silhouette of a tower or of a person,
+ * is a domino without a label. NUMBER_TOWER and NUMBER_PERSON draw the silhouette of a tower or of a person,
  * with the height of the domino, instead of a domino. */
 enum { NUMBER_NEXT = -1, NUMBER_NONE = -2, NUMBER_TOWER = -3, NUMBER_PERSON = -4 };
 

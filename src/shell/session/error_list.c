@@ -23,8 +23,8 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
                   .usual = (domq_real)(usual_)},                                                             \
                  {.name = "LIMITS",                                                                          \
                   .unit = "",                                                                                \
-                  .meaning = "whether the error is normal, and SIZE its standard deviation, or uniform "     \
-                             "from -SIZE to SIZE",                                                           \
+                  .meaning = "distribution of the error: normal with the standard deviation SIZE, or "       \
+                             "uniform from -SIZE to SIZE",                                                   \
                   .lowest = 0,                                                                               \
                   .highest = 1,                                                                              \
                   .usual = 0,                                                                                \
