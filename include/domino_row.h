@@ -361,7 +361,9 @@ struct dom_limits {
     dom_real heaviest;
     /* m, the grid: all sizes and gaps that change are multiples of this length; 0 if there is no grid */
     dom_real grid;
-    const dom_real *board; /* array of `boards` thicknesses in m, in increasing order; may be NULL */
+    /* Array of `boards` thicknesses in m, in increasing order; may be NULL. If only dominoes above a height
+     * are boxes, only the solid dominoes are cut from boards, and boxes may have any thickness. */
+    const dom_real *board;
     size_t boards;
 };
 

@@ -255,6 +255,13 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
         "$(json "$tall; effect walls 12 mm 30 cm; change 5 height 40 cm; row" | values mass | sed -n 5p)" 1e-9
     close 'a box becomes a block' "$(awk 'BEGIN { OFMT = "%.17g"; h = 0.048 * 1.5^5; print 600 * 0.2 * h / 2 * 0.05 }')" \
         "$(json "$tall; effect walls 12 mm 30 cm; change 6 height 20 cm; change 6 thickness 5 cm; row" | values mass | sed -n 6p)" 1e-9
+    # Blocks are cut from boards; a box is made of its walls, and may have any thickness.
+    local boards="$tall; effect walls 12 mm 30 cm; effect placement 1 mm"
+    for made in 'set q solid; design 1 m boards 7, 10, 15, 20, 25, 30 mm grid 1 mm' 'improve sizes boards 7, 10, 15, 20, 25, 30 mm grid 1 mm hall 10 m'; do
+        json "$boards; $made; row" >boxes
+        same "boards: $made" 0 "$(paste <(values height <boxes) <(values thickness <boxes) | awk 'NR > 1 && $1 < 0.3 && ! index(" 0.007 0.01 0.015 0.02 0.025 0.03 ", " " $2 " ")' | wc -l)"
+        [ "$(paste <(values height <boxes) <(values thickness <boxes) | awk '$1 > 0.3 && $2 > 0.031' | wc -l)" -gt 0 ]
+    done
     # A window of heights leaves a block a block, and an error of the heights does, too.
     run -0 "$DOMINO" -e "$tall; effect walls 12 mm 30 cm; tolerance; effect placement 1 mm 5 %; placement 50; improve sizes"
     [ "$(json "set q solid; effect walls 12 mm 30 cm; design 2 m" | values steps)" -gt 3 ]

@@ -169,7 +169,7 @@ static enum dom_status slopes_add(const struct chance *c, struct draw *draw, con
         if (status != DOM_OK || !limits->sizes || k + 1 == count)
             continue;
         shape_resize(c->shape, d, d->height * (1 + CHANGE),
-                     d->thickness * (limits->boards > 0 ? 1 : 1 + CHANGE));
+                     d->thickness * (shape_from_board(c->shape, d->height) ? 1 : 1 + CHANGE));
         status = energies_find(c, &draw->row, w->margin, k, w->changed);
         sums->by_size[k] -= change_of(w, count) / (double)CHANGE;
         *d = before;

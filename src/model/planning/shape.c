@@ -95,12 +95,18 @@ static dom_real on_grid(const struct shape *s, dom_real length)
     return grid > 0 ? fmax(floor(length / grid + (dom_real)0.5), 1) * grid : length;
 }
 
-/* Returns the thickness of the board that is closest to the given thickness. If there are no boards, returns
- * the given thickness, rounded to the grid if `final` is true. */
-static dom_real board_near(const struct shape *s, dom_real thickness, bool final)
+bool shape_from_board(const struct shape *s, dom_real height)
+{
+    const bool is_box = s->row->boxes_above > 0 && walls_of(s->row, height) > 0;
+    return s->limits->boards > 0 && !is_box;
+}
+
+/* Returns the thickness of the board that is closest to the given thickness. If a domino of this height is
+ * not cut from a board, returns the given thickness, rounded to the grid if `final` is true. */
+static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
-    if (l->boards == 0)
+    if (!shape_from_board(s, height))
         return final ? on_grid(s, thickness) : thickness;
     dom_real near = l->board[0];
     for (size_t i = 1; i < l->boards; i++)
@@ -118,7 +124,7 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     for (int i = 0; i < 8; i++) {
         const dom_real rounded = final ? on_grid(s, height) : height;
         *d = *given;
-        shape_resize(s, d, rounded, board_near(s, ratio * rounded, final));
+        shape_resize(s, d, rounded, board_near(s, rounded, ratio * rounded, final));
         if (d->mass <= heaviest)
             break;
         height = fmin(height * pow(heaviest / d->mass, 1 / (s->limits->q - 1)), rounded - s->limits->grid);
@@ -177,8 +183,9 @@ static bool is_on_grid(const struct shape *s, dom_real length)
 static bool size_keeps(const struct shape *s, const struct dom_domino *d)
 {
     const struct dom_limits *l = s->limits;
-    bool sold = l->boards == 0 && is_on_grid(s, d->thickness);
-    for (size_t i = 0; i < l->boards; i++)
+    const bool from_board = shape_from_board(s, d->height);
+    bool sold = !from_board && is_on_grid(s, d->thickness);
+    for (size_t i = 0; from_board && i < l->boards; i++)
         sold = sold || fabs(d->thickness / l->board[i] - 1) < ROUNDED - 1;
     return sold && is_on_grid(s, d->height) && d->mass <= l->heaviest * ROUNDED;
 }
@@ -201,7 +208,7 @@ void shape_round(const struct shape *s, struct dom_domino *d)
     for (size_t k = 1; k < count; k++) {
         const dom_real height = k + 1 < count ? on_grid(s, d[k].height) : d[k].height,
                        thickness = d[k].thickness * (height / d[k].height);
-        shape_resize(s, &d[k], height, board_near(s, thickness, true));
+        shape_resize(s, &d[k], height, board_near(s, height, thickness, true));
     }
     if (s->limits->grid > 0)
         gaps_round(s, d);

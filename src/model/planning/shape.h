@@ -24,6 +24,10 @@ void shape_begin(const struct shape *shape, double *x);
  * fit. */
 dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness);
 
+/* Returns true if a domino of this height has the thickness of one of the boards. A box above the height up
+ * to which dominoes are solid may have any thickness. */
+bool shape_from_board(const struct shape *shape, dom_real height);
+
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
