@@ -51,6 +51,9 @@ END
     pages=$(grep -c '^set label "Forty.*page [0-9]' forty.gp || :)
     same 'the script has no title' 0 "$pages"
     for page in 2 3; do grep -q "^set label \"page $page\"" forty.gp; done
+    # The notes above the tables are broken into lines that fit on the page.
+    grep -q '^set label "between .least. and .most.' forty.gp
+    same 'too long for the page' 0 "$(sed -n 's/^set label "\(.*\)" at screen.*/\1/p' forty.gp | awk 'length > 108' | wc -l)"
     xmllint --noout forty.svg one.svg
     for text in '>40<' '>332[0-9][.][0-9]<' 'person' 'For the hall' '>page'; do
         if [ "$text" = '>page' ]; then run ! grep -q "$text" forty.svg; else grep -q "$text" forty.svg; fi

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "picture/guide.h"
+#include "answer/wrap.h"
 #include "picture/picture.h"
 #include <math.h>
 #include <string.h>
@@ -50,6 +51,7 @@ enum {
     SIZE = 11,  /* the font size of a table */
     DRAWING_LEAST = 190,
     DRAWING_MOST = 400,
+    NOTE = 108,     /* the width of the note above a table, in characters */
     LEAST_LINES = 5 /* the minimum number of lines of a table at the end of a page */
 };
 
@@ -107,6 +109,19 @@ static void head_put(struct page *p, const struct guide_table *table, const doub
     p->y += LINE;
 }
 
+/* Writes the note of a table. */
+static void note_put(struct page *p, const char *note)
+{
+    char line[2 * NOTE];
+    for (size_t n; *note; note += n + strspn(note + n, " ")) {
+        n = line_break(note, NOTE);
+        snprintf(line, sizeof line, "%.*s", (int)n, note);
+        text_put(p, SIDE, "left", SIZE - 1, false, line);
+        p->y += LINE;
+    }
+    p->y += 2;
+}
+
 static void table_put(struct page *p, const struct guide_table *table)
 {
     const int columns = columns_of(table);
@@ -117,13 +132,12 @@ static void table_put(struct page *p, const struct guide_table *table)
     const double each = fmin(1.5 * letter, wide / letters);
     for (int k = 0; k < columns; k++)
         right[k] = (k > 0 ? right[k - 1] : SIDE) + each * ((double)column_width(table, k) + (k > 0 ? 2 : 0));
-    if (page_is_full(p, LEAST_LINES + 3))
+    if (page_is_full(p, LEAST_LINES + 4))
         page_begin(p);
     p->y += SPACE;
     text_put(p, SIDE, "left", SIZE + 2, true, table->title);
     p->y += LINE + 2;
-    text_put(p, SIDE, "left", SIZE - 1, false, table->note);
-    p->y += LINE + 2;
+    note_put(p, table->note);
     head_put(p, table, right);
     for (size_t i = 0; i < table->count; i++) {
         if (page_is_full(p, 1)) {
@@ -147,7 +161,8 @@ static struct page page_first(const struct guide *guide, bool is_cut)
     const double drawing = v->height - v->above - v->below;
     double lines = 0;
     for (int i = 0; i < guide->tables; i++)
-        lines += LINE * ((double)guide->table[i].count + 3) + 2 * SPACE + 4;
+        lines +=
+            LINE * (double)(guide->table[i].count + 3 + strlen(guide->table[i].note) / NOTE) + 2 * SPACE + 4;
     v->indent = SIDE;
     v->head = SIDE / 2.0 + (guide->title ? TITLE : 0);
     v->above += v->head;
