@@ -56,8 +56,8 @@ static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, r
 {
     const struct geometry *geometry = c->geometry;
     real finest = geometry_finest(geometry);
-    while (finest <= *lo &&
-           finest < hi / 8) /* a head that leans at the start is already past the smallest scale */
+    /* If the head leans at the start, it is already past the smallest scale. */
+    while (finest <= *lo && finest < hi / 8)
         finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
         enum num_status solver = num_linear_solve(flow_rate, c, *lo, to, tol / 8, &geometry->flow->solution);

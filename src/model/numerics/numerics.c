@@ -97,10 +97,10 @@ struct span {
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
-    real step, sum; /* used by the double exponential rule */
+    real step, sum; /* for the double exponential rule */
     real peak, width, from, to,
-        /* Used by the rule of Clenshaw and Curtis. If width is not NaN, the variable of the rule is u in x =
-         * peak + width sinh u. */
+        /* The rule of Clenshaw and Curtis uses these members. If width is not NaN, the variable of the rule
+         * is u in x = peak + width sinh u. */
         *value;
 };
 

@@ -84,7 +84,8 @@ static size_t values_all(void)
     return all;
 }
 
-/* Returns the number of rows on a level, which is limited to about twice the number of rows that decide. */
+/* Returns the number of rows on a level: at most about twice the number of rows that decide whether a result
+ * is kept. */
 static size_t rows_of(const struct dom_placement *placement, const struct level *level)
 {
     const size_t most = 2 * placement->rows + 2;
@@ -178,7 +179,7 @@ static void widths_set(struct search *s, const struct level *level, const gsl_ve
     }
 }
 
-/* Counts how many of the deciding rows fall. */
+/* Counts how many rows fall among those that decide whether a result is kept. */
 static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
 {
     struct dom_row row = *s->shape.row;
@@ -186,9 +187,9 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Keeps a row if fewer rows of the search fail with it than with the best row so far, and if more of the
- * deciding rows fall with it than with the row as given. If the row as given is outside the limits, any row
- * within the limits is better. */
+/* Keeps a new row if fewer rows of the search fail with the new row than with the best row so far, and if
+ * more of the rows that decide fall with the new row than with the row as given. If the row as given is
+ * outside the limits, any row within the limits is better. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;

@@ -179,7 +179,7 @@ static bool is_on_grid(const struct shape *s, dom_real length)
     return fabs(cells - floor(cells + (dom_real)0.5)) < (dom_real)1e-6;
 }
 
-/* Returns true if the mass, the height and the thickness of a domino keep the limits. */
+/* Returns true if the mass, the height and the thickness of a domino are within the limits. */
 static bool size_keeps(const struct shape *s, const struct dom_domino *d)
 {
     const struct dom_limits *l = s->limits;

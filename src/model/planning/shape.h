@@ -17,7 +17,7 @@ struct shape {
  * not change has no variables. */
 size_t shape_variables(const struct shape *shape);
 
-/* Sets the variables to the values for the given row. */
+/* Sets the variables to the values that describe the given row. */
 void shape_begin(const struct shape *shape, double *x);
 
 /* Returns the volume of the wood of a domino that is half as wide as it is tall, or 0 if its walls do not
@@ -31,13 +31,13 @@ bool shape_from_board(const struct shape *shape, dom_real height);
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
 void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real height, dom_real thickness);
 
-/* Writes the dominoes that belong to the variables. Gaps are narrowed if the row would be longer than the
+/* Writes the dominoes that the variables describe. Gaps are narrowed if the row would be longer than the
  * hall, or if a gap would be wider than the height of the domino before it. If `final` is true, all lengths
  * that may change are rounded to the grid. Returns false if the dominoes do not fit into the hall. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
 /* Rounds the measures of a row: the heights of all dominoes but the first and the last, the thicknesses of
- * all but the first, and the places. */
+ * all but the first, and the positions. */
 void shape_round(const struct shape *shape, struct dom_domino *domino);
 
 /* Returns DOM_OK, or the status that says which limit is outside its range. */
