@@ -383,7 +383,7 @@ const struct command help_commands[] = {
     {.name = "complete",
      .synonyms = "tab completion",
      .argument = {{.name = "LINE", .kind = ARGUMENT_REST, .optional = true}},
-     .summary = "list how LINE may continue, as <TAB> does",
+     .summary = "list the ways to continue LINE, as <TAB> does",
      .example = "complete set output j",
      .act = run_complete},
     {.name = "version",

@@ -89,7 +89,7 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the standard deviation of the gaps with which this share falls", 0},
+    {"sigma", "m", "the standard deviation of the gaps at which this share falls", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
     {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
@@ -241,7 +241,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
             answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
     if (call->kind != DOM_ERROR_gap)
         answer_describe(a, "sigma", NULL,
-                        "the size of the error, or the factor of all errors, with which this share falls");
+                        "the size of the error, or the factor for all errors, at which this share falls");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
