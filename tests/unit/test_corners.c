@@ -107,6 +107,27 @@ TEST(bounds_are_extra)
 
 /* ---- Refusals ---- */
 
+/* Checks that the methods agree on the barrier and the duration, and that only ours has error bounds. */
+TEST(methods_agree)
+{
+    struct asked t = asked_default();
+    struct domq_barrier ours, other;
+    domq_real duration, by_method, error;
+    t.tol = 1e-5;
+    assert_status(ask_barrier_find(&t, &ours, NULL), DOM_OK);
+    assert_status(ask_cycle_duration(&t, &duration, NULL), DOM_OK);
+    for (int method = DOM_METHOD_GSL; method <= DOM_METHOD_PAPER; method++) {
+        t.method = (enum dom_method)method;
+        assert_status(ask_barrier_find(&t, &other, NULL), DOM_OK);
+        assert_near("barrier", (double)other.barrier, (double)ours.barrier, 1e-3);
+        assert_near("kinetic", (double)other.kinetic, (double)ours.kinetic, 1e-3);
+        assert_status(ask_cycle_duration(&t, &by_method, NULL), DOM_OK);
+        assert_near("duration", (double)by_method, (double)duration, 1e-3);
+        assert_status(ask_barrier_find(&t, &other, &other), DOM_NO_METHOD);
+        assert_status(ask_cycle_duration(&t, &by_method, &error), DOM_NO_METHOD);
+    }
+}
+
 /* Checks that the methods agree if even equal dominoes stop, and if the growth is limited by 1/s. */
 TEST(methods_at_the_ends)
 {
