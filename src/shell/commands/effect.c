@@ -6,7 +6,7 @@
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/text.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include <stdlib.h>
 
 /* ---- effects ---- */

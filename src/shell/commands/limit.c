@@ -127,7 +127,7 @@ static const char *start_missing(const struct query *query, const struct answer 
 static bool run_rmax(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct domq_train train = query->scene->train;
-    struct domq_limit exact, paper;
+    struct domq_limit exact = {.r_max = DOMQ_NAN}, paper = exact;
     train.s = argument_or(query->given, 0, train.s);
     if (!query_status(query, problem, limits_find(train, query_compute(query), &exact, &paper)))
         return false;

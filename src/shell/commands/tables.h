@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of commands, and the commands that are not defined in the same file as the table that lists
- * them. */
+/*
+ * The tables of commands, and commands that are not defined in the file of their table.
+ *
+ * To add a command, add an entry (struct command, see command.h) to the table whose group it belongs to, and
+ * write its columns and its function run_NAME in the same file. The comments at the tables name the files. A
+ * command in a file of its own is declared here, or in the header of its folder.
+ */
 #ifndef SHELL_TABLES_H
 #define SHELL_TABLES_H
 
@@ -9,10 +14,22 @@
 /* All commands, in the order in which 'help' lists them. A group with a NULL title ends the list. */
 extern const struct command_group all_commands[];
 
-extern const struct command cycle_commands[], walk_commands[], limit_commands[], cost_commands[],
-    session_commands[], help_commands[], draw_commands[], plot_commands[], effect_commands[], row_commands[],
-    study_commands[], sweep_commands[], design_commands[], prove_commands[], explain_commands[],
-    script_commands[];
+extern const struct command cycle_commands[];   /* cycle.c */
+extern const struct command walk_commands[];    /* step.c */
+extern const struct command limit_commands[];   /* limit.c */
+extern const struct command prove_commands[];   /* prove.c */
+extern const struct command explain_commands[]; /* explain/explain.c */
+extern const struct command draw_commands[];    /* drawing/draw.c */
+extern const struct command plot_commands[];    /* plots/plot.c */
+extern const struct command sweep_commands[];   /* sweeps/sweep_table.c */
+extern const struct command effect_commands[];  /* effect.c */
+extern const struct command row_commands[];     /* rows/row.c */
+extern const struct command design_commands[];  /* planning/planning_table.c */
+extern const struct command study_commands[];   /* rows/study.c */
+extern const struct command cost_commands[];    /* cost.c */
+extern const struct command session_commands[]; /* settings.c */
+extern const struct command script_commands[];  /* script.c */
+extern const struct command help_commands[];    /* help.c */
 
 /* Initialises the columns and the function of a command that prints an answer. Both are named after the
  * command. */

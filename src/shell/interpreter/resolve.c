@@ -53,7 +53,7 @@ static struct routine *routine_parse(struct resolver *r, const struct tree *t, c
     struct routine *routine = arena_take(r->arena, sizeof *routine);
     struct tree *body = routine ? expression_parse(&p) : NULL;
     if (!routine)
-        expression_wrong(r->error, t->at, "out of memory");
+        expression_report(r->error, t->at, false, "out of memory");
     if (!body) {
         r->error->at = t->at;
         return NULL;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
+void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -16,7 +16,6 @@ bool expression_report(struct expression_error *error, const char *at, bool of_v
     error->at = at;
     error->of_value = of_value;
     error->names_function = false;
-    return false;
 }
 
 /* Returns true if a result is finite and the exponents of its unit are not too large. Otherwise sets the

@@ -71,11 +71,11 @@ struct expression_error {
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. Always returns false. */
-bool expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
+/* Stores an error. The two macros are false, so that a function can report an error and return. */
+void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-#define expression_wrong(error, at, ...)    expression_report(error, at, false, __VA_ARGS__)
-#define expression_no_value(error, at, ...) expression_report(error, at, true, __VA_ARGS__)
+#define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
+#define expression_no_value(error, at, ...) (expression_report(error, at, true, __VA_ARGS__), false)
 
 /* The state of the parser. */
 struct parse {

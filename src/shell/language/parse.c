@@ -10,7 +10,7 @@
 enum { DEPTH_MAX = 100, NODES_MAX = 1000000, NAME_SIZE = 32 };
 
 /* Reports a syntax error at p->end. The value of the macro is NULL. */
-#define parse_fail(p, ...) (expression_wrong((p)->error, (p)->end, __VA_ARGS__), (struct tree *)NULL)
+#define parse_fail(p, ...) (expression_report((p)->error, (p)->end, false, __VA_ARGS__), (struct tree *)NULL)
 
 static struct tree *make_node(struct parse *p, enum tree_kind kind, const char *at)
 {

@@ -8,7 +8,6 @@
 #define SHELL_CHART_H
 
 #include "picture/canvas.h"
-#include "session/query.h"
 
 enum chart_kind {
     CHART_LINE,

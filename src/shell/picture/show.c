@@ -141,14 +141,14 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     const bool is_script = a->path && ending_of(a->path)->is_script;
     if (!a->path)
         graphics_size(a->out, &width, &height);
-    if (stage) {
+    if (!chart) {
         int sheet_height = height * SHEET_WIDTH / width;
         sheet = sheet_of(stage, STAGE_LEAST, sheet_height);
         height = (int)(sheet.height * width / SHEET_WIDTH);
     }
     if (!a->path)
-        graphics_terminal(a->out, width, height, stage != NULL, terminal, sizeof terminal);
-    else if (stage)
+        graphics_terminal(a->out, width, height, !chart, terminal, sizeof terminal);
+    else if (!chart)
         sheet_terminal(&sheet, is_script ? ".pdf" : a->path, terminal, sizeof terminal);
     else
         chart_terminal(chart, a->path, terminal, sizeof terminal);
@@ -156,7 +156,7 @@ static bool show_drawn(const struct answer *a, const struct chart *chart, const 
     if (is_script)
         script_head(a, terminal);
     bool drawn = drawing && (is_script || picture_begin(&picture, drawing, terminal, interrupt, problem));
-    if (drawn && stage)
+    if (drawn && !chart)
         stage_script(stage, &sheet, picture.script);
     else if (drawn)
         chart_script(chart, picture.script);

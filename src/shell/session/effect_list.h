@@ -2,8 +2,10 @@
 /*
  * Descriptions of all effects: first the effects of the library, then the effects that only the rigid-body
  * engine can compute, because a train with one degree of freedom cannot have them, and then the errors of
- * random rows (error_list.c). To add an effect of the engine, add its name to effect_kinds.h, its description
- * to effect_list.c, its value to scene_engine_make (engine.c), and its code to src/engine/.
+ * random rows (random_error_list.c). To add an effect of the engine, add its name to effect_kinds.h, its
+ * description to effect_list.c, its value to scene_engine_make (engine.c), and its code to src/engine/. An
+ * effect of the model is added in src/model/dynamics (its README.md has the steps), and the calculator takes
+ * it from the library's list.
  */
 #ifndef SHELL_EFFECT_LIST_H
 #define SHELL_EFFECT_LIST_H

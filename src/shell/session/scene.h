@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The scene is everything that determines the numbers of an answer. The state consists of the scene, the
- * settings, and the variables defined by 'let'; 'undo', 'save' and 'diff' work on states. parameters.h lists
- * the parameters, which are members of the state.
+ * settings, and the variables defined by 'let'; 'undo', 'save' and 'diff' work on states. parameter_list.c
+ * lists the parameters, which are members of the state.
  */
 #ifndef SHELL_SCENE_H
 #define SHELL_SCENE_H

@@ -1,24 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command animate, which makes a film of the falling row with a clock, or a film of several cycles of the
  * train, each r times larger than the one before. */
+#include "commands/drawing/animate_train.h"
 #include "commands/drawing/draw_words.h"
 #include "commands/drawing/falling_row.h"
-#include "commands/drawing/film.h"
 #include "commands/drawing/tower.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
 #include <stdlib.h>
-
-bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
-{
-    if (f->answer)
-        return watch(f);
-    return movie_begin(&f->movie, f->query->given->word[0], stage, f->frames, f->delay,
-                       f->query->scene->compute.interrupt, f->problem) &&
-           movie_end(&f->movie, watch(f), f->problem);
-}
 
 /* ---- The row ---- */
 

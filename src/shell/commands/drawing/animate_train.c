@@ -1,10 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A film of several cycles of the train, each r times larger than the one before. */
-#include "commands/drawing/film.h"
+#include "commands/drawing/animate_train.h"
 #include "commands/tables.h"
 #include "commands/walk.h"
 #include "language/quad.h"
 #include <math.h>
+
+bool film_make(struct film *f, const struct stage *stage, bool (*watch)(struct film *film))
+{
+    if (f->answer)
+        return watch(f);
+    return movie_begin(&f->movie, f->query->given->word[0], stage, f->frames, f->delay,
+                       f->query->scene->compute.interrupt, f->problem) &&
+           movie_end(&f->movie, watch(f), f->problem);
+}
 
 enum { FRAMES_FIRST = 25, FRAMES_DELAY = 4, CYCLES_MOST = 30 };
 /* The largest domino of a film is at most this many times as tall as the first head. Otherwise the first

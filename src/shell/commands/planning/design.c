@@ -214,7 +214,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
     answer_say(a, "\n%zu dominoes%s; the last is %s tall.%s%s\n", plan->count, growth,
                measured(wish->height, "m", 4).text, least, engine);
     struct answer list = {.out = a->out, .style = a->style};
-    plan_write(&list, plan, false);
+    designed_list(&list, plan, false);
 }
 
 /* Makes the design the row of the session. Does nothing if query->next is NULL, because the command is then
@@ -294,7 +294,7 @@ static bool design_answer(const struct query *query, const struct wishes *w, str
         (keeps && w->falls > 0 && !design_improve(query, w, a, plan, d, study, problem)))
         return false;
     if (file)
-        plan_write(a, plan, true);
+        designed_list(a, plan, true);
     else
         design_row(a, plan, d, study, NULL);
     if (answer_for_people(a))
@@ -336,7 +336,7 @@ bool run_design(const struct query *query, struct answer *a, struct problem *pro
         infeasible_text(query, &wish, &d, reason, sizeof reason);
     if (d.limit != DOM_DESIGN_FITS)
         return design_none(a, &d, reason, file, problem);
-    if (!plan_make(query, problem, &wish, limits, &d, &plan))
+    if (!designed_make(query, problem, &wish, limits, &d, &plan))
         return false;
     const bool good = design_answer(query, w, a, &wish, &plan, &d, &study, problem);
     free(plan.domino);

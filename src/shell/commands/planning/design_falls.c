@@ -6,7 +6,7 @@
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include <stdlib.h>
 
 /* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE designs whose row falls if its
@@ -67,12 +67,12 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     struct designed_row plan;
     struct scene scene;
     struct domq_error error[DOM_ERROR_COUNT];
-    if (!plan_make(query, problem, wish, limits, d, &plan))
+    if (!designed_make(query, problem, wish, limits, d, &plan))
         return false;
     bool good = design_scene(query->scene, d, &plan, &scene, problem);
     struct query of_row = *query;
     of_row.scene = &scene;
-    *t = (struct tried){.count = plan.count, .length = d->length, .mass = plan_mass(&plan)};
+    *t = (struct tried){.count = plan.count, .length = d->length, .mass = designed_mass(&plan)};
     const bool engine = good && scene_has_engine(&scene);
     good = good && study_run(&of_row, problem, rows_for(0, engine), &t->study, error);
     if (good && (domq_real)t->study.high >= falls && rows_for(falls, engine) > t->study.rows)

@@ -33,8 +33,8 @@ void design_columns_choose(struct answer *a, bool falls)
 
 /* ---- The dominoes of a design ---- */
 
-bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-               const struct domq_limits *limits, const struct domq_design *d, struct designed_row *p)
+bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
+                   const struct domq_limits *limits, const struct domq_design *d, struct designed_row *p)
 {
     const domq_real mass = scene_mass(query->scene);
     *p = (struct designed_row){.count = d->steps + 1,
@@ -62,7 +62,7 @@ static domq_real plan_material(const struct designed_row *p, const struct domq_d
                      : d->height * width * d->thickness;
 }
 
-void plan_write(struct answer *a, const struct designed_row *p, bool file)
+void designed_list(struct answer *a, const struct designed_row *p, bool file)
 {
     static const struct column columns[] = {
         {"domino", "", "", 6},   {"height", "m", "", 9},    {"thickness", "m", "", 9},
@@ -105,7 +105,7 @@ void plan_write(struct answer *a, const struct designed_row *p, bool file)
     }
 }
 
-domq_real plan_mass(const struct designed_row *p)
+domq_real designed_mass(const struct designed_row *p)
 {
     domq_real mass = 0;
     for (size_t k = 0; k < p->count; k++)
@@ -124,7 +124,7 @@ void design_row(struct answer *a, const struct designed_row *p, const struct dom
     answer_row(a,
                ROW(cell_real(d->s), cell_bound(d->r, DOMQ_NAN), p ? cell_count((domq_real)d->steps) : none,
                    cell_narrow(d->feet, 5), cell_narrow(d->length, 5),
-                   p && p->has_masses ? cell_narrow(plan_mass(p), 5) : none,
+                   p && p->has_masses ? cell_narrow(designed_mass(p), 5) : none,
                    p && p->hollow ? cell_narrow(material, 5) : none,
                    p && !p->hollow ? cell_narrow(material, 5) : none, cell_narrow(d->row, 5),
                    d->weakest > 0 ? cell_count((domq_real)d->weakest) : none, cell_narrow(d->train, 5),

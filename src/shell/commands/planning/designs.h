@@ -18,15 +18,16 @@ struct designed_row {
 
 /* Makes the dominoes of a design. Sets *problem and returns false if memory runs out; otherwise the caller
  * frees plan->domino. */
-bool plan_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
-               const struct domq_limits *limits, const struct domq_design *design, struct designed_row *plan);
+bool designed_make(const struct query *query, struct problem *problem, const struct domq_wish *wish,
+                   const struct domq_limits *limits, const struct domq_design *design,
+                   struct designed_row *plan);
 
 /* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
-domq_real plan_mass(const struct designed_row *plan);
+domq_real designed_mass(const struct designed_row *plan);
 
 /* Lists the dominoes. For people, the list has the sizes to saw, and the places where the dominoes stand.
  * For a file, the list has the columns that 'effect row FILE' reads. */
-void plan_write(struct answer *a, const struct designed_row *plan, bool file);
+void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `falls` is true. */
 void design_columns_choose(struct answer *a, bool falls);

@@ -5,7 +5,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include <stdlib.h>
 
 const struct column improve_columns[] = {

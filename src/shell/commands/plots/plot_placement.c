@@ -5,7 +5,7 @@
 #include "io/terminal.h"
 #include "language/quad.h"
 #include "parallel/workers.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include <stdlib.h>
 
 enum { SIGMAS = 13, ROWS_USUAL = 400, ROWS_ROUGH = 100 };

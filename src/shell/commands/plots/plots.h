@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The plots of the command 'plot'. A plot has a function that writes rows of data, and a table of labels and
- * curves. Programs get the rows as csv or json. For people, plot_draw draws a chart of the same rows.
+ * curves. Programs get the rows as csv or json. For people, plot_draw draws a chart of the same rows. To add
+ * a plot, write its function, declare it below, and add an entry to the table of plots in plot.c.
  */
 #ifndef SHELL_PLOTS_H
 #define SHELL_PLOTS_H

@@ -18,7 +18,8 @@ bool row_run_begin(const struct query *query, struct problem *problem, struct ro
     if (scene->report.hit)
         return true;
     row_run_free(run);
-    return query_status(query, problem, DOM_NO_MEMORY);
+    (void)query_status(query, problem, DOM_NO_MEMORY);
+    return false;
 }
 
 static bool fall_keep(const struct domq_fall *fall, void *context)

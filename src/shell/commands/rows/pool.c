@@ -6,7 +6,7 @@
  */
 #include "commands/rows/rows.h"
 #include "parallel/points.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include "session/rowfile.h"
 #include <stdint.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #define SHELL_ROWS_H
 
 #include "commands/rows/falling.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 
 extern const struct column fall_columns[], verdict_columns[], mend_columns[], tolerance_columns[],
     placement_columns[], slip_columns[];

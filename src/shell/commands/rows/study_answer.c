@@ -3,7 +3,7 @@
  * each kind of error costs. */
 #include "commands/rows/rows.h"
 #include "language/text.h"
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include <stdlib.h>
 
 const struct column placement_columns[] = {

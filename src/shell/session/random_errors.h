@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors of random rows: converts the effects of a scene to the form that the library takes. */
-#ifndef SHELL_ERRORS_H
-#define SHELL_ERRORS_H
+#ifndef SHELL_RANDOM_ERRORS_H
+#define SHELL_RANDOM_ERRORS_H
 
 #include "session/scene.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "session/errors.h"
+#include "session/random_errors.h"
 #include "language/quad.h"
 #include "session/effects.h"
 #include <stdio.h>

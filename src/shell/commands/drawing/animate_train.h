@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The part that is common to films of the row and films of the train. */
-#ifndef SHELL_FILM_H
-#define SHELL_FILM_H
+/* Films of the train, and the part that they have in common with films of the row. */
+#ifndef SHELL_ANIMATE_TRAIN_H
+#define SHELL_ANIMATE_TRAIN_H
 
 #include "commands/drawing/draw_words.h"
 #include "picture/movie.h"
@@ -20,7 +20,7 @@ struct film {
  * movie_frame or adds it to film->answer. If `watch` fails, it sets film->problem and returns false. */
 bool film_make(struct film *film, const struct stage *stage, bool (*watch)(struct film *film));
 
-/* Makes a film of several cycles of the train; defined in animate_train.c. */
+/* Makes a film of several cycles of the train. */
 bool animate_train(const struct film *film);
 
 #endif
