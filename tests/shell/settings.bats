@@ -136,6 +136,8 @@ END
         run -0 --separate-stderr "$DOMINO" -e "set output json; effect row $root/examples/record.csv; set $name 1"
         grep -q "does not change the row" <<<"$stderr"
     done
+    same 'a changed gap' "s does not change the gaps that 'change', 'place' or 'improve' has set (1 of 4); 'effect row N' makes a row from s and r." \
+        "$("$DOMINO" -e 'effect row 5; place 3 1 cm; set s 0.3' | tail -n 1)"
     same 'other values, and other rows, say nothing' '(nothing)' \
         "$("$DOMINO" -e "effect row $root/examples/record.csv; set d 0.1; effect row 4; set s 0.3" | grep 'does not')"
 }

@@ -59,6 +59,15 @@ static bool height_likely(const struct query *query, struct problem *problem)
                          measured(now, "m", 4).text, quad_text(given->number[1], 10));
 }
 
+/* Returns the number of gaps that have been changed one by one and no longer follow from s. */
+static size_t gaps_changed(const struct listed_row *row)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < row->changes; k++)
+        count += isnan(row->change[k].gap) ? 0 : 1;
+    return count;
+}
+
 bool run_set(const struct query *query, struct answer *a, struct problem *problem)
 {
     const struct arguments *given = query->given;
@@ -85,6 +94,13 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
                    "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from "
                    "s and r.",
                    p->name, effect_setting(query->scene, DOM_EFFECT_row));
+    const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
+    if (kept > 0 && !next->scene.listed.domino && !query->means->sourced)
+        change_say(query, a,
+                   "s does not change the gaps that 'change', 'place' or 'improve' has set (%zu of %zu); "
+                   "'effect row "
+                   "N' makes a row from s and r.",
+                   kept, next->scene.listed.changes - 1);
     if (p->effect && given->count > 1 && given->number[1] == EFFECT_ON)
         effect_say(query, a, p, before != EFFECT_OFF);
     return true;

@@ -68,7 +68,7 @@ const struct command design_commands[] = {
              "too, and keep their proportions; 'hall 20 m', the greatest length of the row with its last "
              "domino fallen (by default the length that it has now); 'boards 9, 12, 15 mm', the thicknesses "
              "to choose from (with 'effect walls 12 mm 30 cm' they are for the solid dominoes); 'mass 50 "
-             "kg', the greatest mass of a domino; and 'grid 1 mm' for sizes and "
+             "kg', the greatest mass of a domino that changes; and 'grid 1 mm' for sizes and "
              "gaps in whole mm. A domino that becomes twice as large gets 2^(q-1) times the mass. The search "
              "uses random rows; other random rows show the probability before and after the changes. A row "
              "is never replaced by a worse one. ^C ends the search with the best row so far. 'undo' takes "
