@@ -18,7 +18,7 @@
  * The second argument says how to compute (struct dom_compute). NULL means the defaults: double precision and
  * a relative tolerance of 1e-12.
  *
- * Errors: if compute.errors is set, the member `error` of a result holds upper bounds of the absolute errors
+ * Errors: if compute.errors is set, the member `error` of a result holds upper bounds on the absolute errors
  * of its numbers. The bounds cover rounding errors and the terms that are cut off at the tolerance, but not
  * the error made when the parameters are rounded to the precision. A bound is NaN if compute.errors is not
  * set, or if no bound is known. None is known for the motion and the limits of trains with friction.
@@ -34,7 +34,7 @@
  * dom_scale_tau converts to seconds. Only struct dom_scale and rows are in metres, kilograms and seconds.
  *
  * Statuses: a function that can fail returns a status. DOM_BAD_... names the parameter that is outside its
- * range. With any status other than DOM_OK, only the error bounds of the result are written, unless the
+ * range. With any status other than DOM_OK, only the error bounds on the result are written, unless the
  * comment of the function says otherwise.
  *
  * Threads: functions keep no state between calls, do no input or output, and may be called from any thread.
@@ -180,7 +180,7 @@ enum dom_status dom_train_check(const struct dom_train *train, const struct dom_
  */
 dom_real dom_train_reach(const struct dom_train *train);
 
-/* A number and an upper bound of its absolute error. */
+/* A number and an upper bound on its absolute error. */
 struct dom_value {
     dom_real value, error;
 };
@@ -490,7 +490,7 @@ struct dom_limit {
  * dom_train_reach if the margin never reaches 0. train->r is not used. If even equal dominoes do not keep
  * falling, the status is DOM_OK and `ends` is DOM_END_NONE. This function and the next two return
  * DOM_TOO_LONG if the computation would take more than a second or two in double precision. Without friction
- * the search uses bounds of the margin that cover every growth up to r_max; it can miss a dip of the margin
+ * the search uses bounds on the margin that cover every growth up to r_max; it can miss a dip of the margin
  * narrower than 1e-6 in ln r (1e-4 just before r_max, and wider dips if 1,500 intervals are not enough). With
  * friction, growths are only sampled.
  */
@@ -596,7 +596,8 @@ struct dom_box {
 };
 
 /* Finds the properties of a box with these outer sizes and walls of this thickness, all in the same unit. The
- * status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half of the thickness. */
+ * status is DOM_NO_ROOM if a size is not positive, or if the walls are thicker than half the thickness of the
+ * box. */
 enum dom_status dom_box_find(dom_real height, dom_real thickness, dom_real width, dom_real walls,
                              struct dom_box *box);
 

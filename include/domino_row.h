@@ -281,10 +281,10 @@ enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute
 /* A change of one gap that makes all dominoes of a row fall. */
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
-    dom_real gap;  /* m, the present gap */
-    /* m, rounded to seven digits: the gap closest to the present one with which all dominoes fall. */
+    dom_real gap;  /* m, the current gap */
+    /* m, rounded to seven digits: the gap closest to the current one with which all dominoes fall. */
     dom_real to;
-    /* m, the other end of the interval: all dominoes fall with every gap from `to` to `until`. */
+    /* m, the other end of the interval: all dominoes fall with any gap between `to` and `until`. */
     dom_real until;
 };
 
@@ -301,30 +301,30 @@ enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
                              size_t *count);
 
-/* The window of one gap, place, height, thickness, friction or lean: the values with which all dominoes fall
+/* The window of one gap, place, height, thickness, friction or lean: the values at which all dominoes fall
  * while all other values stay as they are. A friction has no unit, a lean is in rad, and all other values are
  * in m. */
 struct dom_window {
     size_t domino; /* the number of the domino; 0 for the friction */
-    dom_real now;  /* the present value */
+    dom_real now;  /* the current value */
     dom_real low;  /* the smallest value of the window, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls with some value outside the window */
     /* How the row ends with a value just outside the window. DOM_ROW_FALLS if the window reaches the end of
-     * the range that is tried, or if the row does not fall now. */
+     * the range that is tried; also, as a placeholder, if the row does not fall with the current value. */
     enum dom_row_end below, above;
 };
 
 /*
  * Finds the windows of all gaps or places (row->count - 1 windows, from domino 2 on), of all heights,
  * thicknesses or leans (row->count windows), or of the friction (one window). If the row falls, the window is
- * the interval around the present value, low <= now <= high. If the row does not fall, the window is the
- * nearest interval on either side of the present value; dominoes more than one place after the domino at
+ * the interval around the current value, low <= now <= high. If the row does not fall, the window is the
+ * nearest interval on either side of the current value; dominoes more than one place after the domino at
  * which the row ends have no window.
  *
  * Gaps are tried from 0 to the height of the domino before the gap. Places are tried up to the next domino,
  * but only those at which the gap before the domino stays in that range. Heights are tried from 1/100 to 4
- * times the present height, with the same density and lean, if the domino can stand on the slope. Thicknesses
+ * times the current height, with the same density and lean, if the domino can stand on the slope. Thicknesses
  * are tried in the same way, if walls and rounded edges fit. The friction is tried from 0 to 2 or to 4 times
  * its present value, whichever is larger, but not above DOM_MU_HIGHEST. Leans are tried in both directions,
  * until the domino falls over by itself. The search makes the same steps as dom_row_mend, and all dominoes

@@ -59,8 +59,8 @@ struct engine_hit {
     /* Time of the hit, measured from the push or, without a push, from the first hit; NaN for a box that is
      * released instead of hit. */
     double time;
-    /* Time at which the box hits the next one, or lies on the floor; NaN if the box does neither, or was
-     * released instead of hit. */
+    /* Time at which the box hits the next one, or comes to rest on the floor; NaN if the box does neither, or
+     * was released instead of hit. */
     double until;
     double omega;   /* angular velocity just after the hit; 0 if the box has hardly moved */
     double kinetic; /* kinetic energy of all boxes just after the hit */

@@ -32,7 +32,7 @@ struct run {
     struct world world;
     const struct engine_grain *grain;
     double unit;         /* sqrt(height / g) of the head */
-    double dt, whole;    /* the length of the present step, and of the longest step */
+    double dt, whole;    /* the length of the current step, and of the longest step */
     int calm;            /* number of short steps still to make after a hit */
     double work;         /* number of steps so far */
     double rest, most;   /* how long the head has rested, and its largest tilt */
@@ -52,7 +52,7 @@ static double time_to_edge(const struct world *w, cpVect edge)
     return meets ? distance / speed : (double)INFINITY;
 }
 
-/* Returns the time until the head reaches the next box, at the present speed. */
+/* Returns the time until the head reaches the next box, at the current speed. */
 static double time_to_hit(const struct world *w)
 {
     const size_t k = w->head, next = k + 1;

@@ -121,7 +121,7 @@ evenly() { # COUNT
     run -0 "$DOMINO" -e 'set s 0.001; why'
     [[ $output == *'The train does not fall: falling releases no energy.'*'(25; c7)'* ]]
     run -0 "$DOMINO" -e 'set s 0.1; set r 1.01; why'
-    [[ $output == *'it has nothing to climb, so that any motion is enough'* ]]
+    [[ $output == *'it has nothing to climb, so any motion is enough'* ]]
     run -0 "$DOMINO" -e 'set s 0.8; set q hollow; set r 1; why'
     [[ $output == *'The growth is limited by the reach: with r above 1/s = 1.25'* ]]
     same 'keys' "goes on" "$(json why | values verdict)"
@@ -132,7 +132,7 @@ evenly() { # COUNT
         [[ $(head -n 2 <<<"$output") != *[=\(]* ]]
     done <<'END'
 set r 1.7|Place the dominoes farther apart, or make them grow less: with gaps of 0.5337 heights each can be 1.81 times as large as the one before, and with these gaps 1.644 times.
-effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer to each other, or make them grow less: with gaps of 0.5386 heights each can be 1.603 times as large as the one before, and with these gaps 1.406 times.
+effect friction 0.2; set s 0.7; set r 1.42|Place the dominoes closer together, or make them grow less: with gaps of 0.5386 heights each can be 1.603 times as large as the one before, and with these gaps 1.406 times.
 set s 0.003; set r 1.2|Place the dominoes farther apart: with gaps of 0.5337 heights each can be 1.81 times as large as the one before.
 set r 1.9|Make the dominoes grow less: with gaps of 0.5337 heights each can be 1.81 times as large as the one before, and with these gaps 1.644 times.
 set d 3|Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.

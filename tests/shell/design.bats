@@ -69,7 +69,7 @@ END
     same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
     close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6
     run -0 "$DOMINO" -e "set q hollow; effect friction 5; design 8 m"
-    grep -qE '^infeasible: not even equal dominoes .* with a friction up to 2\.93 safety 2 is possible\.$' <<<"$output"
+    grep -qE '^infeasible: not even equal dominoes .* with friction of up to 2\.93, a safety of 2 is possible\.$' <<<"$output"
     within 'less friction' 2 "$(json 'set q hollow; effect friction 2.92; effect row 2; effect push 9; design 4.8001 cm' | values train)" 'o >= e && o < 2.2'
     run -0 "$DOMINO" -e "set q hollow; effect friction 3; design 8 m"
     below=$(sed -n 's/.*a safety below \([0-9.]*\) .*/\1/p' <<<"$output")
@@ -89,9 +89,9 @@ END
     close seconds "$(values seconds <<<"$answer" | tail -n 1)" "$(values seconds <<<"$answer" | head -n 1)" 1e-4
     within 'a domino more' "$(json "$scene; design 9 m" | values steps)" "$(values steps <<<"$answer" | head -n 1)" 'o > e && o < e + 4'
     run -0 "$DOMINO" -e "$scene; effect feet 0.4; design 1 m"
-    grep -q 'according to the model, in which feet are hinges\. All fall in the rigid-body engine, too, which runs rows because feet is on\.' <<<"$output"
+    grep -q 'according to the model, in which feet are hinges\. All fall in the rigid-body engine, too, which is used because feet is on\.' <<<"$output"
     run -0 "$DOMINO" -e "$scene; effect feet 0.02; design 1 m"
-    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which runs rows because feet is on; a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
+    grep -q "^infeasible: .* none that was tried falls in the rigid-body engine, which is used because feet is on; a stronger push may help: first enter 'effect push 1[0-9]'\.$" <<<"$output"
     wrong "$scene; effect feet 0.4; effect floor 0.3; design 1 m" "does not include floor; first enter 'effect floor off'"
 }
 

@@ -134,7 +134,7 @@ C
     [ -z "$(checked "$DOMINO")" ] || skip 'the sanitizers bring a loader of their own'
     cc -shared -fPIC "$PWD/none.c" -o "$PWD/none.so"
     run env LD_PRELOAD="$PWD/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; rmax > /dev/null; fall"
-    same missing "-e:1: fall: feet is on, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get install libchipmunk7'" "$output"
+    same missing "-e:1: fall: feet is on, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get install libchipmunk7'" "$output"
     run -0 env LD_PRELOAD="$PWD/none.so" "$DOMINO" -n -e "$scene; effect feet 0.4; effect feet off; verdict"
 }
 

@@ -71,7 +71,7 @@ END
         same "$what: where lines are broken" '(nothing)' "$(cut -d ' ' -f 5- texts | grep '=$\|^=')"
         "$DOMINO" -e "$row; plot $what" | tr -s ' \n' ' ' | grep -qF -- "$label"
     done <<'END'
-growth paper|Below its curve a train keeps falling|growth r
+growth paper|A train below its curve keeps falling|growth r
 energy with q hollow s 0.54 r 1.84|Energy over a cycle: s = 0.54, r = 1.84, d = 0.1458, q = 3|energy in m g h/2 of the head
 energy|Energy over a cycle: s = 0.4, r = 1.5, d = 0.1458, q = 4|energy in m g h/2 of the head
 cost fuel|r = 1.5, d = 0.1458, q = 4|relative error
@@ -212,7 +212,7 @@ END
     wrong 'plot sweep' "needs a grid and an answer, such as 'plot sweep s 0.1 0.9 33 : rmax'"
     wrong 'plot sweep s 0.1 0.3 3' "':' and a command are missing"
     wrong 'effect row 3; plot sweep s 0.1 0.3 3 : fall > a.svg' "'fall' answers with a table, and a picture needs one number for each point"
-    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, and this grid has 3'
+    wrong 'plot sweep s 0.1 0.3 3 d 0.1 0.3 3 q 3, 4 : rmax' 'one or two parameters, but this grid has 3'
     wrong 'plot sweep fuel exact, paper : rmax' 'has words here, and a curve needs numbers'
     wrong 'plot sweep s 0.1, 0.2, 0.4, 0.5, 0.6, 0.7, 0.8 d 0.1 0.3 8 : rmax' 'a map needs evenly spaced numbers'
     wrong 'plot sweep r 3 4 3 : duration > a.svg' 'none of the 3 points has a number'

@@ -189,10 +189,10 @@ END
     wrong 'effect row lean.csv; effect edges 0.01; fall' "a domino of this row leans.*enter 'effect edges off', or a row whose file has no column lean"
     wrong 'effect row lean.csv; set method engine; verdict' 'a domino of this row leans, and the rigid-body engine, which runs the row because method is engine, needs upright ones; turn that off'
     said=$("$DOMINO" -e 'effect row lean.csv; tolerance')
-    grep -qxF 'The top of domino 2 may be off by 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is off by 1 mm backwards now.' <<<"$said"
+    grep -qxF 'The top of domino 2 may be off by anything from 1.7 mm backwards to 1.03 cm forwards, the least room of all; it is now off by 1 mm backwards.' <<<"$said"
     sed 's/,-1$/,-3/' lean.csv >stops.csv
     said=$("$DOMINO" -e 'effect row stops.csv; tolerance')
-    grep -qxF 'With the top of domino 2 off by 1.7 mm backwards to 1.03 cm forwards all would fall; it is off by 3 mm backwards now.' <<<"$said"
+    grep -qxF 'All would fall if the top of domino 2 were off by 1.7 mm backwards to 1.03 cm forwards; it is now off by 3 mm backwards.' <<<"$said"
 }
 
 @test "row > out.csv, effect row out.csv: the same row, digit for digit" {

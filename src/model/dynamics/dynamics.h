@@ -40,7 +40,7 @@ struct start {
     real J;             /* inertia of all moving dominoes (20; c2) */
     real omegasq;       /* tau^2 omega^2 */
     real kinetic;       /* J omegasq */
-    real kinetic_error; /* error bound of `kinetic` */
+    real kinetic_error; /* error bound on `kinetic` */
 };
 
 struct dynamics {

@@ -3,7 +3,7 @@
 
 /* ---- Fuel ---- */
 
-/* Returns the error bound of the paper's fuel. The fuel is the difference of two terms, so the bound covers
+/* Returns the error bound on the paper's fuel. The fuel is the difference of two terms, so the bound covers
  * the rounding errors of both terms and the error of theta_f. */
 static real fuel_paper_error(const struct geometry *geometry)
 {

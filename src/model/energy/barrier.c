@@ -201,7 +201,7 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of H if H has only one. hi is tan(theta / 2) of an upper bound of the tilt of this top. */
+/* Finds the top of H if H has only one. hi is tan(theta / 2) of an upper bound on the tilt of this top. */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -350,7 +350,7 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* Finds the sign of H' at a tilt, or 0 if rounding errors hide the sign, and an upper bound of |H'|. */
+/* Finds the sign of H' at a tilt, or 0 if rounding errors hide the sign, and an upper bound on |H'|. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -363,10 +363,10 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Finds *error, a bound of the distance between theta and the top in [first, last]. H certainly increases at
+ * Finds *error, a bound on the distance between theta and the top in [first, last]. H certainly increases at
  * theta - *error and certainly decreases at theta + *error, unless these tilts are outside of the cycle. The
  * first estimate is the distance over which H'' changes H' by twice its possible error. Where H'' jumps or is
- * 0, the distance is doubled until both signs are certain. Sets *steepest to an upper bound of |H'| at the
+ * 0, the distance is doubled until both signs are certain. Sets *steepest to an upper bound on |H'| at the
  * tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,

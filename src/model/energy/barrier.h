@@ -42,7 +42,7 @@ KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barr
 /* Returns true only if H is proved to have a single top. */
 KERNEL bool barrier_single(const struct geometry *geometry);
 
-/* Returns an upper bound of the barrier, which holds for trains of any length with r >= 1. */
+/* Returns an upper bound on the barrier, which holds for trains of any length with r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
 /* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at lo, and `from` is lo
@@ -56,7 +56,7 @@ KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct til
                                      const struct barrier *whole, real end, struct barrier *barrier);
 
 /*
- * Finds the launch of an endless train and its barrier over [0, end], and error bounds of the launch unless
+ * Finds the launch of an endless train and its barrier over [0, end], and error bounds on the launch unless
  * `error` is NULL. If the kinetic energy and the barrier are nearly equal, digits cancel in their difference.
  * Both energies are then computed again with a finer tolerance, if the arithmetic allows one, and
  * geometry->tol is set to that tolerance.
@@ -82,7 +82,7 @@ KERNEL real balance_tol(real tol, real left, real whole);
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
 
-/* Finds error bounds of theta_m and height. They are NaN if no bounds are known for this train. */
+/* Finds error bounds on theta_m and height. They are NaN if no bounds are known for this train. */
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *barrier,
                                      struct barrier *error);
 

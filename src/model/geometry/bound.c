@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "geometry/bound.h"
 
-/* Finds the error bounds of Y, of the arm and of the slope of the contact of a domino with its follower. */
+/* Finds the error bounds on Y, of the arm and of the slope of the contact of a domino with its follower. */
 static void bound_geometry(const struct geometry *geometry, const struct link *k, struct bound *b)
 {
     b->Y = b->arm = b->step = 0;

@@ -10,16 +10,16 @@
 #include "geometry/link.h"
 
 struct bound {
-    real angle;        /* error bound of theta_i */
-    real Y, arm, step; /* error bounds of struct contact, between domino i and its follower */
-    real slope;        /* error bound of theta_i' */
-    real weight;       /* relative error bound of r^(-q i) */
-    real inertia;      /* relative error bound of r^(-(q+1) i) */
+    real angle;        /* error bound on theta_i */
+    real Y, arm, step; /* error bounds on struct contact, between domino i and its follower */
+    real slope;        /* error bound on theta_i' */
+    real weight;       /* relative error bound on r^(-q i) */
+    real inertia;      /* relative error bound on r^(-(q+1) i) */
 };
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
-/* Replaces the bounds of domino i by those of domino i + 1. `leader` is the link of domino i, and `follower`
+/* Replaces the bounds on domino i by those of domino i + 1. `leader` is the link of domino i, and `follower`
  * is the link of domino i + 1, which link_next has made. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
@@ -28,17 +28,17 @@ KERNEL void bound_next(const struct geometry *geometry, const struct link *leade
 KERNEL real bound_J(const struct link *link, const struct bound *bound);
 KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, const struct bound *bound);
 
-/* Returns an error bound of h(A) - h(B), where A and B are the angles of one domino at the tilts a and b.
- * angle_a and angle_b are the error bounds of A and B; t is tan((A - B)/2), with the error bound t_error. */
+/* Returns an error bound on h(A) - h(B), where A and B are the angles of one domino at the tilts a and b.
+ * angle_a and angle_b are the error bounds on A and B; t is tan((A - B)/2), with the error bound t_error. */
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound of tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
+/* Returns an error bound on tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
  * the tangent for the tilts of a and b themselves, with the error bound t_error (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Returns an error bound of t_f, the tangent of half the angle that a follower still has to turn before it
+/* Returns an error bound on t_f, the tangent of half the angle that a follower still has to turn before it
  * detaches from its leader (leaving_half_turn in sharp_change.c). */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
                           const struct bound *bound, real t_f);

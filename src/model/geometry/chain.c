@@ -24,7 +24,7 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of a torque on the present domino that reaches the head. Without friction this part is the
+    /* The part of a torque on the current domino that reaches the head. Without friction this part is the
      * slope. */
     real passed = 1;
     while (b->leads) {

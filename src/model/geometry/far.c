@@ -36,7 +36,7 @@ static void far_follower(const struct geometry *geometry, int order, real *f)
     }
 }
 
-/* Returns a factor which, multiplied by (z / radius)^order, is an upper bound of the omitted terms. The
+/* Returns a factor which, multiplied by (z / radius)^order, is an upper bound on the omitted terms. The
  * factor is estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {

@@ -161,8 +161,8 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 
 /*
  * Returns the smallest scale of tilts at the beginning of a cycle. This is theta_u or, if that is smaller,
- * the tilt of the head at which a follower that began near pi/2 has come down. With edges of radius d/2,
- * theta_u is 0 and does not count.
+ * the tilt of the head at which a follower that begins near pi/2 is no longer near pi/2. With edges of radius
+ * d/2, theta_u is 0 and does not count.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -187,7 +187,7 @@ KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cos
 KERNEL enum dom_status geometry_tilt(const struct geometry *geometry, real theta, struct tilt *tilt);
 
 /*
- * These functions return upper bounds of the errors of tilts, as angles: for a tilt with at most `units`
+ * These functions return upper bounds on the errors of tilts, as angles: for a tilt with at most `units`
  * rounding errors in each coordinate, for the tilt of a head, for theta_u, for theta_f and for theta_leave.
  */
 KERNEL real tilt_error(struct tilt t, real units);

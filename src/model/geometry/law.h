@@ -45,7 +45,7 @@ struct moving {
 /* What a pass down the chain computes besides J, H1 and dH. */
 enum pass {
     PASS_PLAIN = 0,
-    PASS_ERROR = 1, /* bounds of the errors */
+    PASS_ERROR = 1, /* bounds on the errors */
     /* the head is at theta_c, and each domino has the tilt that its follower had at the start of the cycle */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
@@ -108,7 +108,7 @@ struct contact_law {
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
-     * Finds J, H1 and H(head) - H(from), and the sums that `pass` selects, with bounds of their errors
+     * Finds J, H1 and H(head) - H(from), and the sums that `pass` selects, with bounds on their errors
      * (bound.h) unless error is NULL. t is the tangent of half the angle from `from` to `head`. This angle
      * may be so small that both tilts round to the same. If `from` is not upright, no domino may detach
      * between the two, and error must be NULL. PASS_SHIFT saves half of the work for an endless train from

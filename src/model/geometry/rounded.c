@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* The number of dominoes before this domino that geometry->n includes. In a row the number is 0, since
-     * there geometry->n counts only from this domino on. */
+    /* How many of the dominoes before this one are counted in geometry->n. In a row none are, since there
+     * geometry->n counts only from this domino on. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);

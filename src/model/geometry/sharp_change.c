@@ -15,7 +15,7 @@ KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, s
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds of a pass down the chains a and b: bounds for the current domino in each chain, for the t
+/* The error bounds on a pass down the chains a and b: bounds for the current domino in each chain, for the t
  * of that domino (see energy_change_between), and for the sums. */
 struct energy_change_bound {
     struct bound a, b;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The passes with friction down a chain of dominoes with sharp edges. dynamics/friction.c has the
+/* The passes down a chain of dominoes with sharp edges and friction. dynamics/friction.c has the
  * equations. */
 #include "geometry/far.h"
 #include "geometry/law.h"

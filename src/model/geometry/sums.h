@@ -23,7 +23,7 @@ struct sums {
 struct equation_of_motion {
     real A, B, C;
     /* Sums of the absolute values of all terms, from which the rounding errors are estimated. They are
-     * increased where an arm b cancels. */
+     * increased where the terms of an arm b cancel. */
     real A_size, B_size, C_size;
     /* True if no acceleration is consistent with the forces (Painleve): A <= 0, or the arm b of a follower is
      * <= 0. */
@@ -43,7 +43,7 @@ struct equation_of_motion {
 struct series {
     real sum, size; /* sum of the terms, and of their absolute values */
     real lost;      /* the sum of the rounding errors so far, to be added at the end */
-    /* Upper bounds of the next term, and of the ratio of each later term to the term before it. */
+    /* Upper bounds on the next term, and of the ratio of each later term to the term before it. */
     real next, ratio;
 };
 
@@ -68,7 +68,7 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns a bound of the rounding error of the sum, plus a bound of its tail, which is 0 if the train has
+/* Returns a bound on the rounding error of the sum, plus a bound on its tail, which is 0 if the train has
  * ended. */
 KERNEL real series_error(const struct series *s, bool ended)
 {

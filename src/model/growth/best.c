@@ -357,9 +357,9 @@ static real best_fall(struct margin_context *c, real s, real step, real top)
 }
 
 /*
- * Finds the error bounds of s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
+ * Finds the error bounds on s and r_max. If dynamics_bounded is false, no bound is known, and both are NaN.
  * At a smooth maximum the slope of the margin is 0. Rounding, tol and the nine-point rule each add to the
- * error of this slope. That error, divided by the derivative of the slope, is the error bound of s. At a kink
+ * error of this slope. That error, divided by the derivative of the slope, is the error bound on s. At a kink
  * or a jump, s is bracketed to tol, or to 1e-8 if tol is less. The error of r_max includes its change over
  * the error of s.
  */
@@ -388,7 +388,7 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         /* If the step is doubled, the error of the rule is 256 times as large. The absolute weights of the
          * rule add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
-        /* An error of r changes the slope as well. */
+        /* An error in r also changes the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
         real by_r = dr > 0 ? fabs(margin_slope_by(c, s, r + dr, h) - slope) / dr : 0;
         s_error +=

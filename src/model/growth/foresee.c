@@ -251,8 +251,8 @@ static real down_first(real whole)
  * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
  * root, or up to the reach if the margin is positive there; *down is the root if no strip shows that the
  * margin is positive. Proceeds downwards strip by strip without computing any margin. The margin is known to
- * decrease over the first strip. At the upper end of each later strip, a lower bound of the margin and an
- * upper bound of the barrier are known from the strips before it.
+ * decrease over the first strip. At the upper end of each later strip, a lower bound on the margin and an
+ * upper bound on the barrier are known from the strips before it.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
@@ -305,7 +305,7 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
-        /* the upper bound of all barriers is not enough, so the barrier itself is computed */
+        /* the upper bound on all barriers is not enough, so the barrier itself is computed */
         if (known == KNOWN_NOTHING && hi->margin.most) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;

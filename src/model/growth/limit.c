@@ -8,7 +8,7 @@
 #include "growth/limit.h"
 
 /*
- * Finds the error bound of a root of the margin. The bound is the sum of the margin that remains at the root
+ * Finds the error bound on a root of the margin. The bound is the sum of the margin that remains at the root
  * and of the error of that margin, divided by the slope of the margin in r. The slope is a difference
  * quotient over an interval that ends at or before the reach and is wide enough for the difference to exceed
  * the errors of both margins.
@@ -91,7 +91,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     if (status != DOM_OK)
         return c->status = status;
     /* At r = 1 the fuel P has a closed form, and K = P T. The head's own term in T, which is 1 with sharp
-     * edges, makes a lower bound of K. */
+     * edges, makes a lower bound on K. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),

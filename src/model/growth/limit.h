@@ -80,7 +80,7 @@ struct limit {
 /* Finds r_max at the separation c->s. */
 KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit);
 
-/* Finds the error bound of r_max. */
+/* Finds the error bound on r_max. */
 KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit *limit, real *error);
 
 /* Starts counting the work of a search. The search ends with DOM_TOO_LONG if its work exceeds the limit. */

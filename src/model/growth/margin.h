@@ -35,7 +35,7 @@ struct margin_context {
     enum dom_status (*margin)(const struct geometry *, struct margin_context *, struct margin *);
     enum margin_how {
         MARGIN_SURE, /* find the barrier by a search for all local maxima of H */
-        /* use an upper bound of the barrier, or one local maximum of H, if that decides the sign of the
+        /* use an upper bound on the barrier, or one local maximum of H, if that decides the sign of the
          * margin */
         MARGIN_SIGN,
         /* use one local maximum of H if that decides the sign of the margin, but no upper bound */
@@ -48,7 +48,7 @@ struct margin_context {
     } last[2];              /* the growths and tan(tilt / 2) of the last two maxima that were followed */
     struct barrier nearest; /* the barrier at the growth where the margin was closest to 0 */
     real share;             /* absolute value of margin_share at the growth of `nearest` */
-    real error;             /* error bound of the last margin if `errors` is set */
+    real error;             /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin found by margin_follow, and its tolerance */
     /* If > 0, the width of the narrowest strip, for a scan whose result need only be an upper bound. */

@@ -82,7 +82,7 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 /*
  * Returns true if the margin is taken to have no sign change between lo and hi, other than the one at
  * p->root. `third` is a sample outside the interval; if `third` is lo itself, the result is false. Where only
- * the upper bound of a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from
+ * the upper bound on a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from
  * the bound to barriers does not look like curvature.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,

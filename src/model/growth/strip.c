@@ -24,7 +24,7 @@ static real strip_sink(const struct geometry *geometry, struct tilt t)
  * strip. */
 struct between {
     struct tilt lo, hi;
-    real fall_least, fall_most; /* bounds of h(0) - h */
+    real fall_least, fall_most; /* bounds on h(0) - h */
 };
 
 static struct between between_of(const struct geometry *geometry, struct tilt lo, struct tilt hi)
@@ -68,17 +68,17 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
 /* Sums over the followers. Each sum is a bound for all trains of a strip. In a strip of separations, d / ds
  * takes the place of d / d ln r. */
 struct strip_sums {
-    real least, most;              /* lower and upper bound of the fuel */
-    real advance;                  /* upper bound of d theta_i(0) / d ln r */
+    real least, most;              /* lower and upper bound on the fuel */
+    real advance;                  /* upper bound on d theta_i(0) / d ln r */
     real drops, rests;             /* the bound strip->drops, and the sum of w^i g d theta_i / d ln r */
     real far_rests;                /* the tail of `rests`, multiplied by 1 - w */
-    real least_advance;            /* lower bound of d theta_i(theta) / d ln r at the largest tilt */
+    real least_advance;            /* lower bound on d theta_i(theta) / d ln r at the largest tilt */
     real first_drops, first_rests; /* the terms of domino 1, not included in drops and rests */
-    real ages;                     /* lower bound of the sum of i w^i (h_i(0) - h_{i+1}(0)) */
-    real tilt;                     /* upper bound of the head's tilt at the maximum of H */
+    real ages;                     /* lower bound on the sum of i w^i (h_i(0) - h_{i+1}(0)) */
+    real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound of d theta_1 / d ln r in a strip of growths, or of d theta_1 / ds in a strip of
+/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or of d theta_1 / ds in a strip of
  * separations. The bound is the derivative at hi, at the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
@@ -87,7 +87,7 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound of the same derivative as strip_advance over the strip. The bound is the value at lo
+/* Returns a lower bound on the same derivative as strip_advance over the strip. The bound is the value at lo
  * for the largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
@@ -130,7 +130,7 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 }
 
 /*
- * Finds a lower bound of the head's tilt at the maximum of H, for those trains whose barrier is at least
+ * Finds a lower bound on the head's tilt at the maximum of H, for those trains whose barrier is at least
  * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus the energy that the first
  * follower has lost. This loss increases with the tilt of the head, and is at least the loss at hi divided by
  * `grows`.
@@ -141,7 +141,7 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
     const real most = barrier_most(lo), last = geometry_half_u(lo), upright = strip_fall(hi, hi->c);
     real p = 0, loss = 0;
     for (int k = 0; k < LEAST_TOP_STEPS; k++) {
-        /* Upper bound of how far h of the head is below h(theta_u) at the maximum of H. */
+        /* Upper bound on how far h of the head is below h(theta_u) at the maximum of H. */
         const real spare = fmax(most - (kinetic + loss) * (1 - STRIP_SLACK), 0);
         const real before = sqrt(spare / (2 * lo->reach - spare));
         const struct tilt head = tilt_half(p = fmax(last - before, 0) / (1 + last * before));
@@ -181,7 +181,7 @@ static void strip_tail(const struct geometry *lo, const struct geometry *hi, con
     s->far_rests = weight * far * u;
 }
 
-/* Returns an upper bound of rises - falls, or infinity if none is known. */
+/* Returns an upper bound on rises - falls, or infinity if none is known. */
 static real slope_safe(real rises, real falls)
 {
     const real slope = rises + fabs(rises) * STRIP_SLACK - falls;
@@ -222,9 +222,9 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns tan(theta / 2) of an upper bound of the head's tilt at the maximum of H of every train in the
+ * Returns tan(theta / 2) of an upper bound on the head's tilt at the maximum of H of every train in the
  * strip: theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi
- * theta_i' g(theta_i). None of these terms is negative. The first is at least the product of lower bounds of
+ * theta_i' g(theta_i). None of these terms is negative. The first is at least the product of lower bounds on
  * its factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. `below` is
  * at most half of the angle between the tilt and theta_u. It takes the place of the tangent of that half
  * angle, which is larger.

@@ -24,10 +24,10 @@ struct strip {
     /* Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g(theta) = sin
      * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
     real grows;
-    /* Upper bound of the energy that the followers after those included in `grows` can still lose. */
+    /* Upper bound on the energy that the followers after those included in `grows` can still lose. */
     real cut;
     real drops; /* upper bound over the strip of -d barrier / d ln r, or of -d barrier / ds; >= 0 */
-    /* Upper bounds of d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
+    /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
      * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */
     real margin_slope, root_slope;
     /* True if K exceeds `enough` over the whole strip. In that case the walk has ended early, and only
@@ -44,8 +44,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
                                   real enough, real tol, struct strip *strip);
 
 /*
- * These two functions return bounds of the barriers of all trains in the strip: an upper bound from the
- * barrier at hi, and a lower bound from the barrier at lo. `most` is an upper bound of all barriers. `width`
+ * These two functions return bounds on the barriers of all trains in the strip: an upper bound from the
+ * barrier at hi, and a lower bound from the barrier at lo. `most` is an upper bound on all barriers. `width`
  * is the difference of ln r, or of s, between hi and lo.
  */
 KERNEL real strip_barrier_most(const struct strip *strip, real hi_barrier, real most, real width);

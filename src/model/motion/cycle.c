@@ -154,8 +154,8 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* Kinetic energy and barrier each have a few rounding errors. Divided by the margin, these errors limit
-     * the accuracy of the duration. */
+    /* The kinetic energy and the barrier each have a few rounding errors, which limit the accuracy of the
+     * duration when they are divided by the margin. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

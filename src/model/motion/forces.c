@@ -211,7 +211,7 @@ KERNEL enum dom_status cycle_forces(const struct request *train, dom_real theta_
 
 /*
  * The state of a search for the smallest contact force, relative to the weight of the domino that the force
- * pushes. `theta` is the present tilt, and `force` is the smallest force at that tilt. `least` is the
+ * pushes. `theta` is the current tilt, and `force` is the smallest force at that tilt. `least` is the
  * smallest force found so far; it acts on domino `domino` at the tilt `least_theta`. `impulse` is the
  * smallest impulse found so far, and `dominoes` is the number of moving dominoes.
  */

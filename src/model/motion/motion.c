@@ -37,8 +37,8 @@ KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop the remaining energy would underflow. There dt/du is constant to rounding accuracy,
-     * so that a larger u serves as well. */
+    /* Very near the stop the remaining energy would underflow. There dt/du is constant to within rounding
+     * errors, so that a larger u serves as well. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -122,7 +122,7 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 }
 
 /*
- * Finds the error bound of the time at which the head reaches theta: the integral of the error bound of the
+ * Finds the error bound on the time at which the head reaches theta: the integral of the error bound on the
  * slowness, plus the error that the tolerance of the integral allows. The slowness has no error bound near a
  * stop; there, rounding errors of the energy enter through m->tol and through the tilt of the stop. If that
  * tilt has the error of_end, the times shift by at most of_end / omega. Early in the cycle a better bound is

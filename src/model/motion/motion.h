@@ -38,7 +38,7 @@ KERNEL enum dom_status cycle_speed(const struct cycle *cycle, real end, real the
                                    real *error);
 
 /*
- * Finds the error bound of the tilt at which a cycle has used up its energy, or NaN if no bound is known. If
+ * Finds the error bound on the tilt at which a cycle has used up its energy, or NaN if no bound is known. If
  * `energy` is not NULL, *energy receives the error of the energy at that tilt, provided that a bound is
  * known.
  */

@@ -50,7 +50,8 @@ KERNEL enum dom_status segment_begin(struct segment *segment);
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* Sets *braked to true if a motion that locks at hi is braked there, in which case no motion reaches hi. */
+/* For a segment whose motion locks at hi: sets *braked to true if the motion is braked just before hi, so
+ * that no motion reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
@@ -68,13 +69,13 @@ KERNEL real slowness_error(real theta, void *context);
 
 /*
  * Integrates f from one tilt to another, piece by piece between the edges of the barrier. f must be as smooth
- * as the slowness. If `error` is not NULL, the error bound of the integral is added to *error.
+ * as the slowness. If `error` is not NULL, the error bound on the integral is added to *error.
  */
 KERNEL enum dom_status segment_integral(struct segment *segment, num_function *f, real from, real to,
                                         real tol, real *sum, real *error);
 
 /* Finds the duration of the segment, in tau of the head. The duration grows like ln(1/margin); the result is
- * NaN if the margin is 0 to rounding accuracy. */
+ * NaN if the margin is 0 to within rounding errors. */
 KERNEL enum dom_status segment_time(struct segment *segment, real *time);
 
 #endif

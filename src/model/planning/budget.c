@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds how large the random errors may be if a row is still to fall with a given probability. */
+/* Finds how large the random errors may be so that a row still falls with a given probability. */
 #include "planning/draw.h"
 #include "planning/interval.h"
 #include <math.h>
@@ -12,7 +12,7 @@ struct budget {
     const struct dom_placement *placement;
     enum dom_error_of kind; /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds */
     double widest;          /* the largest sigma that is tried */
-    /* the closest known bounds of sigma: enough rows fall at `lo`, and too few fall at `hi` */
+    /* the tightest known bounds on sigma: enough rows fall at `lo`, and too few fall at `hi` */
     double lo, hi;
     /* true while the search is for sigma itself, not for an end of its confidence interval */
     bool of_answer;
@@ -49,7 +49,7 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     return status;
 }
 
-/* Records the bounds of sigma that are known so far, in case the search is interrupted. */
+/* Records the bounds on sigma that are known so far, in case the search is interrupted. */
 static void known(struct budget *b, double lo, double hi)
 {
     b->lo = b->of_answer ? lo : b->lo;

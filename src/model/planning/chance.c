@@ -27,7 +27,7 @@
 #define MARGIN_LEAST (-3.0)
 #define UNSEEN       20.0 /* the margin of a domino that is not hit, since the row ends earlier */
 
-/* No derivative is computed for a row whose probability to fall, or to fail, is smaller than this. */
+/* No derivative is computed for a row whose probability of falling, or of failing, is smaller than this. */
 #define SURE 1e-3
 
 /* After a gap or a size has been changed, a row is run only up to the domino whose margin changes by less

@@ -65,7 +65,7 @@ struct search {
     double *sorted;       /* the values of one margin in all rows, in ascending order */
     gsl_vector *lowest_x; /* where the function had its lowest value on this level */
     double lowest;
-    size_t left;             /* the number of evaluations that are left on this level */
+    size_t left;             /* the number of evaluations that are left at this level */
     double fails;            /* the smoothed fraction of the rows that fail, for the best row so far */
     struct dom_study *study; /* two studies: of the row as given, and of the best row so far */
     bool given_allowed;      /* true if the row as given is within the limits */

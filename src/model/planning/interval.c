@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The exact interval of Clopper and Pearson for a probability, from counts of rows. */
+/* The exact Clopper-Pearson interval for a probability, from counts of rows. */
 #include "planning/interval.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_errno.h>

@@ -9,7 +9,7 @@
  * no effect at the place where the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches from the present gap towards the gap `end`, and finds the first gap with which all dominoes fall.
+/* Searches from the current gap towards the gap `end`, and finds the first gap at which all dominoes fall.
  * Returns false if there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
@@ -17,7 +17,7 @@ static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* If the gap is out of reach, finds the gaps with which all dominoes fall, from the widest gap in reach
+/* If the gap is out of reach, finds the gaps at which all dominoes fall, from the widest gap in reach
  * downwards. Returns false if the gap is in reach, or if not all dominoes fall with the widest gap. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {

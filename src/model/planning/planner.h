@@ -67,10 +67,10 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 dom_real row_ratio(struct planner *p, struct choice c, dom_real push, bool times);
 
 /* Returns the length of the standing row from the back of the first domino to the front of the last one, for
- * the separation s and the thickness d of the train, before the measures are rounded. */
+ * the separation s and the thickness d of the train, before the dimensions are rounded. */
 dom_real feet_of(const struct planner *p, size_t steps, dom_real s);
 
-/* Returns the length of the row after the last domino has fallen forwards, before the measures are rounded.
+/* Returns the length of the row after the last domino has fallen forwards, before the dimensions are rounded.
  */
 dom_real length_of(const struct planner *p, struct choice c);
 

@@ -115,7 +115,7 @@ static dom_real board_near(const struct shape *s, dom_real height, dom_real thic
     return near;
 }
 
-/* Sets the height of domino k, or a smaller height if the domino would be too heavy. */
+/* Sets the height of domino k to `height`, or to less if the domino would otherwise be too heavy. */
 static void size_set(const struct shape *s, size_t k, dom_real height, bool final, struct dom_domino *d)
 {
     const struct dom_domino *given = &s->row->domino[k];

@@ -13,7 +13,7 @@ struct shape {
 
 /* Returns the number of variables. These are the logarithms of the gaps, each divided by the height of the
  * domino before it, and, if sizes change, the logarithms of the growths from domino to domino. Only the
- * differences between the growths matter, since the last domino keeps its height. A row whose measures may
+ * differences between the growths matter, since the last domino keeps its height. A row whose dimensions may
  * not change has no variables. */
 size_t shape_variables(const struct shape *shape);
 
@@ -24,8 +24,8 @@ void shape_begin(const struct shape *shape, double *x);
  * fit. */
 dom_real wood_volume(const struct dom_row *row, dom_real height, dom_real thickness);
 
-/* Returns true if a domino of this height has the thickness of one of the boards. A box above the height up
- * to which dominoes are solid may have any thickness. */
+/* Returns true if a domino of this height has the thickness of one of the boards. A domino that is too tall
+ * to be solid is a box, which may have any thickness. */
 bool shape_from_board(const struct shape *shape, dom_real height);
 
 /* Sets the height and the thickness of a domino, and adapts its mass and the radius of its edges. */
@@ -36,7 +36,7 @@ void shape_resize(const struct shape *shape, struct dom_domino *domino, dom_real
  * that may change are rounded to the grid. Returns false if the dominoes do not fit into the hall. */
 bool shape_dominoes(const struct shape *shape, const double *x, bool final, struct dom_domino *domino);
 
-/* Rounds the measures of a row: the heights of all dominoes but the first and the last, the thicknesses of
+/* Rounds the dimensions of a row: the heights of all dominoes but the first and the last, the thicknesses of
  * all but the first, and the positions. */
 void shape_round(const struct shape *shape, struct dom_domino *domino);
 

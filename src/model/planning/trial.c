@@ -128,7 +128,7 @@ void trial_end(struct trial *t)
 }
 
 /*
- * Neither num_root nor a solver of GSL can be used: not every test yields a number to interpolate, the result
+ * Neither num_root nor a GSL solver can be used: not every test yields a number to interpolate, the result
  * must be a point that was tested, and GSL computes only in double. If the row stops on the far side of the
  * edge, the spare energy of a trial changes its sign at the edge. Therefore every other trial is at the point
  * where the straight line through the spare energies at both ends is zero. This point is then moved towards

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trials: a row is run many times, each time with one change, to find the edge between values with which all
- * dominoes fall and values with which they do not. */
+/* Trials: a row is run many times, each time with one change, to find the edge between values at which all
+ * dominoes fall and values at which they do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -59,7 +59,7 @@ dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
 
-/* trial_now returns the present value of the property t->of of domino t->k, and trial_change sets this
+/* trial_now returns the current value of the property t->of of domino t->k, and trial_change sets this
  * value. */
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
@@ -76,15 +76,15 @@ dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 /* Returns one unit of the last digit to which an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* Searches from a good value towards a bad one, and returns the last value with which all dominoes still
+/* Searches from a good value towards a bad one, and returns the last value at which all dominoes still
  * fall, rounded to a few digits, away from the bad value. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Searches from `now` towards `end`, and returns the last value with which all dominoes still fall. All
+/* Searches from `now` towards `end`, and returns the last value at which all dominoes still fall. All
  * dominoes must fall with `good`, the value of step i - 1. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the present value towards `end`. *to is the first value with which all dominoes fall, and
+/* Searches from the current value towards `end`. *to is the first value at which all dominoes fall, and
  * *until is the last value up to which they still fall. Returns false if there is no such value. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 

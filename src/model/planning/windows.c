@@ -4,7 +4,7 @@
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the present height. The friction
+/* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. The friction
  * is tried up to FRICTION_MOST or up to four times its present value, whichever is larger. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
@@ -101,11 +101,11 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         *others = falls && !open;
         good = falls ? x : good;
     }
-    /* Rounding to a few digits must not move the edge past the present value. */
+    /* Rounding to a few digits must not move the edge past the current value. */
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window around the present value, for a row that falls. */
+/* Finds the window around the current value, for a row that falls. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -156,7 +156,7 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
     return end < now ? fmin(good, now) : fmax(good, now);
 }
 
-/* Finds the window around the present value of a domino that is equal to the domino before it, whose window
+/* Finds the window around the current value of a domino that is equal to the domino before it, whose window
  * is `last`. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
@@ -187,7 +187,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the window nearest to the present value, for a row that does not fall. */
+/* Finds the window nearest to the current value, for a row that does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);

@@ -89,7 +89,7 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Lower bound of F, taken at the lower corner of a box. The value of theta_1(t) for any t <= theta will do,
+/* Lower bound on F, taken at the lower corner of a box. The value of theta_1(t) for any t <= theta will do,
  * since it cannot exceed the running maximum. */
 static double follow_below(const struct corner *c, double v)
 {
@@ -97,7 +97,7 @@ static double follow_below(const struct corner *c, double v)
     return turned_below(corner_turn(c, t), t);
 }
 
-/* Upper bound of F, taken at the upper corner of a box. */
+/* Upper bound on F, taken at the upper corner of a box. */
 static double follow_above(const struct corner *c, double v)
 {
     if (v >= c->leave.lo)

@@ -35,7 +35,7 @@ struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
     struct span leave;            /* v at min(theta_leave, theta_inf), beyond which F is constant */
-    double last;                  /* upper bound of v for all followers, from theta_f or theta_inf */
+    double last;                  /* upper bound on v for all followers, from theta_f or theta_inf */
 };
 
 /* A train for all growths r of an interval with r s <= 1. */

@@ -45,7 +45,7 @@ struct level {
     bool refute;
 };
 
-/* Returns an upper bound of how much smaller K - D may be inside the strip than at its upper end: see bound 3
+/* Returns an upper bound on how much smaller K - D may be inside the strip than at its upper end: see bound 3
  * of cover_tilts. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
@@ -55,7 +55,7 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 
 /*
  * Shows K - D > 0 for tilts from low to high and all growths of the strip. It is enough if one of three lower
- * bounds of K - D is positive: 1. Monotony: the bounds of K and D from the corners of the box of tilts and
+ * bounds on K - D is positive: 1. Monotony: the bounds on K and D from the corners of the box of tilts and
  * growths. 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is
  * monotonic in the box, mid is the end of the box where D is largest. At every growth of the strip at which a
  * larger tilt of the box belongs to the cycle, mid belongs to the cycle, too. 3. The mean value theorem in r:
@@ -81,7 +81,7 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* Keep `at` within the cycle, outside of which the bounds of D do not hold. The lower bound of theta_c
+    /* Keep `at` within the cycle, outside of which the bounds on D do not hold. The lower bound on theta_c
      * belongs to the cycle at all growths, and `low` belongs to it whenever any tilt of the box does. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),

@@ -19,11 +19,11 @@ struct link {
 struct upright {
     struct growth growth;
     struct link *link; /* array with room for LINKS_MOST + 1 dominoes */
-    int n;          /* the sums are taken over dominoes 0 ... n - 1, and bounds of the remainder are added */
+    int n;          /* the sums are taken over dominoes 0 ... n - 1, and bounds on the remainder are added */
     bool exact_end; /* all dominoes from n on stay at theta_f during the cycle: the remainder is 0 */
-    double g_last;  /* lower bound of h - 1 of all dominoes from n on */
-    double drop_rest;          /* upper bound of sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
-    double slide_rest;         /* upper bound of -sum r^(-q i) dh(theta_i0)/dr, i >= n */
+    double g_last;  /* lower bound on h - 1 of all dominoes from n on */
+    double drop_rest;          /* upper bound on sum (q i/r) r^(-q i) (h(theta_i0) - h(theta_last)), i >= n */
+    double slide_rest;         /* upper bound on -sum r^(-q i) dh(theta_i0)/dr, i >= n */
     struct span fuel, inertia; /* P, T */
     struct span kinetic, kinetic_by_r; /* K and dK/dr; the latter may be infinite */
     bool by_r;                         /* the derivatives with respect to r are finite */
@@ -45,7 +45,7 @@ struct climb {
 
 struct climb climb_find(const struct upright *upright, double low, double high, bool derivatives);
 
-/* These two functions return an upper and a lower bound of 2 sin(theta_c/2) for all growths. */
+/* These two functions return an upper and a lower bound on 2 sin(theta_c/2) for all growths. */
 double upright_hit_above(const struct upright *upright);
 double upright_hit_below(const struct upright *upright);
 

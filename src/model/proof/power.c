@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Powers, logarithms and exponentials, computed with + - * / alone, since no libm guarantees bounds of its
+/* Powers, logarithms and exponentials, computed with + - * / alone, since no libm guarantees bounds on its
  * errors. */
 #include "proof/power.h"
 

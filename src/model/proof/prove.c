@@ -240,7 +240,7 @@ enum { POWERS_MOST = 100000 };
 
 /*
  * Returns the smallest n for which `first` * r^n >= height is certain (if `surely` is set) or possible (if
- * `surely` is not set). The two can differ, since only bounds of `first` * r^n are known. Returns INFINITY if
+ * `surely` is not set). The two can differ, since only bounds on `first` * r^n are known. Returns INFINITY if
  * there is no such n below POWERS_MOST.
  */
 static double count_until(struct span first, double r, double height, bool surely)
@@ -256,7 +256,7 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Finds bounds of the number of dominoes from ln(height/first)/ln r, for numbers that are too large to be
+/* Finds bounds on the number of dominoes from ln(height/first)/ln r, for numbers that are too large to be
  * found by repeated multiplication. `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Upper bounds of the remainders of sums over dominoes. A remainder consists of the terms of domino n and all
+ * Upper bounds on the remainders of sums over dominoes. A remainder consists of the terms of domino n and all
  * later dominoes.
  *
  * Contraction. Let p = 1 - r L sin theta_n, for the smallest r and theta_n. For i >= n, dF/dtheta = 1 - r L
@@ -20,10 +20,10 @@ struct rest {
     double series; /* 1 + ratio + ratio^2 + ... */
     double power;  /* r^(-q n) */
     double drop;   /* h(theta_n+k) - h(theta_last) <= drop p^k, or <= drop where followers detach */
-    double drops;  /* upper bound of the sum of i r^(-q i) (h(theta_i) - h(theta_last)) q / r */
-    double slides; /* upper bound of the sum of r^(-q i) |dh/dtheta| dtheta_i/dr */
-    double tilts;  /* upper bound of the sum of r^(-q i) |dh/dtheta| dtheta_i/dtheta */
-    double shift;  /* upper bound of every dtheta_i/dr */
+    double drops;  /* upper bound on the sum of i r^(-q i) (h(theta_i) - h(theta_last)) q / r */
+    double slides; /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dr */
+    double tilts;  /* upper bound on the sum of r^(-q i) |dh/dtheta| dtheta_i/dtheta */
+    double shift;  /* upper bound on every dtheta_i/dr */
 };
 
 /* Finds the bounds from domino n, its contact, power = r^(-q n) and fall >= h(theta_n) - h(theta_last). */

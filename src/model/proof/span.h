@@ -44,7 +44,7 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* These functions clip a lower bound of a number that is known to be >= 0, and an upper bound of a number
+/* These functions clip a lower bound on a number that is known to be >= 0, and an upper bound on a number
  * that is known to be <= 1. NaN becomes the bound that is always true. */
 static inline double least_0(double lo)
 {

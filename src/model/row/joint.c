@@ -41,7 +41,7 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Makes the joint between domino k and its follower k - 1, with bounds of the contributions of all followers
+/* Makes the joint between domino k and its follower k - 1, with bounds on the contributions of all followers
  * to a sum. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
@@ -55,7 +55,7 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
     /* A sum along the chain that ends at this domino leaves out the terms of all dominoes before it. These
-     * are upper bounds of the omitted weights and moments of inertia, divided by the term of this domino. */
+     * are upper bounds on the omitted weights and moments of inertia, divided by the term of this domino. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));

@@ -4,7 +4,7 @@
  * chain as in a train, but each has its own size, weight and gap. Energies, the law of motion and the
  * collision are those of a train. There are two differences: no cycle repeats, so each head begins with the
  * energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that lean
- * on it. As everywhere in the kernels, the units are those of the present head: its height, m g h / 2, and
+ * on it. As everywhere in the kernels, the units are those of the current head: its height, m g h / 2, and
  * tau.
  */
 #include "growth/margin.h"
@@ -53,7 +53,7 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
 }
 
 /* Computes one segment and prepares the next. The segments after a stop have no motion, but they are needed
- * to find the energy that is missing to reach the end. */
+ * to find how much more energy the row would need to reach the end. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;

@@ -28,7 +28,7 @@ struct run {
 
 /* The motion of one head, segment by segment, in units of that head. */
 struct descent {
-    struct segment st; /* the present segment */
+    struct segment st; /* the current segment */
     size_t stay;       /* number of dominoes that still move after this segment */
     real J0, least_margin, theta_m, time, climbed, least_force, stop;
     /* whether the head stops, and whether it is still moving when friction locks it */

@@ -36,9 +36,9 @@ struct random_row {
 struct glide {
     real J, dH;
     real rise;  /* dH/dtheta where the motion of the head begins */
-    real bend;  /* lower bound of -d2H/dtheta2, up to the tilt from which H decreases */
-    real t;     /* tangent of half the angle by which the present domino turns */
-    real curve; /* upper bound of -theta_i'' of the present domino */
+    real bend;  /* lower bound on -d2H/dtheta2, up to the tilt from which H decreases */
+    real t;     /* tangent of half the angle by which the current domino turns */
+    real curve; /* upper bound on -theta_i'' of the current domino */
     bool rises; /* true if some follower rises at first */
 };
 
@@ -68,7 +68,7 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The energy must exceed the bound of the barrier by this factor, since the bound leaves out the tail of the
+/* The energy must exceed the bound on the barrier by this factor, since the bound leaves out the tail of the
  * chain. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
@@ -192,8 +192,8 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* In a rough run, a contact force relative to the weight of the domino must differ from 0 by more than
- * this. */
+/* A rough run trusts the sign of a contact force only if the force, divided by the weight of the domino,
+ * differs from 0 by more than this. */
 #define LEAST_CLEAR ((real)1 / 64)
 
 /* Runs head k as in any other row. The error of omegasq when the head is hit is at most s->slide.off.

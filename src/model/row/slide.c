@@ -12,7 +12,7 @@ enum { SLIDE_PLACES = 12 };
 /* The sums of the equation of motion (friction.c), in plain arithmetic without compensation. */
 struct slide_sums {
     real A, B, C;
-    real S, curve; /* S_i and theta_i'' of the present domino */
+    real S, curve; /* S_i and theta_i'' of the current domino */
 };
 
 /* Adds one domino. Returns false when the dominoes after it can be left out. */

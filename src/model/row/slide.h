@@ -11,7 +11,7 @@
 
 struct slide {
     struct num_rough flow;
-    real off; /* the largest possible error of omegasq of the present head */
+    real off; /* the largest possible error of omegasq of the current head */
 };
 
 /* Returns the relative error of omegasq that the tolerance of the sums causes. */

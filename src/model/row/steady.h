@@ -8,7 +8,7 @@
 
 struct steady {
     struct dom_fall fall; /* the fall of the last head that was computed */
-    size_t alike;         /* number of equal dominoes up to the present head */
+    size_t alike;         /* number of equal dominoes up to the current head */
     /* 1 if each head has one more moving domino than the previous head, or 0 if both have the same number */
     size_t more;
     bool found; /* true if the next head repeats this motion, provided that its dominoes are equal as well */

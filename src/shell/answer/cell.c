@@ -13,8 +13,8 @@ static const char *bound_text(domq_real error, char text[WIDE_TEXT])
     return quad_write(error * (domq_real)1.06, 2, text);
 }
 
-/* Returns how many digits of a number to print, but at most `all`. Rounding to this many digits adds little
- * to the error bound. */
+/* Returns the number of digits to print for a number, which is at most `all`. Rounding to this many digits
+ * adds little to the error bound. */
 static int bound_digits(struct cell cell, int all)
 {
     domq_real ratio = quad(fabs)(cell.number) / cell.error;
@@ -22,7 +22,7 @@ static int bound_digits(struct cell cell, int all)
     return digits < all ? digits : all;
 }
 
-/* Returns the error bound of a number as it is printed, which includes the rounding to the printed digits. */
+/* Returns the error bound on a number as it is printed, which includes the rounding to the printed digits. */
 static domq_real printed_error(struct cell cell, const char *text)
 {
     return cell.error + quad(fabs)(quad_read(text, NULL) - cell.number);

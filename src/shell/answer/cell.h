@@ -27,7 +27,7 @@ struct answer_style {
 struct cell {
     enum { CELL_NONE, CELL_REAL, CELL_COUNT, CELL_FLAG, CELL_WORD } kind;
     domq_real number;
-    domq_real error; /* an upper bound of the error: 0 for an exact number, NaN if no bound is known */
+    domq_real error; /* an upper bound on the error: 0 for an exact number, NaN if no bound is known */
     const char *word;
     int digits; /* the number of digits in a table, or 0 for the number of digits of the style */
     /* the number was computed to the tolerance, so a table shows only the digits that the tolerance

@@ -14,7 +14,7 @@
 #define FORMAT_EXTERN(name) extern const struct format format_##name;
 FORMATS(FORMAT_EXTERN)
 
-/* The formats by their numbers in the list. */
+/* The formats, indexed by their position in the list. */
 extern const struct format *const formats[];
 
 #endif

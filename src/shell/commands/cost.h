@@ -18,7 +18,7 @@ struct cost_row {
     enum dom_precision precision;
     double tol;
     enum dom_status status; /* if `status` is not DOM_OK, the members below are not set */
-    domq_real error;        /* relative error, never less than the error bound of the reference */
+    domq_real error;        /* relative error, never less than the error bound on the reference */
     struct dom_work work;
     double seconds; /* shortest time of several runs */
 };

@@ -74,7 +74,7 @@ static bool tower_find(const struct query *query, const struct domq_train *train
     return true;
 }
 
-/* Formats how many dominoes are enough with growth r, for example "16 dominoes". */
+/* Formats the number of dominoes that are enough at growth r, for example "16 dominoes". */
 static struct words enough_words(const struct query *query, domq_real height, domq_real r)
 {
     struct domq_count count;

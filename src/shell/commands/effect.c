@@ -220,7 +220,9 @@ static void parts_list(const struct query *query, struct answer *a, size_t n)
     else if (!is_row)
         part_row(a, "geometry", "(12; b8) (14; b10) (31; A6) in closed form, no trigonometry", n, "always");
     if (!is_row)
-        part_row(a, "energy", "H (19; c1) and J (20; c2), ended by a bound of the tail", n, "always");
+        part_row(a, "energy",
+                 "H (19; c1) and J (20; c2), cut off where a bound on the remaining terms allows it", n,
+                 "always");
     part_row(a, "motion", motion, n, motion_why);
     if (is_engine)
         return;

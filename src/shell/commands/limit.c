@@ -80,7 +80,7 @@ static void rmax_fuels_say(struct answer *a, const struct domq_train *train, con
                       "i) (25; c7).");
 }
 
-/* If a row that starts from rest needs a smaller growth than a moving train, prints the largest growth with
+/* If a row that starts from rest needs a smaller growth than a moving train, prints the largest growth at
  * which it starts, and the push that it needs with the session's growth. */
 static bool rmax_start_say(const struct query *query, struct answer *a, struct problem *problem,
                            const struct domq_train *train, const struct domq_limit *used,
@@ -177,7 +177,7 @@ static bool run_pair(const struct query *query, struct answer *a, struct problem
 }
 
 static const struct column best_columns[] = {
-    {"s", "h", "separation with which r_max is largest", 0},
+    {"s", "h", "separation at which r_max is largest", 0},
     {"r_max", "", "the largest growth", 0},
     {NULL, NULL, NULL, 0},
 };
@@ -190,7 +190,8 @@ static bool run_best(const struct query *query, struct answer *a, struct problem
         return query_status(query, problem, status);
     if (status == DOM_OK)
         answer_say(a,
-                   "Dominoes can grow most with gaps of %.4g heights: each can be %.4g times as large as the "
+                   "Dominoes can grow most with gaps of %.4g times the height: each can be %.4g times as "
+                   "large as the "
                    "one before.\n",
                    (double)best.s, (double)best.r_max);
     return answer_row(a, ROW(CELL_OF(best, s), CELL_OF(best, r_max)),
@@ -324,7 +325,7 @@ const struct command limit_commands[] = {
      .synonyms = "quiz tower building Domtoren height number tall",
      .argument = {{.name = "H", .kind = ARGUMENT_HEIGHT},
                   {.name = "R", .kind = ARGUMENT_OF, .of = "r", .optional = true}},
-     .summary = "how many dominoes topple one of height H (growth R or r)",
+     .summary = "how many dominoes it takes to topple one of height H (growth R or r)",
      .help =
          "The number n of dominoes is the smallest integer with h r^n >= H: n dominoes, the first of which "
          "is h tall, topple one that is at least H tall. The n-th domino is smaller than H and topples the "

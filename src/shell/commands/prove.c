@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command prove, which computes rigorous bounds of an answer. */
+/* The command prove, which computes rigorous bounds on an answer. */
 #include "commands/start.h"
 #include "commands/tables.h"
 #include "domino_proof.h"

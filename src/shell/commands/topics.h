@@ -39,7 +39,7 @@ void topic_entry(FILE *out, const char *prefix, const char *usage, const char *s
  * and then a newline. */
 void help_wrapped(FILE *out, const char *text, int left);
 
-/* Formats and prints a text that is wrapped to the width of help pages, and then a newline. */
+/* Formats a text, wraps it to the width of help pages, and prints it with a newline at the end. */
 void help_say(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

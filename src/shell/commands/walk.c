@@ -288,8 +288,9 @@ bool train_comes_to(const struct query *query, struct problem *problem, domq_rea
     enum dom_status status =
         domq_cycle_omegasq(&query->scene->train, &query->scene->compute, theta, &omegasq);
     if (status == DOM_NO_FUEL)
-        return problem_error(problem, "no domino effect: the fuel P is not positive, nothing moves; 'fuel' "
-                                      "explains why, and 'rmax' shows how large r may be");
+        return problem_error(problem,
+                             "no domino effect: the fuel P is not positive, so nothing moves; 'fuel' "
+                             "explains why, and 'rmax' shows how large r may be");
     if (status == DOM_STOPS)
         status = domq_cycle_stop(&query->scene->train, &query->scene->compute, &stop);
     if (status != DOM_OK)

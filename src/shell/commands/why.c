@@ -32,7 +32,7 @@ void verdict_train_say(const struct query *query, struct answer *a, enum dom_sta
     else if (verdict == DOM_LOCKS)
         answer_say(a, "The train stops: friction locks the dominoes.");
     else if (b->barrier == 0)
-        answer_say(a, "The train keeps falling: it has nothing to climb, so that any motion is enough.");
+        answer_say(a, "The train keeps falling: it has nothing to climb, so any motion is enough.");
     else
         answer_say(a, "The train %s: it has %s to push the next domino over%s.",
                    verdict == DOM_OK ? "keeps falling" : "stops", energy_words(b->kinetic / b->barrier).text,
@@ -54,7 +54,7 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     } else if (domq_limit_best(t, &query->scene->compute, &best) != DOM_OK) {
         answer_say(a, "Make the dominoes thinner: no gap lets dominoes this thick topple larger ones.\n");
     } else {
-        const char *way = best.s < t->s ? "closer to each other" : "farther apart";
+        const char *way = best.s < t->s ? "closer together" : "farther apart";
         char widest[96];
         snprintf(widest, sizeof widest, "with gaps of %.4g heights each can be %.4g times as large",
                  (double)best.s, (double)best.r_max);

@@ -197,10 +197,10 @@ bool argument_check(const struct query *query, const struct argument *argument, 
                     domq_real *number, struct problem *problem);
 
 /* Returns the angular velocity omega with its error bound. The arguments are tau^2 omega^2, the error bound
- * of this square, and tau. If the square may be 0, the error bound of omega is sqrt(error) / tau. */
+ * on this square, and tau. If the square may be 0, the error bound on omega is sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
-/* CELL_OF makes a cell from a member of a result and the error bound of this member. CELL_TIMES multiplies
+/* CELL_OF makes a cell from a member of a result and the error bound on this member. CELL_TIMES multiplies
  * the member and its bound by a factor. */
 #define CELL_OF(result, member) cell_bound((result).member, (result).error.member)
 #define CELL_TIMES(result, member, factor)                                                                   \

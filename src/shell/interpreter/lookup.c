@@ -10,7 +10,7 @@ struct lookup {
     struct problem *problem;         /* receives the reason if a command has no answer */
 };
 
-/* Stores the cell that the tree names in *result. `cells` is a row of the answer of the command t->refers.
+/* Stores in *result the cell that the tree names. `cells` is a row of the answer of the command t->refers.
  * Returns false after an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)

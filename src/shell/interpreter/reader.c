@@ -91,7 +91,7 @@ bool word_is_next(const struct reader *r, const char *word)
            !isalnum((unsigned char)r->at[n]);
 }
 
-/* A names_list (see names.h) with a single word, the context. */
+/* A names_list (see names.h) that has only one word, which is passed as the context. */
 static const char *single_word(const void *word, int k)
 {
     return k == 0 ? word : NULL;

@@ -86,8 +86,8 @@ bool word_is_next(const struct reader *reader, const char *word);
 /* If the next word of the reader is this word, skips the word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
-/* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a text in the arena.
- * Both set the reader's problem and return NULL if there is no memory. */
+/* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a string in the
+ * arena. Both set the reader's problem and return NULL if there is no memory. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 

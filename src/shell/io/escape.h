@@ -22,8 +22,8 @@ size_t escape_next(const char *text, char piece[ESCAPE_PIECE]);
 /* Returns true if a character of the text has to be escaped. */
 bool escape_needed(const char *text);
 
-/* Escapes a text into the buffer `shown` of `size` bytes, at least 16. A text that is too long ends in "...".
- * Returns `shown`. */
+/* Writes an escaped copy of a string into the buffer `shown`, which has `size` bytes, at least 16. A copy
+ * that is too long ends in "...". Returns `shown`. */
 const char *escape_text(const char *text, char *shown, size_t size);
 
 /* Escapes a text of any length. Returns an allocated copy, or NULL if there is no memory. */

@@ -91,7 +91,7 @@ static bool text_copy(FILE *text, long from, int to)
 }
 
 /* Writes or appends the text to an open file, and closes the file. If the disk is full, the old contents are
- * not lost: space is reserved before the first byte is overwritten, and a partly appended text is cut off
+ * not lost: space is reserved before the first byte is overwritten, and a partially appended text is cut off
  * again. Returns false and sets errno on failure. */
 static bool file_fill(const struct file *f, int file)
 {

@@ -30,7 +30,7 @@ static bool unit_copy(const char *text, char unit[UNIT])
     struct quantity q = {.value = 1};
     bool one = name_copy(begin, (size_t)(end - begin), unit, UNIT) && end[strspn(end, " \t)]")] == '\0';
     char *cube = strstr(unit, "\u00b3");
-    if (cube) { /* "³" has two bytes in UTF-8, just as "^3" has */
+    if (cube) { /* "³" takes two bytes in UTF-8, just as "^3" does */
         cube[0] = '^';
         cube[1] = '3';
     }

@@ -37,7 +37,7 @@ struct csv_column {
     double lowest, highest; /* the range, inclusive */
     const char *range;      /* for messages: the range, such as "0 or more, up to 1e9 m" */
 };
-#define CSV_ABOVE_0 4.9e-324 /* the lower bound of a range that excludes 0 */
+#define CSV_ABOVE_0 4.9e-324 /* the lower bound on a range that excludes 0 */
 
 /* The units of lengths, for the members unit, units and usual. */
 #define CSV_LENGTH "m", "m, mm, cm, km, in, ft, yd", "mm"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The binding strengths of operators. An operand is put between parentheses if it binds less tightly than its
+/* The binding strengths of operators. An operand is put in parentheses if it binds less tightly than its
  * position requires. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 

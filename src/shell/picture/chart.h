@@ -113,10 +113,10 @@ void chart_event(struct chart *chart, double x, const char *name);
 void chart_scale(struct chart *chart, double x, double y);
 
 /*
- * Makes a chart ready to be drawn. Chooses the ends of axes that are NaN. Moves points at infinity, and
- * points at 0 on a logarithmic axis, to an end of the axis. Continues a curve of steps at its last y where y
- * is NaN. Removes curves without points, and events outside the x axis. Returns false if nothing is left to
- * show within the axes.
+ * Makes a chart ready to be drawn. Chooses the ends of each axis where they are given as NaN. Moves points at
+ * infinity, and points at 0 on a logarithmic axis, to an end of the axis. Continues a curve of steps at its
+ * last y where y is NaN. Removes curves without points, and events outside the x axis. Returns false if
+ * nothing is left to show within the axes.
  */
 bool chart_fit(struct chart *chart);
 

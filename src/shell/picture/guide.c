@@ -160,9 +160,10 @@ static struct page page_first(const struct guide *guide, bool is_cut)
     *v = sheet_of(guide->stage, DRAWING_LEAST, DRAWING_MOST);
     const double drawing = v->height - v->above - v->below;
     double lines = 0;
-    for (int i = 0; i < guide->tables; i++)
-        lines +=
-            LINE * (double)(guide->table[i].count + 3 + strlen(guide->table[i].note) / NOTE) + 2 * SPACE + 4;
+    for (int i = 0; i < guide->tables; i++) {
+        const size_t of_note = strlen(guide->table[i].note) / NOTE;
+        lines += LINE * (double)(guide->table[i].count + 3 + of_note) + 2 * SPACE + 4;
+    }
     v->indent = SIDE;
     v->head = SIDE / 2.0 + (guide->title ? TITLE : 0);
     v->above += v->head;

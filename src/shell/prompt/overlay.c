@@ -185,7 +185,7 @@ void overlay_remove(void)
 
 /* ---- Keys that accept a hint ---- */
 
-/* Inserts a prefix of the hint from the history, `bytes` bytes long. Returns false if no such hint is
+/* Inserts the first `bytes` bytes of the hint that comes from the history. Returns false if no such hint is
  * shown. */
 static bool rest_accept(size_t bytes)
 {

@@ -48,7 +48,7 @@ static bool has_warned; /* The user has been warned that unsaved changes will be
 
 static void prompt_set(struct session *session);
 
-/* Handles ^C at the prompt: discards the typed line, or prints how to leave if the line is empty. */
+/* Handles ^C at the prompt: discards the typed line or, if the line is empty, prints how to leave. */
 static void prompt_interrupt(void)
 {
     interrupted = 0;
@@ -190,8 +190,8 @@ struct signals {
 
 static void signals_begin(struct signals *s)
 {
-    /* SA_RESTART continues a write that ^C interrupts. Otherwise the stream would have an error, which it
-     * keeps. */
+    /* SA_RESTART continues a write that ^C interrupts. Otherwise the write would fail, and the stream's error
+     * indicator would stay set. */
     const struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART},
                            ignore = {.sa_handler = SIG_IGN};
     sigemptyset(&s->blocked);

@@ -317,7 +317,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
     if (loaded != ENGINE_OK)
         return problem_error(
             problem,
-            "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian enter 'apt-get "
+            "%s, but the rigid-body engine Chipmunk 7 is not installed; on Debian, run 'apt-get "
             "install libchipmunk7'",
             why);
     *engine =

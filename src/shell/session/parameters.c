@@ -102,7 +102,7 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lower bound of value number i of a parameter, at the precision of the state. */
+/* Returns the lower bound on value number i of a parameter, at the precision of the state. */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;

@@ -31,7 +31,7 @@ int parameter_search(names_list *list, const char *what, const char *word, char 
  * Only effects have more than one value. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* Three texts about a parameter. The meaning is a short phrase. The help and the synonyms may be NULL. */
+/* Three descriptions of a parameter. The meaning is a short phrase. The help and the synonyms may be NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
 const char *parameter_help(const struct parameter *parameter);
 const char *parameter_synonyms(const struct parameter *parameter);
@@ -77,9 +77,9 @@ enum { ASSIGNED_MAX = 8 };
 
 /*
  * Sets parameters in a copy of a state. The copy borrows the memory of the original, and must not be
- * closed. Parameters with words, such as the precision, are set first, because the range of tol depends on
- * the precision. Sets *problem and returns false if a value is out of its range, if an effect needs another
- * effect that is off, or if values exclude each other.
+ * closed. Parameters whose values are words, such as the precision, are set first, because the range of tol
+ * depends on the precision. Sets *problem and returns false if a value is out of its range, if an effect
+ * needs another effect that is off, or if values exclude each other.
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 

@@ -126,7 +126,7 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 
 /* ---- Changes ---- */
 
-/* A value typed without a unit is probably a mistake if it is at least this many times the present value. */
+/* A value typed without a unit is probably a mistake if it is at least this many times the current value. */
 #define SLIP_OF_UNIT 50
 
 /* Returns true if a new value that was typed without a unit, and is therefore in m or kg, is plausible: a

@@ -29,8 +29,8 @@ enum row_measure {
     ROW_MEASURES
 };
 
-/* The dominoes of a row that was read from a file, and the measurements that 'change' has changed in any
- * row. */
+/* The dominoes of a row that was read from a file, and, whether or not the row is from a file, the dimensions
+ * that 'change' has changed. */
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;

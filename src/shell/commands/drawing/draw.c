@@ -21,7 +21,7 @@ static const struct column draw_columns[] = {
     {"top_front_z", "h", "height of the upper front corner", 0},
     {"top_back_x", "h", "place of the upper back corner", 0},
     {"top_back_z", "h", "height of the upper back corner", 0},
-    {"foot_back_x", "h", "place of the lower back corner", 0},
+    {"foot_back_x", "h", "position of the lower back corner", 0},
     {"foot_back_z", "h", "height of the lower back corner", 0},
     {"contact_x", "h", "place where the follower touches the back face", 0},
     {"contact_z", "h", "height at which the follower touches the back face", 0},

@@ -26,7 +26,7 @@ static const char film_usage[] =
     "usage: animate row.gif, animate row.gif speed 0.5 rate 20, animate train.gif train 4, animate quiz.gif "
     "tower";
 
-/* Returns true if the next word cannot begin a value, so that it was probably meant as a keyword. */
+/* Returns true if the next word cannot begin a value and so was probably meant as a keyword. */
 static bool is_stray(const struct reader *r)
 {
     char word[64];

@@ -147,7 +147,7 @@ static void caption_write(struct plan *p)
     falling_row_weakest(&p->row, weakest);
     errors_words(p->error, errors, sizeof errors);
     push_words(&p->row.run.scene, start, sizeof start);
-    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; a person of 1.75 m. %s %s%s%s", summary,
+    int at = snprintf(stage->caption, CAPTION, "%s, on %s of floor; a person 1.75 m tall. %s %s%s%s", summary,
                       measured((domq_real)stage->right, "m", 3).text, start, verdict, *weakest ? " " : "",
                       weakest);
     char *text = stage->caption + at;

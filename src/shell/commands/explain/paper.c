@@ -16,7 +16,8 @@ const struct column paper_columns[] = {
     {NULL, NULL, NULL, 0},
 };
 
-/* The data that all rows of the table share: the paper's train, whose d is 7/48, and how to compute. */
+/* The data that all rows of the table share: the paper's train, whose d is 7/48, and the options of the
+ * computation. */
 struct table {
     struct answer *answer;
     struct domq_train train;

@@ -82,8 +82,8 @@ static bool differs(domq_real paper, domq_real program)
     return !(quad(fabs)(paper - program) <= RECIPE_SAME * quad(fabs)(program));
 }
 
-/* Writes a row. If the two values differ, or if there is more to say, people read the reason below the
- * row. */
+/* Writes a row. If the two values differ, or if there is more to say, the output for people has the reason
+ * below the row. */
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why, bool always)
 {

@@ -63,7 +63,7 @@ bool fit_parse(struct reader *r, struct question *q)
 /* ---- The answer ---- */
 
 const struct column fit_columns[] = {
-    {"gap", "m", "for a speed: the free gap between the equal dominoes", 0},
+    {"gap", "m", "for a speed: the clear gap between the equal dominoes", 0},
     {"run", "", "for a hit or an angle: the number of the run", 5},
     {"domino", "", "for a hit or an angle: the number of the domino", 0},
     {"time", "s", "for an angle: the time at which it was measured", 0},

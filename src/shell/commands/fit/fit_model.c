@@ -137,8 +137,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Returns the time at which the first domino of a list of points first reaches an angle, by linear
- * interpolation, or NaN. */
+/* Returns the time, by linear interpolation, at which the domino of the first point in a list first reaches
+ * an angle, or NaN. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;

@@ -221,8 +221,8 @@ static bool deviations_find(struct fit *f, const gsl_matrix *derivatives)
     return done;
 }
 
-/* Runs the method of Levenberg and Marquardt from the values in the unknowns and in *clock, and replaces
- * them by the values at the minimum. Returns a status of GSL. */
+/* Runs the Levenberg-Marquardt method from the values in the unknowns and in *clock, and replaces them with
+ * the values at the minimum. Returns a GSL status. */
 static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
 {
     enum { STEPS_MOST = 50 };
@@ -362,7 +362,8 @@ bool fit_solve(struct fit *f, struct problem *problem)
         *problem = f->problem;
     else if (status != GSL_SUCCESS)
         problem_no_answer(
-            problem, "the search does not converge, because many values explain the measurements equally "
-                     "well; fit fewer parameters, or set the others closer to their true values");
+            problem,
+            "the search does not converge, because many values explain the measurements equally "
+            "well; fit fewer parameters, or set those that are not fitted closer to their true values");
     return status == GSL_SUCCESS;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command design, which finds a row with a given height of the last domino, a given safety and a limit
- * on its length. */
+/* The command design, which finds a row whose last domino has a given height, and which has a given safety
+ * and a limited length. */
 #include "answer/format.h"
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
@@ -116,12 +116,12 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
             snprintf(more, sizeof more, "another thickness may help");
         snprintf(text, size,
                  "infeasible: rows with safety %s fall in the model, in which feet are hinges, but none that "
-                 "was tried falls in the rigid-body engine, which runs rows because %s; %s",
+                 "was tried falls in the rigid-body engine, which is used because %s; %s",
                  safety.text, scene_engine_why(query->scene), more);
     } else {
         domq_real mu = friction_most(query, wish->safety);
         if (mu > 0)
-            snprintf(more, sizeof more, "; with a friction up to %.40s safety %.40s is possible",
+            snprintf(more, sizeof more, "; with friction of up to %.40s, a safety of %.40s is possible",
                      measured(round_digits(mu, 3, false), "", 3).text, safety.text);
         if (d->needs > 1)
             snprintf(text, size,
@@ -206,8 +206,7 @@ static void design_say(const struct query *query, struct answer *a, const struct
                  floor(100 * (double)d->row),
                  wish->engine ? ", according to the model, in which feet are hinges" : "");
     if (wish->engine)
-        snprintf(engine, sizeof engine,
-                 " All fall in the rigid-body engine, too, which runs rows because %s.",
+        snprintf(engine, sizeof engine, " All fall in the rigid-body engine, too, which is used because %s.",
                  scene_engine_why(query->scene));
     if (!plan->is_improved && !plan->limits)
         snprintf(growth, sizeof growth, ", each %.4g times as large as the one before", (double)d->r);

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE designs whose row falls if its
- * measures are exact. */
+ * dimensions are exact. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
 /* The table ends with this many dominoes more than are needed, so that a user can choose. */
@@ -82,7 +82,8 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Writes that no number of dominoes is enough, and with which number the largest share of the rows falls. */
+/* Reports that no number of dominoes is enough, and with how many dominoes the largest share of the rows
+ * falls. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The parts of the command design that make and list the dominoes, and that find how many dominoes a row
- * with a given probability to fall needs. */
+ * with a given probability of falling needs. */
 #ifndef SHELL_DESIGNS_H
 #define SHELL_DESIGNS_H
 

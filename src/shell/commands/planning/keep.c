@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gives the row of the scene the measures of other dominoes, as 'change' does. */
+/* Gives the row of the scene the dimensions of other dominoes, as 'change' does. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include <stdlib.h>

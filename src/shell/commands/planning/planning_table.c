@@ -22,7 +22,7 @@ const struct command design_commands[] = {
          "order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its last "
          "domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', 'boards "
          "9, 12, 15 mm' (the thicknesses to choose from; with 'effect walls 12 mm 30 cm' they are for the "
-         "solid dominoes), and 'grid 1 mm' for measures in whole mm; the row "
+         "solid dominoes), and 'grid 1 mm' for dimensions in whole mm; the row "
          "still has the safety after rounding. The row with the fewest dominoes also has the least mass. "
          "'design 8 m falls 99 %' finds the smallest number of dominoes with which the row falls with this "
          "probability under the random errors of the scene, such as 'effect placement 3 mm'. The lower end "

@@ -138,8 +138,8 @@ bool solve_parse_answer(struct reader *r, struct question *q)
     if (s->verdict)
         return s->question.command->holds ||
                problem_error(r->problem,
-                             "'= VALUE' is missing after '%s'; only a command with a verdict, such as "
-                             "'verdict', has no value; the form is %s",
+                             "'= VALUE' is missing after '%s'; only a command that answers yes or no, such "
+                             "as 'verdict', needs no '= VALUE'; the form is %s",
                              s->question.name, form_of(r->problem));
     if (!question_needs_number(&s->question, r->problem))
         return false;

@@ -191,7 +191,7 @@ static void gaps_note(const struct domq_window *w, size_t count, bool falls, str
         t = window_room(&w[i]) < window_room(t) ? &w[i] : t;
     if (window_room(t) == HUGE_VAL)
         snprintf(chart->note, sizeof chart->note,
-                 "The row does not fall, and no change of a single gap saves it.");
+                 "The row does not fall, and changing any single gap would not save it.");
     else if (falls)
         snprintf(chart->note, sizeof chart->note,
                  "The gap before domino %zu is the tightest: %.30s, and at most %.30s less or %.30s more.",

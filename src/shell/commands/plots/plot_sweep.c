@@ -198,7 +198,7 @@ bool plot_sweep_rows(const struct query *query, struct answer *a, struct chart *
                              "rmax'");
     const struct sweep_shape shape = sweep_shape(query->given);
     if (chart && shape.grid->axes > AXES)
-        return problem_error(problem, "a picture has one or two parameters, and this grid has %d",
+        return problem_error(problem, "a picture can show one or two parameters, but this grid has %d",
                              shape.grid->axes);
     if (chart && shape.answers > 1 && (shape.grid->axes > 1 || shape.answers > FAMILY))
         return problem_error(

@@ -25,7 +25,7 @@ const struct column fall_columns[] = {
 };
 
 const struct column verdict_columns[] = {
-    {"verdict", "", "all fall, stops, or another end of the row", 12},
+    {"verdict", "", "how the row ends: 'all fall', 'stops' or another outcome", 12},
     {"domino", "", "the last domino that is hit", 0},
     {"short_by", "mgh/2", "the energy that this domino lacks; in J if masses are known", 0},
     {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},

@@ -65,9 +65,9 @@ static void slip_matters_say(struct answer *a, bool in_motion)
         in_motion
             ? "This answer is for feet that do not slip. If feet slip while dominoes fall, a row can stop "
               "sooner than this answer says."
-            : "This answer is for feet that do not slip. A slip in the instant of a hit matters little: in a "
-              "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by 3 %% at "
-              "most where dominoes have a friction of 0.2, and by a tenth where they have none.");
+            : "This answer is for feet that do not slip. A slip at the moment of a hit matters little: in a "
+              "rigid-body engine, a floor with a friction of 0.4 changes the largest growth by at most 3 %% "
+              "if the dominoes have a friction of 0.2, and by a tenth if they have none.");
 }
 
 void feet_say(struct answer *a, const struct feet *feet, size_t count)

@@ -295,7 +295,7 @@ static bool block_add(struct pool *p, struct csv_table *csv)
     if (!same)
         return csv_wrong(
             &csv->file, csv->row.at,
-            "this block belongs to another study: its errors, seed, row or number of rows differ");
+            "this block belongs to another study: it differs in errors, seed, row or number of rows");
     size_t first = (size_t)value[FIRST], rows = (size_t)value[ROWS], fall = (size_t)value[FALL],
            unknown = (size_t)value[UNKNOWN], stopped;
     if (first + rows - 1 > (size_t)value[OF] || !stops_add(p, csv_cell(csv, STOPS).text, &stopped) ||

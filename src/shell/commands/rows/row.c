@@ -89,7 +89,8 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
     if (status != DOM_OK)
         return row_status(query, problem, status);
     snprintf(reason, sizeof reason,
-             "at no growth from 1 to %.6g do all dominoes fall; 'set r 1; fall' shows why", (double)reach);
+             "there is no growth from 1 to %.6g at which all dominoes fall; 'set r 1; fall' shows why",
+             (double)reach);
     bool more = answer_row(a,
                            ROW(cell_real(query->scene->train.s), cell_count((domq_real)scene.row.count),
                                cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
@@ -121,7 +122,7 @@ struct change_parsed {
     bool is_share; /* the value ends with '%' */
 };
 
-/* Reads "4" or "3-7". Returns false, and reads nothing, if the text is another expression. */
+/* Reads "4" or "3-7". Returns false, and reads nothing, if the text is anything else. */
 static bool range_read(struct reader *r, struct row_range *range)
 {
     char *end;
@@ -351,7 +352,7 @@ const struct command row_commands[] = {
          "Finds windows for the place of each domino, for the gap before it, for its height and thickness "
          "and for the friction between dominoes. All dominoes fall with every value in a window, if the rest "
          "of the row stays as it is. A place is measured along a tape from the back of domino 1; when a "
-         "place changes, only that domino moves. When a gap changes, all dominoes after it move along. A "
+         "place changes, only that domino moves. When a gap changes, all dominoes after it move with it. A "
          "domino whose height changes keeps its density and the angle of its lean. A domino that is not set "
          "up plumb leans about its front edge, and a window says how far its top may be off, backwards or "
          "forwards. With rounded edges, and in the engine, the program does not compute how far a domino may "

@@ -16,7 +16,7 @@ bool run_pool(const struct query *query, struct answer *a, struct problem *probl
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
 /* The friction that the floor must have so that the foot of a domino does not slip while the head falls or is
- * hit. The head is often another domino. */
+ * hit. This domino is often not the head itself. */
 struct slip {
     domq_real needs;     /* the friction; infinite if the domino is lifted off the floor */
     size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
@@ -27,7 +27,7 @@ struct feet {
     domq_real floor;
     struct needs {
         struct slip most, first; /* the foot that needs the most friction, and the first foot that slips */
-    } motion, hit;               /* while dominoes fall, and in the instant of a hit */
+    } motion, hit;               /* while dominoes fall, and at the moment of a hit */
 };
 
 /* feet_begin takes the friction of the floor from the scene. The caller then calls feet_add for each domino

@@ -343,7 +343,7 @@ const struct command study_commands[] = {
      .train = true,
      .summary = "the friction of the floor with which no foot slips",
      .help = "Finds the largest friction that the foot of any moving domino needs during the cycle: while "
-             "dominoes fall, and separately in the instant of a hit.",
+             "dominoes fall, and separately at the moment of a hit.",
      .example = "effect floor 0.5; slip",
      .see = "effect fall",
      .principal = "motion",

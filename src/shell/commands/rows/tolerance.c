@@ -11,11 +11,11 @@
 
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
-    {"place", "m", "place of the domino: from the back of domino 1 to the back of this one", 8},
+    {"place", "m", "position of the domino: from the back of domino 1 to the back of this one", 8},
     {"from", "m", "the smallest place with which all fall, if only this domino moves", 8},
     {"to", "m", "the largest such place", 8},
     {"gap", "m", "free distance to the domino before it", 8},
-    {"gap_low", "m", "the smallest gap with which all fall, if all dominoes after the gap move along", 8},
+    {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"gap_high", "m", "the largest such gap", 8},
     {"height", "m", "height of the domino", 8},
     {"height_low", "m", "the smallest height with which all fall", 10},
@@ -205,7 +205,7 @@ static void lean_say(struct answer *a, const struct windows *w)
     const struct domq_window l = readable(&w->kind[DOM_WINDOW_PLUMB][k - 1]);
     const char *all = w->count > 1 ? ", the least room of all" : "";
     if (!w->falls)
-        answer_say(a, "With the top of domino %zu off by %s to %s all would fall; it is off by %s now.", k,
+        answer_say(a, "All would fall if the top of domino %zu were off by %s to %s; it is now off by %s.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text,
                    off_plumb(l.now, DIGITS_NOW).text);
     else if (l.now == 0)
@@ -213,7 +213,7 @@ static void lean_say(struct answer *a, const struct windows *w)
                    w->scene->row.alpha != 0 ? "square to the floor" : "plumb", length(0 - l.low, DIGITS).text,
                    length(l.high, DIGITS).text, all);
     else
-        answer_say(a, "The top of domino %zu may be off by %s to %s%s; it is off by %s now.", k,
+        answer_say(a, "The top of domino %zu may be off by anything from %s to %s%s; it is now off by %s.", k,
                    off_plumb(l.low, DIGITS).text, off_plumb(l.high, DIGITS).text, all,
                    off_plumb(l.now, DIGITS_NOW).text);
 }

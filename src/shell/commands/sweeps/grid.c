@@ -134,10 +134,10 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
     }
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
-           problem_error(
-               problem,
-               "%s takes whole numbers, but %s to %s in %zu values are not all whole; enter another N", name,
-               quad_text(axis->from, 10), quad_text(axis->to, 10), axis->count);
+           problem_error(problem,
+                         "%s takes whole numbers, but not all values of %s to %s in %zu values are whole; "
+                         "enter another N",
+                         name, quad_text(axis->from, 10), quad_text(axis->to, 10), axis->count);
 }
 
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,

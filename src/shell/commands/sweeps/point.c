@@ -44,7 +44,7 @@ static const struct column *answered_columns(const struct sweeper *w)
 }
 
 /* Some commands repeat a parameter in a column of their answer. Returns true if an argument of the question
- * replaces this parameter. */
+ * sets that parameter. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
