@@ -88,11 +88,11 @@ bool run_set(const struct query *query, struct answer *a, struct problem *proble
     if (p == parameter_find("digits") && next->settings.style.digits > all && !query->means->sourced)
         answer_say(a, "%s precision has %d digits at most%s", domq_arithmetic(precision)->name, all,
                    precision == DOM_QUAD ? "" : "; 'set precision quad' has more");
-    if (next->scene.listed.domino && (p == parameter_find("s") || p == parameter_find("r")) &&
-        !query->means->sourced)
+    const bool is_size = strlen(p->name) == 1 && strchr("srdh", *p->name);
+    if (next->scene.listed.domino && is_size && !query->means->sourced)
         change_say(query, a,
                    "%s does not change the row, whose dominoes come from %s; 'effect row N' makes a row from "
-                   "s and r.",
+                   "s, r, d and h.",
                    p->name, effect_setting(query->scene, DOM_EFFECT_row));
     const size_t kept = p == parameter_find("s") ? gaps_changed(&next->scene.listed) : 0;
     if (kept > 0 && !next->scene.listed.domino && !query->means->sourced)

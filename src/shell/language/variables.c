@@ -2,6 +2,7 @@
 #include "language/variables.h"
 #include "language/quad.h"
 #include "language/text.h"
+#include <stdatomic.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 
 /* The text of a function. Copies of variables share it, since each step of undo holds all variables. */
 struct body {
-    size_t users;
+    atomic_size_t users;
     char text[];
 };
 
@@ -25,13 +26,13 @@ static char *body_make(const char *text)
     struct body *body = malloc(sizeof *body + size);
     if (!body)
         return NULL;
-    body->users = 1;
+    atomic_init(&body->users, 1);
     return memcpy(body->text, text, size);
 }
 
 static void body_drop(char *text)
 {
-    if (text && --body_of(text)->users == 0)
+    if (text && atomic_fetch_sub(&body_of(text)->users, 1) == 1)
         free(body_of(text));
 }
 
