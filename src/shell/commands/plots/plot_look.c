@@ -104,7 +104,7 @@ bool look_parse(struct reader *r, struct look_parsed *p)
         const char *family = k == LOOK_FAMILY ? p->text[k] : "a";
         const size_t fine =
             strspn(family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
-        if (family[fine] != '\0' || fine == 0 || fine >= FAMILY_LENGTH)
+        if (fine == 0 || fine >= FAMILY_LENGTH || family[fine] != '\0')
             return problem_error(r->problem, "the name of a font family has letters, digits, blanks and '-' "
                                              "only, such as \"DejaVu Serif\"");
     }
