@@ -248,7 +248,7 @@ enum dom_status dom_row_watch(const struct dom_row *row, const struct dom_comput
                               const dom_real *times, size_t count, dom_moment_visit *visit, void *context,
                               struct dom_verdict *verdict);
 
-/* Writes the first `count` dominoes of a train. The gap of each domino is s times the height of this domino,
+/* Writes the first `count` dominoes of a train. The gap of each domino is s times its height,
  * and the first domino has the given mass in kg. Does not check the arguments. */
 void dom_row_of_train(const struct dom_train *train, const struct dom_scale *scale, dom_real mass,
                       struct dom_domino *domino, size_t count);

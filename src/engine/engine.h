@@ -49,7 +49,7 @@ struct engine_grain {
     /* Steps per unit of time, where the unit is sqrt(height / g) of the foremost moving box. A box also takes
      * at least this many steps to turn by one radian. */
     double steps;
-    /* The impulses of contacts and hinges are found by iteration. An error of an impulse may change a
+    /* The impulses of contacts and hinges are found by iteration. The error in an impulse may change a
      * velocity by at most this fraction of the change of the velocity in the step. */
     double tolerance;
 };

@@ -124,7 +124,7 @@ static void step(struct run *r)
 }
 
 /* Returns the angle in rad by which box k would have to turn forwards to balance on its lower front corner.
- * The angle is negative if the box is beyond its balance, so that gravity pulls it down. */
+ * The angle is negative if the box is past its balance point, where gravity pulls it down. */
 static double to_balance(const struct world *w, size_t k)
 {
     const cpVect arm = cpvsub(w->body[k].body->p, world_foot(w, k)), gravity = world_gravity(w->row);

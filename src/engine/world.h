@@ -9,8 +9,8 @@
 /* The number of boxes, counted back from the head, whose penetration and drift are recorded. */
 enum { FOREMOST = 4 };
 
-/* The velocity of the centre of a box, and the velocities of its upper and lower end relative to the
- * centre. */
+/* The velocity of the centre of a box, and the velocities of its upper and lower ends relative to the centre.
+ */
 struct motion {
     cpVect v;
     double turns;

@@ -154,9 +154,9 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* Sets *coarse to the same question in double, to the full precision of double. The quad kernel starts from
- * the answer of the double kernel to this question. Returns false unless the question is one for the quad
- * kernel. */
+/* Sets *coarse to the same question for the kernel in double, with the smallest tolerance that double allows.
+ * The quad kernel starts from the answer to that question. Returns false unless the original question is one
+ * for the quad kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;

@@ -278,7 +278,7 @@ END
     one_line 'the moment is missing; usage: draw, draw at 2.5 s, ' "$record; draw at"
     one_line "'never' is neither a value nor one of the words; usage: draw" "$record; draw at never"
     one_line "'2' is one argument too many; usage: draw" "$record; draw at end 2"
-    one_line "the number of the domino is missing, as in 'draw at domino 8'" "$record; draw at domino"
+    one_line "the number of the domino is missing; write, for example, 'draw at domino 8'" "$record; draw at domino"
     one_line "'a.mov' is not the name of an animation: use the extension .gif, .webm or .mp4" "$record; animate a.mov"
     one_line 'the speed is a number in 0.001 .. 1000; 1 is real time, 0.5 half as fast' "$record; animate a.gif speed 0"
     one_line 'the rate must be from 1 to 50 frames per second' "$record; animate a.gif rate 1000"

@@ -99,7 +99,7 @@ rmax; barrier; duration; cycle 5; launch; fuel; step')"
     row=$(json "$scene; rmax 0.98")
     same 'out of reach' 'none null' "$(values ends_by <<<"$row") $(values r_max <<<"$row")"
     [[ $(values reason <<<"$row") == *'fall past each other'* ]]
-    wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*up to 1.08726646'
+    wrong "$scene; set s 0.9; set r 1.1; fuel" 'r s = 0.99 > 0.97854.*the largest r for this s is 1.08726646'
     [[ $("$DOMINO" -n -e "$scene; set s 0.9; set r 1; why") == *'with r above 1.08727 the head'* ]]
 }
 

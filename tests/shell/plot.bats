@@ -337,7 +337,7 @@ plot growth xrange 5 6|no point of the chart is within its axes
 plot growth yscale up|use one of: linear, log
 plot sweep yscale log s 0.1 0.9 20 d 0.05 0.3 20 : rmax|the cells of a map are spaced like its grid
 plot growth legend right width 8 cm > a.svg|has no room for a legend at the right
-plot growth family "a,b" > a.svg|the name of a font family has letters, digits
+plot growth family "a,b" > a.svg|the name of a font family may contain only letters, digits
 END
 }
 

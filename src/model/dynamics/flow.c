@@ -217,7 +217,7 @@ static enum dom_status flow_spent_in(const struct geometry *geometry, const stru
             return DOM_OK;
         }
     }
-    /* The motion lasts long enough for the solution over the whole piece to show where the motion ends. */
+    /* The motion ends so late in this piece that the solution over the whole piece tells accurately where. */
     return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
 }
 

@@ -228,8 +228,8 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "acceleration, minus gravity and the contact forces. The foot does not slip while "
                     "|R_x|/R_z is below MU. In the collision the same holds for the impulses; for the struck "
                     "domino the ratio is |1/2 - (1 + d^2)/(3 a)|/(d/2), which is 0 if the domino is hit at "
-                    "its centre of percussion. If a domino would be lifted off the floor, no friction is "
-                    "enough.",
+                    "its centre of percussion. If a domino would be lifted off the floor, no amount of "
+                    "friction is enough.",
             .source = "Newton's law for a hinged block; the centre of percussion is textbook mechanics",
             .plan = "forces at sampled tilts, with closer samples around the largest force",
             .argument = {{.name = "MU",

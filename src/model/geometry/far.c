@@ -132,7 +132,8 @@ KERNEL void far_make(struct geometry *geometry, real passes)
         squares[k] = square;
     }
     /* At step j, `power` holds f^j and `squares` holds f'^2 f^(j-1). At that point, H[j] and J[j - 1] lack
-     * only the term that contains the coefficient itself. The division accounts for this term. */
+     * only the term that contains f[j], the coefficient that is being computed. The division accounts for
+     * this term. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

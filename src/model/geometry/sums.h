@@ -35,8 +35,8 @@ struct equation_of_motion {
  * trains with sqrt(s (s + 2 d)) < 2e-5 need more. */
 #define LINKS_MAX ((size_t)2000000)
 
-/* The tail of a sum may be this fraction of the tolerance, so that a result made of several sums stays within
- * the tolerance. */
+/* The tail of a sum may be at most this fraction of the tolerance, so that a result made of several sums
+ * stays within the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
 /* A compensated sum, with the data from which its remaining terms are bounded. */

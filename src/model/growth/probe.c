@@ -40,7 +40,7 @@ static real probe_place(const struct margin_context *c, int k)
  */
 #define PROBE_SAFETY 3
 
-/* The relative tolerance of samples is at most this. The errors of coarser samples would look like bends of
+/* The largest relative tolerance of samples. The errors of coarser samples would look like bends of
  * the margin, and every interval would be bisected down to the smallest width. */
 #define PROBE_TOL ((real)1e-3)
 

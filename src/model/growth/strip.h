@@ -37,8 +37,8 @@ struct strip {
 
 /*
  * Computes the bounds for the trains between lo and hi, without friction; hi has the larger r, or the larger
- * s. The walk down the chains ends as soon as K > enough is known for all trains. tol is the largest relative
- * error of K that may be caused by leaving out the tails of the chains.
+ * s. The walk down the chains ends as soon as K is known to exceed `enough` for all trains. tol is the
+ * largest relative error of K that may be caused by leaving out the tails of the chains.
  */
 KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geometry *hi, enum dom_fuel fuel,
                                   real enough, real tol, struct strip *strip);

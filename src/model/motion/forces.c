@@ -147,8 +147,8 @@ KERNEL real forces_needed(real x, real z)
 
 /* ---- The forces during a motion ---- */
 
-/* Finds the motion at a tilt. If T is the inertia ratio, the collision reduces the angular velocities of the
- * hitting chain by the factor T / (1 + T), so the chain loses 1 / T of the remaining angular velocities. */
+/* Finds the motion at a tilt. If T is the inertia ratio, the collision multiplies the angular velocities of
+ * the chain that hits by T / (1 + T). The loss is 1 / T of the angular velocities that remain. */
 KERNEL enum dom_status segment_kinematics(const struct segment *st, real theta, struct tilt *head,
                                           struct kinematics *kinematics)
 {

@@ -136,7 +136,7 @@ static double weigh(const struct chance *c, size_t margins, const struct weighed
     return before;
 }
 
-/* Returns the change of the probability that the row falls, to first order in the changes of the energy
+/* Returns the change in the probability that the row falls, to first order in the changes in the energy
  * margins. */
 static double change_of(const struct weighed *w, size_t count)
 {

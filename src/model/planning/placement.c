@@ -18,7 +18,7 @@ struct shared {
     struct dom_compute compute;
     const struct dom_placement *placement;
     bool gaps;         /* true if the rows differ only in their gaps */
-    bool causes;       /* true if each row is also run without each kind of error, one at a time */
+    bool causes;       /* true if each row is also run with each kind of error left out in turn */
     atomic_int status; /* the first status that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
     /* How many rows ended at each domino, in the layout of dom_placement_causes, or NULL if not requested. */

@@ -18,9 +18,8 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* Returns true if a computation that ended with this status should be repeated, and then raises its
- * tolerance. If the arithmetic has too few digits for the sums, a few digits of a ratio can still be
- * found. */
+/* If a computation that ended with this status should be repeated, raises its tolerance and returns true. If
+ * the arithmetic has too few digits for the sums, a few digits of a ratio can still be found. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))

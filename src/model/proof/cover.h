@@ -20,7 +20,7 @@ struct proof {
     /* the train on the interval of growths, and at the upper end of the interval */
     struct upright box, point;
     struct link *links;   /* memory for the links of both trains */
-    size_t boxes, chains; /* the work of the proof so far */
+    size_t boxes, chains; /* the work that the proof has taken so far */
     size_t boxes_most;
     const volatile sig_atomic_t *interrupt;
 };

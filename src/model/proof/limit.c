@@ -10,8 +10,8 @@
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates the root of the margin between a growth at which the train keeps falling and one at which it
- * stops. */
+/* Estimates at which growth the margin is 0, given a growth at which the train keeps falling and one at which
+ * it stops. */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);

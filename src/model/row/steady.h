@@ -11,7 +11,8 @@ struct steady {
     size_t alike;         /* number of equal dominoes up to the current head */
     /* 1 if each head has one more moving domino than the previous head, or 0 if both have the same number */
     size_t more;
-    bool found; /* true if the next head repeats this motion, provided that its dominoes are equal as well */
+    bool found; /* true if the next head repeats this motion, provided that the dominoes near it are equal,
+                   too */
 };
 
 /* Makes the geometry of the dominoes up to domino k that have no geometry yet. */

@@ -93,8 +93,8 @@ enum { CELL_TEXT = 128 }; /* the size of a buffer for any cell except a word */
  * `bounds` is set. */
 const char *cell_text(struct cell cell, int digits, bool bounds, char text[CELL_TEXT]);
 
-/* Returns the text of a cell for programs. A number has no error bound, and the fewest digits that are enough
- * for an exact round trip. */
+/* Returns the text of a cell for programs. A number is written without its error bound, and with the fewest
+ * digits that are enough for an exact round trip. */
 const char *cell_plain(const struct answer_style *style, struct cell cell, char text[CELL_TEXT]);
 
 /* Returns the text of an error bound for programs, or `none` if no bound is known. */

@@ -21,7 +21,8 @@ static const char *no_fuel(const struct query *query)
 static const struct column thetac_columns[] = {
     {"theta_c", "rad", "tilt at which the head hits the next domino: sin theta_c = r s (2; a2)", 0},
     {"theta_u", "rad", "tilt at which a single domino just tips over: tan theta_u = d (4; b1)", 0},
-    {"theta_inf", "rad", "tilt at which followers far behind rest: cos theta_inf = d/(s+d) (40; A16)", 0},
+    {"theta_inf", "rad", "tilt at which followers far back come to rest: cos theta_inf = d/(s+d) (40; A16)",
+     0},
     {"theta_f", "rad", "the largest tilt of a follower: (42; A18) if it detaches, else theta_inf", 0},
     {"theta_leave", "rad", "tilt of a domino at which its follower detaches", 0},
     {"detaches", "", "whether followers are too short to lean on their leaders to the end (41; A17)", 9},

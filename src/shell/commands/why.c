@@ -56,7 +56,7 @@ static void advice_say(const struct query *query, struct answer *a, bool falls,
     } else {
         const char *way = best.s < t->s ? "closer together" : "farther apart";
         char widest[96];
-        snprintf(widest, sizeof widest, "with gaps of %.4g heights each can be %.4g times as large",
+        snprintf(widest, sizeof widest, "with gaps of %.4g times the height, each can be %.4g times as large",
                  (double)best.s, (double)best.r_max);
         if (limit->ends == DOM_END_NONE)
             answer_say(a, "Place the dominoes %s: %s as the one before.\n", way, widest);

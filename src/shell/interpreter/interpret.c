@@ -282,8 +282,8 @@ static void run_commands(struct session *session, const struct text *text, const
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
-    /* A line with several commands is logged at once, because a later command may fail after others have run.
-     * A single command is held back until it is known whether the command failed. */
+    /* A line with several commands is logged before it runs, because a later command may fail after others
+     * have run. A single command is held back until it is known whether the command failed. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {

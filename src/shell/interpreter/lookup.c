@@ -6,8 +6,9 @@
 /* The context that symbol_quantity needs during an evaluation. */
 struct lookup {
     const struct query *query;
-    const struct quantity *argument; /* the arguments of the function of 'let' that is being evaluated */
-    struct problem *problem;         /* receives the reason if a command has no answer */
+    const struct quantity
+        *argument;           /* the arguments of the function, defined by 'let', that is being evaluated */
+    struct problem *problem; /* receives the reason if a command has no answer */
 };
 
 /* Stores in *result the cell that the tree names. `cells` is a row of the answer of the command t->refers.

@@ -57,7 +57,7 @@ bool question_bind(const struct question *question, const struct query *query, s
                    struct problem *problem);
 
 /* Allocates zeroed memory for the result of argument.bind in given->memory, and stores it in given->bound.
- * Returns NULL with a problem if there is no memory. */
+ * Returns NULL with a problem if memory runs out. */
 void *arguments_take(struct arguments *given, size_t size, const struct query *query,
                      struct problem *problem);
 

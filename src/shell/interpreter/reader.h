@@ -87,7 +87,7 @@ bool word_is_next(const struct reader *reader, const char *word);
 bool reader_takes(struct reader *reader, const char *word);
 
 /* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a string in the
- * arena. Both set the reader's problem and return NULL if there is no memory. */
+ * arena. Both set the reader's problem and return NULL if memory runs out. */
 void *reader_memory(struct reader *reader, size_t size);
 char *reader_copy(struct reader *reader, const char *text, size_t length);
 

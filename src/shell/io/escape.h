@@ -26,7 +26,7 @@ bool escape_needed(const char *text);
  * that is too long ends in "...". Returns `shown`. */
 const char *escape_text(const char *text, char *shown, size_t size);
 
-/* Escapes a text of any length. Returns an allocated copy, or NULL if there is no memory. */
+/* Escapes a text of any length. Returns an allocated copy, or NULL if memory runs out. */
 char *escape_copy(const char *text);
 
 /* Writes a JSON string with its quotes.  Every character that escape_next escapes becomes \u...., which

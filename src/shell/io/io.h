@@ -79,7 +79,7 @@ void io_copy(FILE *from, FILE *to);
 
 /* Makes a stream that writes into memory. After fclose, *text holds *size bytes without a terminating NUL
  * byte, and the caller frees *text. Unlike a stream of open_memstream, this stream sets its error flag if
- * there is no memory. Returns NULL on failure. */
+ * memory runs out. Returns NULL on failure. */
 FILE *io_memory(char **text, size_t *size);
 
 #endif

@@ -61,7 +61,8 @@ struct output **output_find(struct output **top, unsigned kinds);
 
 /* ---- The kinds of levels; an interrupt ends their waits (see io.h) ---- */
 
-/* Pushes a file, even on an empty stack.  Returns NULL, or the reason why the file cannot be written. */
+/* Pushes a file onto the stack, which may be empty.  Returns NULL, or the reason why the file cannot be
+ * written. */
 const char *file_push(struct output **top, const char *path, bool append,
                       const volatile sig_atomic_t *interrupt);
 

@@ -11,11 +11,11 @@ struct arena {
     size_t used, size;         /* the number of bytes used in the current block, and the size of this block */
 };
 
-/* Returns zeroed memory that is aligned for any type, or NULL if there is no memory. */
+/* Returns zeroed memory that is aligned for any type, or NULL if memory runs out. */
 void *arena_take(struct arena *arena, size_t size);
 
-/* Returns a copy of the first `length` bytes of a text, terminated by a NUL byte. Returns NULL if there is no
- * memory. */
+/* Returns a copy of the first `length` bytes of a text, terminated by a NUL byte. Returns NULL if memory runs
+ * out. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
 
 /* Frees all memory of the arena. The arena is then empty, and can be used again. */

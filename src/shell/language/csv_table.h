@@ -84,7 +84,7 @@ struct csv_table {
 };
 
 /* Reads a file and parses the first line of its table. Takes ownership of the path unless it returns NULL. If
- * the file is wrong, the returned table has a problem. Returns NULL and sets errno if there is no memory. */
+ * the file is wrong, the returned table has a problem. Returns NULL and sets errno if memory runs out. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */

@@ -66,7 +66,8 @@ struct tree {
 struct expression_error {
     const char *at; /* the position of the error in the expression */
     bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
-    bool names_function; /* the message already names the function of 'let' in which the error occurred */
+    bool names_function; /* the message already names the function, defined by 'let', in which the error
+                            occurred */
     /* "" if the function that failed has reported the error in another way, as a struct problem */
     char message[EXPRESSION_MESSAGE];
 };

@@ -26,7 +26,7 @@ struct text {
 enum { TEXT_MOST = 4 << 20 }; /* the maximum length of a line in bytes */
 
 /* Converts the first `length` bytes of `typed`, which must remain valid as long as the text is used. Returns
- * false if there is no memory. Free the text with text_free. */
+ * false if memory runs out. Free the text with text_free. */
 bool text_make(struct text *text, const char *typed, size_t length);
 void text_free(struct text *text);
 
@@ -34,7 +34,7 @@ void text_free(struct text *text);
  * Reads the next line of a stream, without its newline, into the buffer *line of *size bytes. As with
  * getline, the buffer grows as needed and the caller frees it. If `joined` is not NULL, a line that ends with
  * a backslash is joined with the line after it, and *joined is increased by 1. Returns the length of the
- * line. At the end of the stream, returns -1. After an error, or if there is no memory, returns -1 and sets
+ * line. At the end of the stream, returns -1. After an error, or if memory runs out, returns -1 and sets
  * errno. A line longer than TEXT_MOST is read to its end, but only its first TEXT_MOST + 1 bytes are kept. If
  * such a line contains a NUL byte, the line is not read to its end, because it may come from a device that
  * never ends.

@@ -19,7 +19,7 @@ static struct body *body_of(char *text)
     return (struct body *)(void *)(text - offsetof(struct body, text));
 }
 
-/* Returns the text of a new body with the reference count 1, or NULL if there is no memory. */
+/* Returns the text of a new body with the reference count 1, or NULL if memory runs out. */
 static char *body_make(const char *text)
 {
     const size_t size = strlen(text) + 1;

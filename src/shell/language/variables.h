@@ -23,14 +23,14 @@ struct variables {
 /* Returns the variable with this name, or NULL. */
 const struct variable *variable_find(const struct variables *variables, const char *name);
 
-/* Adds a copy of a variable, or replaces the variable that has the same name. Returns false if there is no
- * memory. */
+/* Adds a copy of a variable, or replaces the variable that has the same name. Returns false if memory runs
+ * out. */
 bool variable_put(struct variables *variables, const struct variable *variable);
 
 /* Removes the variable with this name, if there is one. */
 void variable_drop(struct variables *variables, const char *name);
 
-/* Copies all variables; the copies share the texts of functions. Returns false if there is no memory. */
+/* Copies all variables; the copies share the texts of functions. Returns false if memory runs out. */
 bool variables_copy(struct variables *to, const struct variables *from);
 bool variables_equal(const struct variables *a, const struct variables *b);
 void variables_free(struct variables *variables);

@@ -26,7 +26,7 @@ enum ink {
 /* Returns the colour of an ink as 0xrrggbb. */
 int ink_colour(enum ink ink);
 
-/* Returns the colour of a shade in 0 .. 1 in the palette viridis, whose brightness increases steadily. */
+/* Returns the colour for a shade from 0 to 1 in the viridis palette, whose brightness increases steadily. */
 int shade_colour(double shade);
 
 /* Returns a round step for a ruler or an axis: the smallest number of the form 1, 2 or 5 times a power of ten

@@ -28,7 +28,7 @@ struct guide {
     int tables;
 };
 
-/* Writes a table in characters. Cells that are bold on paper are followed by a '!'. */
+/* Writes a table as plain text. Cells that are bold on paper are followed by a '!'. */
 void guide_text(const struct guide_table *table, FILE *out);
 
 /* Draws a guide where the answer goes. A .pdf file gets as many A4 pages as are needed. Other pictures are

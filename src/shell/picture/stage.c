@@ -227,7 +227,9 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        train_follow(&f, (double)angles.theta_f); /* farther back, a tilt looks the same as theta_f */
+        train_follow(
+            &f,
+            (double)angles.theta_f); /* farther back, a picture cannot show that tilts differ from theta_f */
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {

@@ -121,7 +121,7 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
 enum dom_status stage_forces(struct stage *stage, const struct domq_train *train,
                              const struct domq_compute *compute, domq_real theta);
 
-/* Makes an empty stage with room for `room` dominoes. Returns false if there is no memory. */
+/* Makes an empty stage with room for `room` dominoes. Returns false if memory runs out. */
 bool stage_make(struct stage *stage, size_t room);
 void stage_free(struct stage *stage);
 
@@ -134,7 +134,7 @@ struct axis_unit stage_unit(const struct stage *stage, double across);
 struct marks text_marks(struct look look);
 
 /* Draws a stage with its caption in at most `width` columns and `height` rows. With braille, dominoes are
- * drawn as outlines, and marked dominoes are filled. Returns false if there is no memory. */
+ * drawn as outlines, and marked dominoes are filled. Returns false if memory runs out. */
 bool stage_text(const struct stage *stage, struct look look, int width, int height, FILE *out);
 
 /* ---- By gnuplot ---- */

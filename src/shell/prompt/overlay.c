@@ -130,7 +130,7 @@ static void usage_rest(struct session *session, const char *line, char usage[HIN
             a->kind == ARGUMENT_VALUE && p ? parameter_value(p, i - 1) : NULL;
         if (a->kind == ARGUMENT_VALUE && p && !value)
             return;
-        /* The range of the value is more useful than its name, which is already in the line. */
+        /* The range of the value is more useful than its name, which is already on the line. */
         const char *name = !value      ? a->name
                            : p->effect ? value->name
                                        : parameter_range(&session->state, p, 0);

@@ -88,7 +88,7 @@ static void prompt_suspend(const sigset_t *awake)
 /* ---- Lines ---- */
 
 /* Returns the typed line appended to the lines that it continues. Returns NULL if the command continues on
- * another line, or if there is no memory. Takes ownership of `text`. */
+ * another line, or if memory runs out. Takes ownership of `text`. */
 static char *line_whole(struct session *session, char *text)
 {
     char *whole = text;

@@ -83,8 +83,8 @@ enum { ASSIGNED_MAX = 8 };
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to `given` values, in a state that owns its memory. Only effects take more than one value.
- * Returns false with a problem, and changes nothing, if a value cannot be set. */
+/* Sets a parameter to the first `given` elements of `value`, in a state that owns its memory. Only effects
+ * take more than one value. Returns false with a problem, and changes nothing, if a value cannot be set. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 

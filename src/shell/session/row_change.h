@@ -27,8 +27,8 @@ domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 /* Applies all changes to the first `count` dominoes of the row. */
 void row_changes_apply(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Allocates the array of changes for a row of `count` dominoes, if there is none yet. Returns false if there
- * is no memory. */
+/* Allocates the array of changes for a row of `count` dominoes, if there is none yet. Returns false if memory
+ * runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);
 
 /* Returns the number of measurements that have been changed. */

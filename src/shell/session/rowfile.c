@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 /* Looks for a file in the directory of the running script. Returns the path of the file, or a copy of `name`
- * if there is no such file. Returns NULL if there is no memory. The caller frees the path. */
+ * if there is no such file. Returns NULL if memory runs out. The caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
     const char *slash = means->script && *name != '/' ? strrchr(means->script, '/') : NULL;
@@ -93,8 +93,8 @@ const struct csv_kind rowfile_kind = {
     .example = "height (mm), thickness (mm), gap (mm)",
 };
 
-/* Makes room for one more domino. The arrays grow when the count is 0 or a power of 2. Returns false if there
- * is no memory. */
+/* Makes room for one more domino. The arrays grow when the count is 0 or a power of 2. Returns false if
+ * memory runs out. */
 static bool row_grow(struct listed_row *rows)
 {
     if ((rows->count & (rows->count - 1)) != 0)

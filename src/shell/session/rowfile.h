@@ -19,7 +19,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
 bool csv_end(struct csv_table *csv, struct problem *problem);
 
 /*
- * A row of dominoes as somebody measured it:
+ * A measured row of dominoes:
  *
  *     # the hall, first try
  *     height (mm), thickness (mm), gap (mm), mass (g)

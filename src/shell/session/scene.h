@@ -96,8 +96,7 @@ static inline bool row_unsaved(const struct scene *scene)
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
-/* Copies a row. The copy shares the memory that was read from the file. Returns false if there is no
- * memory. */
+/* Copies a row. The copy shares what was read from the file. Returns false if memory runs out. */
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 

@@ -9,7 +9,7 @@
 struct undo;
 
 /* Returns a copy of the state. Call this function before a command, and pass the copy to undo_keep after the
- * command. Returns NULL if there is no memory; the command then cannot be undone. */
+ * command. Returns NULL if memory runs out; the command then cannot be undone. */
 struct state *undo_begin(const struct state *state);
 
 /* If a command has changed the state, adds a step to the history. `before` is the copy that undo_begin made

@@ -71,7 +71,8 @@ static bool moment_parse(struct reader *r, struct draw_parsed *p)
     r->last = !domino;
     reader_place(r, r->at);
     if (domino && reader_ends(r))
-        return problem_error(r->problem, "the number of the domino is missing, as in 'draw at domino 8'");
+        return problem_error(r->problem,
+                             "the number of the domino is missing; write, for example, 'draw at domino 8'");
     if (!domino && !p->what.end && is_stray(r))
         return wrong_word(r, false, draw_usage);
     return (p->what.end || value_parse(r, p, domino ? DRAW_DOMINO : DRAW_TIME)) && end_parse(r, draw_usage);

@@ -94,7 +94,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
 
 #define PERSON 1.75 /* m */
 
-/* Adds a person to the stage, beyond the last domino. Returns false if there is no memory. */
+/* Adds a person to the stage, beyond the last domino. Returns false if memory runs out. */
 static bool person_add(struct stage *stage)
 {
     struct drawn *more = realloc(stage->domino, (stage->count + 1) * sizeof *more);

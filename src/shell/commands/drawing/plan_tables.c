@@ -75,8 +75,8 @@ bool plan_size_table(struct plan *p, bool has_masses)
     const struct scene_row *scene = &p->row.run.scene;
     struct guide_table *table =
         table_add(p, "For the workshop: the sizes of the dominoes",
-                  has_masses ? "In mm and kg. All dominoes fall if the height or the thickness of one domino "
-                               "is between 'least' and 'most'."
+                  has_masses ? "In mm and kg. All dominoes fall if the height or the thickness of a single "
+                               "domino is between 'least' and 'most', and nothing else changes."
                              : "In mm; masses are divided by the mass of domino 1. All dominoes fall if one "
                                "height or thickness is between 'least' and 'most'.",
                   scene->row.count);

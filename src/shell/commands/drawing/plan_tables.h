@@ -24,7 +24,7 @@ struct plan {
 domq_real plan_width(const struct plan *plan, size_t k);
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
-/* Each of these functions adds a table to the guide of a plan, and returns false if there is no memory. */
+/* Each of these functions adds a table to the guide of a plan, and returns false if memory runs out. */
 bool plan_tape_table(struct plan *plan);
 bool plan_size_table(struct plan *plan, bool has_masses);
 bool plan_board_table(struct plan *plan);

@@ -73,7 +73,7 @@ static void zoom_add(struct stage *stage, size_t count, double height)
 }
 
 /* Puts the tower behind the last domino, `distance` times the height of that domino away, and makes room for
- * `copies` more dominoes. Does not count the tower among the dominoes. Returns false if there is no memory.
+ * `copies` more dominoes. Does not count the tower among the dominoes. Returns false if memory runs out.
  */
 static bool tower_put(struct stage *stage, double height, double distance, size_t copies)
 {

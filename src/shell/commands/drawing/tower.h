@@ -13,12 +13,12 @@ bool tower_query(const struct query *query, struct state *state, struct query *c
                  struct problem *problem);
 
 /* Adds the tower behind the last domino and, above the small end of the row, a larger copy of the dominoes
- * that are too small to be seen. Returns false if there is no memory. */
+ * that are too small to be seen. Returns false if memory runs out. */
 bool tower_add(struct falling_row *row, double height);
 
 /* Puts the tower behind the place where the last domino will lie, as stage.domino[stage.count]. Functions
  * that pose the row do not change the tower. A frame shows the tower only if the caller adds 1 to
- * stage.count. Returns false if there is no memory. */
+ * stage.count. Returns false if memory runs out. */
 bool tower_film(struct falling_row *row, double height);
 
 #endif

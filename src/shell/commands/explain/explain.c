@@ -86,7 +86,7 @@ static bool explain_bind(const struct question *q, const struct query *query, st
 /* ---- Rows ---- */
 
 /* Returns the equation of a step as allocated text, with numbers in place of the names if `numbers` is true.
- * Returns NULL if there is no memory. */
+ * Returns NULL if memory runs out. */
 static char *text_of(const struct derivation *d, const struct step *s, bool numbers)
 {
     char *text = NULL;

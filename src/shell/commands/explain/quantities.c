@@ -139,7 +139,7 @@ const struct derived derived_list[] = {
     Q("n_exact", "x", "x", 0, 0, SUM_NONE, "ln(H/h)/ln(r)", "count(@).exact", "", "",
       "the number of steps, before it is rounded up"),
     Q("n", "n", "n", 0, 0, SUM_NONE, "ceil(n_exact)", "count(@).dominoes", "", "",
-      "the number of dominoes that topple one of the height H"),
+      "the number of dominoes that it takes to topple one of height H"),
     Q("H_n", "H_n", "H_n", 0, 0, SUM_NONE, "h*r^n", "count(@).last_height", "m", "",
       "height of the domino that n dominoes topple"),
     /* Quantities of a row. '#' begins the name of a member of struct domq_fall. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The command fit, which finds the values of parameters with which the model explains measurements best. The
- * measurements are read from a csv file (language/csv_table.h), which is of one of three kinds:
+ * The command fit, which finds the parameter values with which the model best explains a set of measurements.
+ * The measurements are read from a csv file (language/csv_table.h), which is of one of three kinds:
  *
  *     gap (mm), speed (m/s)          speeds of the front of rows of equal dominoes
  *     domino, time (s)               when each domino of a row is hit, as a camera shows it

@@ -153,8 +153,8 @@ static double angle_time(const struct fit_point *point, size_t count, double ang
     return (double)NAN;
 }
 
-/* Estimates when the motion of a run began: the first domino that was measured reaches half of its largest
- * measured angle at the same time as in the model. */
+/* Estimates when the motion of a run began, by requiring that the first measured domino reaches half of its
+ * largest measured angle at the same time as in the model. */
 static bool run_clock(struct fit *f, const double *value, const struct fit_run *run, double *clock)
 {
     enum { STEPS = 400 };

@@ -163,8 +163,8 @@ static void improvement_say(const struct query *query, struct answer *a, const s
                    study_words(&i->study[0]).text, study_words(&i->study[1]).text);
     if (i->scene.row.engine)
         answer_say(a,
-                   "The search used the model, in which feet are hinges. The rigid-body engine, which runs "
-                   "rows because %s, ran the rows that show the probability.",
+                   "The search used the model, in which feet are hinges. The probability comes from the "
+                   "rigid-body engine, which is used because %s.",
                    scene_engine_why(query->scene));
     if (i->changed == 0)
         return;

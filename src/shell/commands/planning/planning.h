@@ -123,8 +123,8 @@ bool solve_bind(const struct question *question, const struct query *query, stru
 bool sensitivity_parse(struct reader *reader, struct question *question);
 bool assert_parse(struct reader *reader, struct question *question);
 
-/* Lists, in the form that names.h expects: the wishes of 'design' and of 'improve', the parameters of 'solve'
- * and 'watch', and the commands with a verdict. */
+/* These functions return the names in lists, in the form that names.h expects: the wishes of 'design' and of
+ * 'improve', the parameters of 'solve' and 'watch', and the commands with a verdict. */
 const char *design_wishes(const void *context, int k);
 const char *improve_wishes(const void *context, int k);
 const char *solve_names(const void *context, int k);

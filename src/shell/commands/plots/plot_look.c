@@ -105,8 +105,8 @@ bool look_parse(struct reader *r, struct look_parsed *p)
         const size_t fine =
             strspn(family, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 -");
         if (fine == 0 || fine >= FAMILY_LENGTH || family[fine] != '\0')
-            return problem_error(r->problem, "the name of a font family has letters, digits, blanks and '-' "
-                                             "only, such as \"DejaVu Serif\"");
+            return problem_error(r->problem, "the name of a font family may contain only letters, digits, "
+                                             "blanks and '-', as in \"DejaVu Serif\"");
     }
     return true;
 }

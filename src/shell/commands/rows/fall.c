@@ -193,7 +193,7 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         answer_row(a, cells, falls ? NULL : reason);
 }
 
-/* Runs the row, and prints the answer of fall if `listed` is true, or else of verdict. */
+/* Runs the row, and prints the answer to 'fall' if `listed` is true, or the answer to 'verdict' otherwise. */
 static bool row_answer(const struct query *query, struct answer *a, struct problem *problem, bool listed)
 {
     struct falling f = {.answer = a, .feet = feet_begin(query)};

@@ -96,10 +96,11 @@ static bool run_rowmax(const struct query *query, struct answer *a, struct probl
                                cell_bound(growth.r_max, DOMQ_NAN), cell_bound(limit.r_max, DOMQ_NAN)),
                            isnan(growth.r_max) ? reason : NULL);
     if (growth.r_min > 1)
-        answer_say(a,
-                   "All dominoes fall from r = %.6g on; with a smaller growth the row ends earlier, as 'set "
-                   "r 1; fall' shows.",
-                   (double)growth.r_min);
+        answer_say(
+            a,
+            "All dominoes fall if r is at least %.6g; with a smaller growth the row ends earlier, as 'set "
+            "r 1; fall' shows.",
+            (double)growth.r_min);
     return more;
 }
 

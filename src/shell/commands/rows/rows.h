@@ -44,7 +44,7 @@ struct study {
     domq_real sigma, heights;
     char errors[ERRORS_TEXT];
     bool is_on[DOM_ERROR_COUNT];
-    bool causes; /* the rows were also run without each error */
+    bool causes; /* the rows were also run with each error left out in turn */
     struct domq_study counts;
     size_t without[DOM_ERROR_COUNT]; /* filled in by domq_placement_causes */
     /* The number of dominoes in the row, and the lists of stops that domq_placement_causes fills in. */

@@ -257,7 +257,7 @@ static const char *const size_names[] = {
     [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
 
 /* Writes the command that changes the measure of domino k to the middle of its window. If the row does not
- * fall, the value is a third of the way into the window, as in 'mend', because the smallest change is better.
+ * fall, the value is a third of the way into the window, as in 'mend', because a smaller change is better.
  */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
@@ -319,7 +319,7 @@ enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
 {
-    if (answer_for_people(a)) /* people read the other windows in sentences */
+    if (answer_for_people(a)) /* in output for people, sentences describe the other windows */
         answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
                             "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)

@@ -36,7 +36,7 @@ struct sweeper {
     const struct grid *grid;
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
-    const char *command;       /* the name of the sweeping command, for messages */
+    const char *command;       /* the name of the command that does the sweep, for messages */
     struct means means; /* the means for computing one point, which do not include the shard of the sweep */
     bool styled;        /* the grid changes the number of digits */
     struct answer
