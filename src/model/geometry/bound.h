@@ -19,8 +19,8 @@ struct bound {
 
 KERNEL struct bound bound_head(const struct geometry *geometry, const struct link *head, real angle);
 
-/* Replaces the bounds on domino i by those of domino i + 1. `leader` is the link of domino i, and `follower`
- * is the link of domino i + 1, which link_next has made. */
+/* Changes *bound from the bounds on domino i to those on domino i + 1. `leader` and `follower` are the links
+ * of these two dominoes. */
 KERNEL void bound_next(const struct geometry *geometry, const struct link *leader,
                        const struct link *follower, struct bound *bound);
 
@@ -33,13 +33,13 @@ KERNEL real bound_H1(const struct geometry *geometry, const struct link *link, c
 KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real angle_a,
                                 real angle_b, real t, real t_error);
 
-/* Returns an error bound on tan((A - B)/2), where A and B are the angles of the followers of a and b. t is
- * the tangent for the tilts of a and b themselves, with the error bound t_error (energy_change_between). */
+/* Returns an error bound on tan((A - B)/2), where A is the angle of the follower of a, and B the angle of the
+ * follower of b. t is the same tangent for a and b themselves, with the error bound t_error
+ * (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);
 
-/* Returns an error bound on t_f, the tangent of half the angle that a follower still has to turn before it
- * detaches from its leader (leaving_half_turn in sharp_change.c). */
+/* Returns an error bound on t_f, which leaving_half_turn in sharp_change.c computes. */
 KERNEL real bound_leaving(const struct geometry *geometry, const struct link *leader,
                           const struct bound *bound, real t_f);
 

@@ -24,22 +24,23 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
         return DOM_OK;
     struct walk walk = geometry->law->begin(geometry, standing);
     const struct link *b = &walk.link;
-    /* The part of a torque on the current domino that reaches the head. Without friction this part is the
+    /* The fraction of a torque on the current domino that reaches the head. Without friction it equals the
      * slope. */
     real passed = 1;
     while (b->leads) {
         enum dom_status status = chain_watch(geometry, b->i);
         if (status != DOM_OK)
             return status;
-        /* A domino that contributes less than the rounding errors changes nothing when it detaches. */
+        /* Return if the domino contributes less than the rounding errors, since nothing changes when it
+         * detaches. */
         if (b->i + 1 >= geometry->n || b->weight * fmax(b->slope, passed) < REAL_EPSILON * REAL_EPSILON)
             return DOM_OK;
         const struct arms arms = geometry->law->arms(b);
         passed *= fabs(arms.a / arms.b);
         geometry->law->next(&walk);
     }
-    /* In an upright train, the follower of domino b->i has already detached. Domino b->i itself detaches when
-     * domino b->i - 1 reaches theta_leave. */
+    /* While the train is upright, the follower of domino b->i has already detached. The next to detach is
+     * domino b->i itself, when its leader, domino b->i - 1, reaches theta_leave. */
     *head = geometry->leave;
     for (size_t i = b->i; i > 1; i--)
         *head = geometry->law->leader(geometry, *head);
@@ -58,8 +59,8 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
     enum dom_status status = chain_leave(geometry, &leaves, &leave, &domino);
     if (status != DOM_OK)
         return status;
-    /* At r s = 1 the follower has detached for every theta > 0. H' jumps at 0, and only its limit from the
-     * right matters. */
+    /* At r s = 1 the follower detaches as soon as the head moves, so H' jumps at 0. Start just after the
+     * jump. */
     edge[0] = geometry->short_of == 0 ? fmin(REAL_MIN, end) : 0;
     *edges = 1;
     real theta_leave = leaves ? tilt_angle(leave) : 0;
@@ -73,8 +74,7 @@ KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, re
 
 /* ---- Public ---- */
 
-/* Makes the geometry of a train, and computes the struct tilt of its head from theta, which must be in [0,
- * theta_c]. */
+/* Makes the geometry of a train, and converts theta, the angle of its head in [0, theta_c], to a tilt. */
 static enum dom_status train_tilted(const struct request *train, dom_real theta, struct geometry *geometry,
                                     struct tilt *head)
 {
@@ -86,7 +86,7 @@ static enum dom_status train_tilted(const struct request *train, dom_real theta,
     return status == DOM_OK ? geometry_tilt(geometry, (real)theta, head) : status;
 }
 
-/* Returns the public description of a domino with its error bounds, computed from e. */
+/* Returns the public description of a domino. *e holds its error bounds. */
 static struct dom_link link_public(const struct geometry *geometry, const struct link *k,
                                    const struct bound *e)
 {

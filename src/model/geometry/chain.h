@@ -10,7 +10,7 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Finds the sums of contact_law.change between two tilts of the head. */
+/* Finds the sums of struct contact_law's `change` between two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error);
 
@@ -28,17 +28,18 @@ KERNEL enum dom_status chain_leave(const struct geometry *geometry, bool *leaves
                                    size_t *domino);
 
 /*
- * Finds the tilts between which a train moves smoothly: edge[0] = 0, the tilt before `end` at which a domino
- * detaches, if there is one, and `end`. Sets *edges to the number of these tilts. Unless `moving` is NULL,
- * sets *moving to the number of dominoes that move between edge[0] and edge[1], or to CHAIN_ENDLESS if no
- * domino detaches. After edge[1], one domino fewer moves.
+ * Divides the motion of a train up to the tilt `end` into smooth pieces, each of which lies between two
+ * successive elements of `edge`. The first edge is 0, or just above 0 if r s = 1, and the last is `end`. If a
+ * domino detaches before `end`, there is an edge at that tilt, after which one domino fewer moves. Sets
+ * *edges to the number of edges. Unless `moving` is NULL, sets *moving to the number of dominoes that move
+ * between edge[0] and edge[1], or to CHAIN_ENDLESS if no domino detaches.
  */
 enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns the status of a search. `self` is the status of the function that was searched, and takes
- * precedence over the status of the solver. */
+/* Returns the status of a search: `self`, the status of the function that was evaluated, unless it is DOM_OK,
+ * and otherwise the status of the solver. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

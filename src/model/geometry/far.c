@@ -36,8 +36,8 @@ static void far_follower(const struct geometry *geometry, int order, real *f)
     }
 }
 
-/* Returns a factor which, multiplied by (z / radius)^order, is an upper bound on the omitted terms. The
- * factor is estimated from the last coefficients. */
+/* Returns a factor that gives an upper bound on the omitted terms when it is multiplied by (z /
+ * radius)^order. The factor is estimated from the last coefficients. */
 static real far_rest(const struct far *far, const real *series)
 {
     real most = 0, power = 1;
@@ -50,13 +50,13 @@ static real far_rest(const struct far *far, const real *series)
 }
 
 /*
- * Returns a radius inside which the series converge. The radius is limited by the branch points of f, where X
- * = 1 or X = -1, and by the second fixed point of f, which is theta = -theta_inf.
+ * Returns a radius inside which the series converge. The limits are the branch points of f, where X = 1 or X
+ * = -1, and the second fixed point of f, where theta = -theta_inf.
  */
 static real far_radius(const struct geometry *geometry)
 {
     real o = geometry->rL * geometry->inf.x, rd = geometry->r * geometry->d, least = sqrt(1 / (1 + 2 * rd));
-    real root = o * o - (1 - 2 * rd); /* (1 - 2 r d) z^2 + 2 o z + 1 = 0 */
+    real root = o * o - (1 - 2 * rd); /* the equation X = -1 is (1 - 2 r d) z^2 + 2 o z + 1 = 0 */
     least = fmin(least, root > 0 ? 1 / (o + sqrt(root)) : 1 / sqrt(1 - 2 * rd));
     return fmin(least, geometry->inf.x / geometry->inf.y);
 }
@@ -131,9 +131,9 @@ KERNEL void far_make(struct geometry *geometry, real passes)
             square += df[i] * df[k - i];
         squares[k] = square;
     }
-    /* At step j, `power` holds f^j and `squares` holds f'^2 f^(j-1). At that point, H[j] and J[j - 1] lack
-     * only the term that contains f[j], the coefficient that is being computed. The division accounts for
-     * this term. */
+    /* At step j, `power` holds f^j, and `squares` holds f'^2 f^(j-1). So far, H[j] and J[j - 1] contain all
+     * terms except the one with the unknown coefficient itself. Moving that term to the left side gives the
+     * divisors below. */
     real slopes = 1, lost = 0; /* slope^j, and 1 - slope^j */
     for (int j = 1; j <= n + 1; j++) {
         lost += slopes * off;

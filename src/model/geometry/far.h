@@ -29,8 +29,9 @@ KERNEL_LOOP real far_share(const struct far *far, real z)
     return share;
 }
 
-/* Returns true if the error `rest` is below the tolerance of the whole sum. The whole sum consists of the
- * terms added so far and of `tail`, and these two may cancel. */
+/* Returns true if `rest`, a bound on the omitted terms of a series, is below the tolerance. `tail` is the
+ * value of the series. It is added to the terms summed so far before the comparison, since the two may
+ * cancel. */
 KERNEL_LOOP bool far_done(const struct series *s, real tail, real rest, real tol)
 {
     return fabs(rest) <= TAIL_SHARE * fmax(tol * fabs(s->sum + tail), UNIT * s->size);
@@ -63,7 +64,7 @@ KERNEL struct far_point far_H(const struct far *far, real z)
 KERNEL struct far_point far_J(const struct far *far, real z)
 {
     struct far_point at = far_point(far->J, far->order, z);
-    /* The series has the value J / one^2. The derivative of `one` with respect to theta is -z one. */
+    /* The series stands for J / one^2. The derivative of `one` with respect to theta is -z one. */
     real one = 1 + z * z;
     return (struct far_point){.value = one * one * at.value,
                               .first = one * one * (at.first - 2 * z * at.value)};

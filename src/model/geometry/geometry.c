@@ -53,7 +53,7 @@ KERNEL real geometry_error_head(struct tilt head)
     return tilt_error(head, 4);
 }
 
-/* theta_u is the direction of the vector (h.y, h.x), which is exact on a level floor. */
+/* tan theta_u = h.x / h.y, and both components are exact on a level floor */
 KERNEL real geometry_error_u(const struct geometry *geometry)
 {
     real reach = geometry->reach;
@@ -66,7 +66,7 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
 }
 
-/* theta_leave is computed from 1 - cos theta_leave, whose derivative is sin theta_leave. */
+/* The computed quantity is 1 - cos theta_leave, whose derivative is sin theta_leave. */
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0

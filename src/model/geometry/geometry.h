@@ -39,10 +39,12 @@ struct far {
 };
 
 /*
- * The sums A, B and C of struct equation_of_motion over the far tail of a train, as functions of e, where the
- * first domino i of the tail leans at theta_inf - e. The members stand for quadratic functions, such as A(e)
- * = A[0] - A[1] e + A[2] e^2 / 2. The sum A is theta_i' A(e), and the sum B is theta_i'^2 B(e) + theta_i''
- * A(e).
+ * The far tail of a train, in the sums A, B and C of struct equation_of_motion. Let domino i be the first
+ * domino of the tail, at theta_inf - e, and let m = r^-(q+1)i S_i. The tail contributes m theta_i' A(e) to A,
+ * m [theta_i'^2 B(e) + theta_i'' A(e)] to B, and r^-qi S_i C(e) to C. Each array holds a value and two
+ * derivatives at theta_inf, so that for instance
+ *
+ *     A(e) = A[0] - A[1] e + A[2] e^2 / 2.
  */
 struct far_friction {
     real A[3], B[3], C[3];
@@ -75,18 +77,18 @@ struct geometry {
     struct flow *flow;             /* solution of the equation of motion, or NULL if the law needs none */
     const volatile sig_atomic_t *interrupt;
     struct dom_work *work;
-    /* The work of the current search so far, and the limit of that work, both counted in dominoes of a plain
-     * pass. `effort` is NULL if there is no limit. */
+    /* The work of the current search so far, and the limit of that work, both as a number of dominoes
+     * visited. `effort` is NULL if there is no limit. */
     size_t *effort;
     size_t effort_most;
     real L;        /* s + d */
     real rs, rL;   /* r s, r L */
     real short_of; /* span - r s, which is >= 0: how far the head reaches beyond the next domino */
-    /* 1 - r^2 s^2. A follower detaches where leave_by times v of its leader equals this number. */
+    /* 1 - r^2 s^2. A follower detaches when v of its leader is leave_at / leave_by. */
     real leave_at;
     real leave_by; /* 2 r^2 L d */
     real weight;   /* r^-q, the weight of a follower in H relative to that of its leader (19; c1) */
-    real inertia;  /* r^-(q+1), the factor from one domino to the next in J (20; c2) */
+    real inertia;  /* r^-(q+1), the weight of a follower in J relative to that of its leader (20; c2) */
     real rq, rq_1; /* r^q and r^q - 1 */
     real reach;    /* sqrt(1 + d^2), the largest |dh/dtheta| */
     struct {
@@ -95,8 +97,10 @@ struct geometry {
     struct {
         real x, y; /* h(theta) = h.y cos theta + h.x sin theta. On a level floor, x is d and y is 1. */
     } h;
-    real decay;        /* r^-q theta_1'(theta_inf), the largest ratio of successive far terms of H1 */
-    real decay_J;      /* passes assume at least this ratio of successive far terms of J */
+    /* r^-q theta_1'(theta_inf), the limit of the ratio of successive terms of H1 */
+    real decay;
+    /* the tail of J is estimated with at least this ratio of successive terms */
+    real decay_J;
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
     struct tilt f;     /* theta_f (42; A18) if followers detach, else theta_inf */
@@ -130,9 +134,8 @@ KERNEL_LOOP real geometry_height(const struct geometry *geometry, struct tilt t)
 }
 
 /*
- * Returns the sum of the absolute values of the terms of dh/dtheta, each of which has a few rounding errors.
- * On a slope, h.x and h.y are themselves sums. Each term of these sums then counts twice, since the sine and
- * cosine of the slope are rounded too.
+ * Returns the sum of the absolute values of the terms of dh/dtheta, for error bounds: each term has a few
+ * rounding errors. On a slope the result is doubled, since h.x and h.y are then sums of rounded numbers.
  */
 KERNEL real geometry_height_terms(const struct geometry *geometry, struct tilt t)
 {
@@ -146,8 +149,8 @@ KERNEL real geometry_lift(const struct geometry *geometry, struct tilt t)
     return geometry_height_slope(geometry, t) + geometry->rounded.roll;
 }
 
-/* These two functions return i(theta) and its derivative. i(theta) is the relative moment of inertia of a
- * domino about the line where it touches the floor (struct rounded). */
+/* These two functions return the relative moment of inertia i(theta) of a domino about the line where it
+ * touches the floor (struct rounded), and the derivative of i. */
 KERNEL real geometry_inertia(const struct geometry *geometry, struct tilt t)
 {
     const struct rounded *of = &geometry->rounded;
@@ -160,9 +163,9 @@ KERNEL real geometry_inertia_slope(const struct geometry *geometry, struct tilt 
 }
 
 /*
- * Returns the smallest scale of tilts at the beginning of a cycle. This is theta_u or, if that is smaller,
- * the tilt of the head at which a follower that begins near pi/2 is no longer near pi/2. With edges of radius
- * d/2, theta_u is 0 and does not count.
+ * Returns the smallest tilt of the head that matters at the beginning of a cycle: theta_u, or the tilt at
+ * which a follower that starts near pi/2 has clearly moved away from pi/2, whichever is smaller. With edges
+ * of radius d/2, theta_u is 0 and is ignored.
  */
 KERNEL real geometry_finest(const struct geometry *geometry)
 {
@@ -178,7 +181,7 @@ KERNEL real geometry_theta_u(const struct geometry *geometry);
 KERNEL real geometry_half_u(const struct geometry *geometry);
 KERNEL real geometry_rise_u(const struct geometry *geometry);
 
-/* Finds the sine and cosine of theta_c - theta_u. If the sine is negative, domino 1 has not tipped over when
+/* Finds the sine and cosine of theta_c - theta_u. The sine is negative if domino 1 has not tipped over when
  * it hits the next domino (5; b0). */
 KERNEL void geometry_tips(const struct geometry *geometry, real *sine, real *cosine);
 
@@ -228,9 +231,9 @@ KERNEL real half_turn(struct tilt from, struct tilt head)
 
 /*
  * The angle from a leader to its follower, with the arm of the contact force on the leader (table 1) and the
- * slope (34; A10). No digits cancel, neither for X near 0 nor for X near 1. Where Y - r L x would cancel, the
- * arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where the follower
- * is about to detach.
+ * slope (34; A10). X and Y are accurate for all angles, from X near 0 to X near 1. Where Y - r L x would
+ * cancel, the arm is computed from Y^2 - (r L x)^2 = (1 - r^2 s^2) - 2 r^2 L d v, which cancels only where
+ * the follower is about to detach.
  */
 struct contact {
     real X, Y; /* sine and cosine of theta_1 - theta (30; A5) */
@@ -242,16 +245,16 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    if (2 * rLx <= Y) /* many slopes are multiplied, so a slope near 1 must have only one rounding error */
+    if (2 * rLx <= Y) /* many slopes are multiplied, so a slope near 1 may have only one rounding error */
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};
 }
 
 /*
- * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). Only v' = 1 - y' is computed from the
- * leader's tilt, as a sum of terms of one sign. x' and y' are computed from v', so that the two do not drift
- * apart along a long train.
+ * Returns the follower's tilt (31; A6, corrected: y' = Y y - X x). v' = 1 - y' is computed from the leader's
+ * tilt, as a sum of terms of one sign. x' and y' are then computed from v', so that they remain the sine and
+ * cosine of one angle along a long train.
  */
 KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 {
@@ -259,8 +262,8 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
     return (struct tilt){.x = sqrt(v * (2 - v)), .y = 1 - v, .v = v};
 }
 
-/* Returns the follower's tilt if the leader leans backwards. The follower's sine may then have either sign,
- * which the formula x' = Y x + X y preserves. */
+/* Returns the follower's tilt if the leader leans backwards. The sine of the follower may then be negative.
+ * The formula used here, x' = Y x + X y, finds its sign, whereas tilt_follower would lose it. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

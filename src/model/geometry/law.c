@@ -17,8 +17,7 @@ static void geometry_powers(real r, real q, real *rq, real *rq_1)
         return;
     }
     *rq = pow(r, q);
-    /* Where r^q is large, expm1 of the logarithm would lose digits; where r^q is near 1, the difference
-     * would. */
+    /* expm1(q ln r) is accurate where r^q is near 1, but loses digits where r^q is large. */
     *rq_1 = *rq > 2 ? *rq - 1 : expm1(q * log1p(r - 1));
 }
 
@@ -65,8 +64,7 @@ KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r)
         return DOM_OUT_OF_REACH;
     geometry->short_of = fmax(short_of, 0);
     geometry_powers(r, geometry->q, &geometry->rq, &geometry->rq_1);
-    /* The kinetic energy (24; c6) can be as small as r^-(2q+1). It must not come so close to underflow that
-     * it loses digits. */
+    /* The kinetic energy (24; c6) can be as small as r^-(2q+1), and must not lose digits by underflow. */
     if (!(geometry->rq * geometry->rq * r < REAL_EPSILON / REAL_MIN))
         return DOM_UNDERFLOW;
     geometry->weight = 1 / geometry->rq;

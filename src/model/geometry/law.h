@@ -10,8 +10,7 @@
 
 #include "geometry/sums.h"
 
-/* The contact of a domino with its follower. Besides the values that geometry_contact finds, there are the
- * turn, the arm b and the second derivative. */
+/* The contact of a domino with its follower: struct contact, and quantities that only rounded edges need. */
 struct rolling {
     struct contact contact;
     real turn;  /* theta_1 - theta */
@@ -49,25 +48,25 @@ enum pass {
     /* the head is at theta_c, and each domino has the tilt that its follower had at the start of the cycle */
     PASS_SHIFT = 2,
     PASS_SECOND_DERIVATIVE = 4, /* H2 */
-    PASS_PUSHES = 8,            /* a proof, if possible, that all contacts push */
+    PASS_PUSHES = 8,            /* tries to prove that all contacts push */
 };
 
 struct contact_law {
-    /* True if the tilt of a follower is a closed form of the tilt of its leader. Error bounds, the series of
-     * the far tail, the bounds for strips of growths and the shortcuts of random rows are available only in
-     * this case. */
+    /* True if the follower's tilt is given by a formula in its leader's tilt, without iteration. Error
+     * bounds, the series of the far tail, the bounds for strips of growths and the shortcuts for random rows
+     * exist only in this case. */
     bool closed_form;
-    /* The largest number of dominoes that one search may visit in all its passes, about a second of work in
-     * double precision. */
+    /* The limit for the number of dominoes that one search visits in all its passes. It corresponds to about
+     * a second of work in double precision. */
     size_t work_most;
 
     /* ---- Preparing a train or a row ---- */
 
-    /* Finds the characteristic tilts of a train for its separation and growth. Returns DOM_OUT_OF_REACH if r
-     * s is too large. */
+    /* Finds the characteristic tilts of a train, such as theta_c and theta_inf, for its separation and
+     * growth. Returns DOM_OUT_OF_REACH if r s is too large. */
     enum dom_status (*set)(struct geometry *geometry);
-    /* Prepares the contact of a domino in a row with its follower. NULL if joint_shape in row/joint.c has
-     * already prepared everything. */
+    /* Prepares the contact of a domino in a row with its follower. NULL if the contact needs no preparation
+     * beyond joint_shape in row/joint.c. */
     void (*joint)(struct geometry *geometry, const struct geometry *follower);
     /* Returns the tilt at which a head hits the next domino. `gap` is the gap between the two, relative to
      * the height of the head. */
@@ -75,12 +74,13 @@ struct contact_law {
 
     /* ---- One domino ---- */
 
-    /* Returns the leader's tilt for a follower's tilt >= theta_c: the inverse of theta_1. */
+    /* The inverse of theta_1: returns the leader's tilt for a given tilt of its follower, which must be >=
+     * theta_c. */
     struct tilt (*leader)(const struct geometry *geometry, struct tilt follower);
     /* Returns h(0) - h(theta_f), the paper's fuel: the closed form of (25; c7). */
     real (*paper_fuel)(const struct geometry *geometry);
-    /* Returns r s for the smallest growth at which domino 1 has tipped over when it hits the next domino
-     * (5; b0). */
+    /* Returns the product r s for the smallest growth r at which domino 1 tips over before it hits the next
+     * domino (5; b0). */
     real (*tips_at)(const struct geometry *geometry);
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5) without cancellation, or 0 if domino 1 has
      * not tipped over. */
@@ -90,11 +90,12 @@ struct contact_law {
 
     struct walk (*begin)(const struct geometry *geometry, struct tilt head);
     void (*next)(struct walk *walk);
-    /* Finds the contact of a domino that has detached only because of rounding errors. */
+    /* Finds the contact of a domino whose follower counts as detached, but only because of rounding
+     * errors. */
     void (*touch)(struct walk *walk);
     struct arms (*arms)(const struct link *link);
-    /* Tests a condition on one contact, whose leader moves from b to a. If all contacts of a chain meet the
-     * condition, all of them stay closed. */
+    /* Tests the contact of one domino with its follower while the domino moves from b to a. If every contact
+     * of a chain passes the test, all contacts stay closed. */
     bool (*pushes)(const struct walk *a, const struct walk *b);
     /* Fills `list` with the dominoes up to the end of the chain, but at most `room` of them, and returns
      * their number. */
@@ -102,22 +103,22 @@ struct contact_law {
 
     /* ---- Passes down a chain ---- */
 
-    /* Finds a number with the sign of H1, unless rounding errors hide the sign. Visits only as many dominoes
-     * as the sign needs. */
+    /* Finds a number that has the sign of H1, unless rounding errors hide the sign. The pass ends as soon as
+     * the sign is certain. */
     enum dom_status (*sign)(const struct geometry *geometry, struct tilt head, real *H1);
     /* Finds J and H1. */
     enum dom_status (*sum)(const struct geometry *geometry, struct tilt head, struct sums *sums);
     /*
-     * Finds J, H1 and H(head) - H(from), and the sums that `pass` selects, with bounds on their errors
-     * (bound.h) unless error is NULL. t is the tangent of half the angle from `from` to `head`. This angle
-     * may be so small that both tilts round to the same. If `from` is not upright, no domino may detach
-     * between the two, and error must be NULL. PASS_SHIFT saves half of the work for an endless train from
-     * upright to theta_c.
+     * Finds J, H1 and H(head) - H(from), and the additional results that `pass` selects. Finds error bounds
+     * (bound.h) unless error is NULL. t must be the tangent of half the angle from `from` to `head`. It is a
+     * separate argument because the two tilts may be so close that they round to the same numbers. If `from`
+     * is not upright, no domino may detach between the two tilts, and error must be NULL. PASS_SHIFT saves
+     * half of the work for an endless train that moves from upright to theta_c.
      */
     enum dom_status (*change)(const struct geometry *geometry, struct tilt from, struct tilt head, real t,
                               enum pass pass, struct sums *sums, struct sums *error);
     /* Finds the sums at `head`, including H2, and the sums at theta_c, for an endless train from which no
-     * domino detaches. NULL if two calls of `change` are as fast. */
+     * domino detaches. NULL if this would be no faster than two calls of `change`. */
     enum dom_status (*both)(const struct geometry *geometry, struct tilt head, struct sums *sums,
                             struct sums *at_c);
     /* Finds J, H1 and half of dJ/dtheta. If `every` is true, every domino is visited, and no series replaces
@@ -132,23 +133,23 @@ struct contact_law {
 static const struct contact_law sharp_edges, rounded_edges;
 
 /*
- * These two functions make the geometry of a train in two steps. geometry_read makes everything that does not
- * depend on the separation and the growth. geometry_set then checks and sets these two, and can be called
- * again for other values. dynamics_make takes both steps, and sets the law of motion.
+ * These two functions make the geometry of a train. geometry_read makes everything that does not depend on
+ * the separation and the growth. geometry_set then checks and sets the separation and the growth, and may be
+ * called again with other values. dynamics_make calls both functions, and sets the law of motion.
  */
 KERNEL struct geometry geometry_read(const struct request *train);
 KERNEL enum dom_status geometry_set(struct geometry *geometry, real s, real r);
 
-/* Sets gravity, and with it the potential energy of a domino with sharp edges. Needs geometry->d. */
+/* Sets gravity, and thus the potential energy of a domino with sharp edges. geometry->d must already be
+ * set. */
 KERNEL void geometry_gravity(struct geometry *geometry, real along, real down);
 
-/* Gives the dominoes rounded edges; rho is the radius relative to the height. Needs geometry->d and
- * gravity. Returns DOM_NO_ROUND if the radius is above d/2. Only geometry_gravity and rounded_make set
+/* Gives the dominoes rounded edges of radius rho, relative to the height. geometry->d and gravity must
+ * already be set. Returns DOM_NO_ROUND if the radius is above d/2. Only geometry_gravity and rounded_make set
  * geometry->law. */
 KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho);
 
-/* The passes of both laws, which are defined in sharp_change.c, sharp_friction.c, rolling.c and
- * rolling_friction.c. */
+/* Members of `sharp_edges` that are not defined in sharp.c. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums, struct sums *error);
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
@@ -159,8 +160,7 @@ KERNEL enum dom_status sharp_equation(const struct geometry *geometry, struct ti
 /* Finds geometry->far_friction for an endless train with sharp edges from which no domino detaches. */
 KERNEL void far_friction_make(struct geometry *geometry);
 
-/* Tests a condition on one contact of sharp edges, whose leader moves from b to a. If all contacts of a chain
- * meet the condition, all of them stay closed (sharp_change.c). */
+/* The test `pushes` of struct contact_law for sharp edges. sharp_change.c explains it. */
 KERNEL bool contact_pushes(const struct link *a, const struct link *b);
 
 #endif

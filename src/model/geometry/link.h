@@ -20,8 +20,8 @@ struct link {
 KERNEL_LOOP void link_geometry(struct link *k)
 {
     const struct geometry *geometry = k->geometry;
-    /* A follower always leans on an upright domino, which it has just hit, even in the limit theta_leave =
-     * 0. */
+    /* An upright domino has just been hit by its follower, so the follower leans on it, even if theta_leave
+     * is 0. */
     k->leads = !geometry->detaches || k->tilt.v < geometry->leave.v || k->tilt.x == 0;
     if (k->leads) {
         k->contact = geometry_contact(geometry, k->tilt);
@@ -53,8 +53,8 @@ KERNEL_LOOP void link_next(struct link *k)
     link_geometry(k);
 }
 
-/* Returns theta'' of a follower from theta'' of its leader, by differentiating (14; b10) along the chain.
- * Does not use the cosine of the follower, Y y - X x, which loses its digits near pi/2. */
+/* Returns theta'' of a follower from theta'' of its leader, by the derivative of (14; b10). Avoids the
+ * follower's cosine in the form Y y - X x, which loses its digits near pi/2. */
 KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_derivative)
 {
     real X = leader->contact.X, Y = leader->contact.Y;
@@ -65,17 +65,17 @@ KERNEL_LOOP real link_second_derivative(const struct link *leader, real second_d
            leader->geometry->r * leader->geometry->L * turned * leader->slope * leader->slope;
 }
 
-/* For a domino with the tilt theta_a in one chain and theta_b in another, let t = tan((theta_a -
- * theta_b) / 2). Returns the ratio of t of the follower to t of its leader. This ratio is (1 - G) / (1 + t^2
- * G), as in energy_change_between. 1 - G is computed from the arms, so that it keeps its digits. */
+/* Let t = tan((theta_a - theta_b) / 2) for a domino that has the tilt theta_a in one chain and theta_b in
+ * another. Returns t of the follower divided by t of its leader, (1 - G) / (1 + t^2 G) as in
+ * energy_change_between. 1 - G is computed from the arms, so it keeps its digits. */
 KERNEL_LOOP real pair_shrinks(const struct link *a, const struct link *b, real t)
 {
     real arms = a->contact.arm + b->contact.arm, Y = a->contact.Y + b->contact.Y;
     return t == 0 ? 1 : arms / (Y + t * t * a->geometry->rL * (a->tilt.x + b->tilt.x));
 }
 
-/* These two functions return the lever arms a and b of the contact of a domino with its follower (table 1),
- * including friction, multiplied by r of the domino. */
+/* These two functions return r a and r b, where a and b are the lever arms of the contact of a domino with
+ * its follower (table 1), including friction. */
 KERNEL real contact_arm_a(const struct link *k)
 {
     return k->contact.arm - k->geometry->mu * k->geometry->r * k->geometry->d;

@@ -8,7 +8,7 @@
 
 #define MEMBER(name, default_, lowest, highest, unit, meaning) dom_real name;
 
-/* The members of struct dom_train and of struct dom_compute. */
+/* A train, and how to compute: members of struct dom_train and of struct dom_compute. */
 struct request {
     DOM_TRAIN_PARAMETERS(MEMBER)
     DOM_COMPUTE_PARAMETERS(MEMBER)
@@ -24,7 +24,7 @@ struct request {
 
 struct block; /* defined in joint.h, for each precision */
 
-/* The members of struct dom_row and of struct dom_compute. */
+/* A row, and how to compute: members of struct dom_row and of struct dom_compute. */
 struct row_request {
     const struct dom_domino *domino;
     const struct block *block; /* the dominoes, converted to the precision of the kernel; may be NULL */

@@ -25,8 +25,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. For J, done_J of sharp edges can be used, since the
- * inertia of a domino with rounded edges is at most that of one with sharp edges. */
+/* Returns true when the tail of H1 can be left out. For J, passes use done_J, which is written for sharp
+ * edges. It is safe because rounding the edges never increases the inertia of a domino. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -34,7 +34,7 @@ static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
                        fmax(geometry->weight * k->step, geometry->decay), tol);
 }
 
-/* Finds J, H1 and half of dJ/dtheta or, if `sign` is true, only a number with the sign of H1. */
+/* Finds J, H1 and half of dJ/dtheta. If `sign` is true, finds only H1, as precisely as its sign requires. */
 static enum dom_status rolling_sum(const struct geometry *geometry, struct tilt head, bool sign,
                                    struct sums *sums, real *half_J1)
 {
@@ -84,14 +84,14 @@ KERNEL enum dom_status rounded_rates(const struct geometry *geometry, struct til
 
 /* ---- Differences ---- */
 
-/* The difference between the tilts that one domino has in two chains: the angle, and the tangent of half the
- * angle. */
+/* The difference between the tilts of one domino in two chains: the angle between them, and the tangent of
+ * half the angle. */
 struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts from t, the tangent of half the angle between them. t keeps its
- * relative accuracy along the chain, although the differences become ever smaller. */
+/* Returns the difference between two tilts, of which t is the tangent of half the angle. t keeps its relative
+ * accuracy along the chain, even for the smallest differences. */
 static struct apart apart_by(real t)
 {
     real square = t * t;
@@ -113,13 +113,13 @@ KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t)
 
 /*
  * Returns the difference between the tilts of the followers of a and b; `apart` is the difference between the
- * tilts of a and b themselves. Subtracting the contact equations of a and b gives an equation for D, the
- * difference between the turns of a and b,
+ * tilts of a and b themselves. Let D be the difference between the turns of a and b. Subtracting their
+ * contact equations gives
  *
  *     l_1 (Y_a + Y_b) tan(D/2) + rho_1 D cos theta_a = R,
  *
- * where every term of R has the small factor `by`. Subtracting the two turns directly loses digits, so that
- * difference is used only for tan(D/2) / D.
+ * where every term of R has the small factor `by`. The computed difference of the turns is too inaccurate to
+ * serve as D, and is used only for the factor tan(D/2) / D.
  */
 static struct apart apart_next(const struct walk *a, const struct walk *b, struct apart apart)
 {
@@ -142,21 +142,25 @@ static real least_product(real a, real lo, real hi)
 }
 
 /*
- * Tests a condition on one contact of rounded edges, whose leader moves from b to a. If all contacts of a
- * chain meet the condition, all of them stay closed. The condition is that of pushes_between in
- * sharp_change.c, but the inertia of a domino changes with its tilt, so that c_k = -theta_k'' / theta_k' -
- * i'_k theta_k' / 2 i_k, and a_k has i_k in its denominator.
+ * The test of pushes_between in sharp_change.c for rounded edges. Since the inertia i of a domino changes
+ * with its tilt,
+ *
+ *     c_k = -theta_k'' / theta_k' - i'_k theta_k' / 2 i_k,
+ *
+ * and a_k has i_k in its denominator.
  *
  * c does not decrease if -curve b >= arm (step i'_1/i_1 - i'/i) / 2. With p = 1 - step, Q = L - rho_1 turn
- * and more = rho - rho_1, the contact equation turns the left side into
+ * and more = rho - rho_1, the contact equation turns -curve b into
  *
  *     (1 - p^2) y Q + p^2 d + 2 rho_1 x p - more [y (1 - theta) + p^2 (1 - cos theta - x + theta y) - x],
  *
  * where the expression in square brackets is between -2 and 1.16. The first two terms are a weighted mean of
- * y Q and d. Where y Q < d/2, x is large, and p is large too, because p >= x (M - rho_1 turn)/b. The decrease
- * of the arm of the leader contains the same terms with p instead of p^2. So slope and turn decrease, too,
- * and all terms are bounded by their values at a and b. The condition for a is that of sharp edges, with R
- * i/i_1 instead of R, and with a term for a foot that rolls down a slope.
+ * y Q and d. Where y Q < d/2, x is large, so p >= x (M - rho_1 turn)/b is large too. The lever arm of the
+ * leader decreases by the same terms with p instead of p^2, so slope and turn decrease as well, and the
+ * values at a and b bound every term.
+ *
+ * The condition for a is that of sharp edges, with R i/i_1 instead of R, and with a term for a foot that
+ * rolls down a slope.
  */
 static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 {
@@ -171,7 +175,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
                far = sqrt(fmax(1 - low * low / (Q * Q), 0)) * M / arm_most,
                mean = fmax(fmin(self->d, A.y * Q), fmin(low, self->d * far * far)),
                bends = mean - fmax((real)1.16 * more, -2 * more);
-    /* Up to pi/2, i is concave and i' decreases. */
+    /* Up to pi/2 the inertia is a concave function of the tilt. So it is smallest at one of the two ends, and
+     * its derivative decreases. */
     const real i = fmin(geometry_inertia(self, A), geometry_inertia(self, B)),
                i_1 = fmin(geometry_inertia(next, A_1), geometry_inertia(next, B_1)),
                i_most = of->i.c + of->i.x + of->i.y, i_1_most = by->i.c + by->i.x + by->i.y,
@@ -193,8 +198,8 @@ static bool rolling_pushes_between(const struct walk *a, const struct walk *b)
 
 enum { ROLLING_HALVINGS = 4 };
 
-/* Returns true if rolling_pushes_between holds from b to a. If it does not, tries both halves of the interval
- * separately, down to `halvings` levels. */
+/* Returns true if rolling_pushes_between succeeds from b to a. Otherwise bisects the interval and tests both
+ * halves, up to `halvings` times. */
 static bool rolling_pushes(const struct walk *a, const struct walk *b, int halvings)
 {
     if (rolling_pushes_between(a, b))
@@ -210,7 +215,7 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* The counterpart for rounded edges of energy_change_between. No error bounds are known. */
+/* energy_change_between for rounded edges. No error bounds are known. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error)
 {

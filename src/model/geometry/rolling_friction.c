@@ -8,9 +8,9 @@
 #include "geometry/rounded.h"
 
 /*
- * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. The arm a of a
- * contact is a difference of two lengths of the size of b, which cancels where the follower is about to
- * detach. The second derivative of the contact is a difference, too, and so is b where X < 0.
+ * The rounding errors of S, theta' and theta'' of one domino, in units of the unit roundoff. They grow where
+ * a difference cancels: the arm a where the follower is about to detach, and the arm b where X < 0. The
+ * second derivative of the contact is also a difference.
  */
 struct rounding {
     real S, slope, second_derivative;

@@ -27,9 +27,9 @@ KERNEL enum dom_status rounded_make(struct geometry *geometry, real rho)
 enum { TURN_STEPS = 40 };
 
 /*
- * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The iteration ends
- * when a step is so short that its third-order terms are negligible in the final sine and cosine and, where
- * the left side is curved, also in the step itself.
+ * Solves the equation of turn_solve by Halley's method, starting from the estimate `turn`. The final sine and
+ * cosine include the last step up to the second order. The iteration ends when the third-order terms of a
+ * step are negligible.
  */
 static real turn_iterate(real l, real c, real G, real turn, real *sine, real *cosine)
 {
@@ -68,8 +68,8 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
     real step = off / (1 - delta * (2 * k + 3 * m * delta));
     delta += step;
     square = delta * delta;
-    /* Accept this result only if the omitted terms, and the change in a third step, are below a quarter of a
-     * rounding error. */
+    /* Accept u only if the omitted terms, and the change that a third step would make, are below a quarter of
+     * a rounding error. */
     if (!(fabs(square * square * square * delta) <= 600 * REAL_EPSILON * fabs(X) &&
           fabs(k) * step * step <= REAL_EPSILON / 8 * fabs(X)))
         return turn_iterate(l, c, G,
@@ -83,9 +83,9 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
 }
 
 /*
- * Returns the solution u of the equation of turn_solve from E = l + c pi/2 - G, for u so near to pi/2 that
- * the digits of cos u are lost in G. The difference e = pi/2 - u obeys l (1 - cos e) + c e = E, in which
- * nothing cancels. Returns NaN if there is no solution.
+ * Returns the solution u of l sin u + c u = G for u near pi/2, where G is given by E = l + c pi/2 - G. The
+ * difference e = pi/2 - u obeys l (1 - cos e) + c e = E, in which nothing cancels. turn_solve would lose the
+ * digits of cos u here. Returns NaN if there is no solution.
  */
 static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
 {
@@ -130,7 +130,7 @@ static struct tilt tilt_of(real theta)
 /* If G is at least this fraction of l + c, the turn is so near to pi/2 that turn_near_reach finds it. */
 #define TURN_NEAR ((real)15 / 16)
 
-/* Returns E of turn_near_reach, which is 0 at the turn pi/2, where the follower is perpendicular to its
+/* Returns the argument E of turn_near_reach for a contact. E is 0 if the follower is perpendicular to its
  * leader. */
 static real left_of_reach(const struct geometry *geometry, struct tilt leader, real theta)
 {
@@ -147,7 +147,7 @@ KERNEL_LOOP struct rolling rolling_here(const struct geometry *geometry, struct 
     real turn = G < TURN_NEAR * (of->tall_1 + c)
                     ? turn_solve(of->tall_1, c, G, &x, &y)
                     : turn_near_reach(of->tall_1, c, left_of_reach(geometry, leader, theta), &x, &y);
-    /* From the derivatives of the contact equation: b turn' = -x M + rho_1 x turn. */
+    /* The derivative of the contact equation is b turn' = -x M + rho_1 x turn. */
     real M = geometry->L - more * (1 - theta), b = of->tall_1 * y + c,
          arm = b + leader.x * (of->rho_1 * turn - M), slope = arm / b, part = slope - 1;
     real curve = (of->tall_1 * x * part * part + 2 * of->rho_1 * leader.x * part + c * turn - leader.y * M -
@@ -172,8 +172,8 @@ static struct rolling rolling_of(const struct geometry *geometry, struct tilt le
 static void rounded_contact(struct walk *k)
 {
     const struct geometry *geometry = k->link.geometry;
-    /* How many of the dominoes before this one are counted in geometry->n. In a row none are, since there
-     * geometry->n counts only from this domino on. */
+    /* In a train, geometry->n counts the dominoes from the head on. In a row, it counts them from this domino
+     * on. */
     const size_t before = geometry->follower ? 0 : k->link.i;
     k->link.leads = before + 1 < geometry->n &&
                     (!geometry->detaches || k->link.tilt.v < geometry->leave.v || k->link.tilt.x == 0);
@@ -254,9 +254,9 @@ static size_t rounded_list(const struct geometry *geometry, struct tilt head, st
 /* ---- The shape of a train ---- */
 
 /*
- * Returns theta_inf, where the right side of the contact equation is 0, so that a follower leans as much as
- * its leader. Up to pi/2 the right side decreases and is concave, so after its first step Newton's method
- * only moves downwards, until rounding errors stop it.
+ * Returns theta_inf, at which a follower leans as much as its leader: the right side of the contact equation
+ * is 0. Up to pi/2 this side decreases and is concave, so after the first step Newton's method approaches the
+ * root from above, until rounding errors stop it.
  */
 static real rounded_inf(const struct geometry *geometry)
 {
@@ -272,9 +272,9 @@ static real rounded_inf(const struct geometry *geometry)
 }
 
 /*
- * Finds the first tilt up to hi at which a follower detaches, where its slope becomes 0. Returns false if no
- * follower detaches. The slope decreases, so Newton's method for its root starts from the tilt at which sharp
- * edges detach, and is kept inside a bracket. The slope is NaN where there is no contact.
+ * Finds the first tilt of the leader, up to hi, at which a follower detaches: the root of the follower's
+ * slope, which decreases. Newton's method starts from the tilt for sharp edges and is kept inside a bracket.
+ * Returns false if no follower detaches. The slope is NaN where there is no contact.
  */
 static bool rounded_leave(const struct geometry *geometry, real hi, real *theta)
 {
@@ -289,7 +289,7 @@ static bool rounded_leave(const struct geometry *geometry, real hi, real *theta)
         *(at.contact.step >= 0 ? &lo : &hi) = *theta;
         by = i == 0 ? by : -at.contact.step / at.curve;
         *theta += by;
-        /* near the root the error after a step is about the square of that step */
+        /* near the root, a step reduces the error to about its square */
         if (i > 0 && fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
             break;
         if (!(*theta > lo && *theta < hi))
@@ -354,7 +354,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
 
-/* The context of led_by, whose root is the tilt of a leader. `follower` is the given angle of that leader's
+/* The context of led_by, whose root is the tilt of a leader with the given tilt `follower` of its
  * follower. */
 struct led {
     const struct geometry *geometry;

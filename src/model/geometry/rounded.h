@@ -25,18 +25,18 @@
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 /* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. rounded_between returns
- * the same domino half way between two tilts. rounded_arms and rounded_pushes are the members `arms` and
- * `pushes` of struct contact_law. */
+ * the domino half way between two tilts of the same domino. rounded_arms and rounded_pushes are members of
+ * struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);
 KERNEL struct arms rounded_arms(const struct link *link);
 KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b);
 
-/* Counts a pass in geometry->work as work of the effect 'edges'. */
+/* Adds one to the counter of work for the effect 'edges'. */
 KERNEL void rounded_count(const struct geometry *geometry);
 
-/* The passes of struct contact_law. They find no error bounds. */
+/* Members of struct contact_law. They find no error bounds. */
 KERNEL enum dom_status rounded_sign(const struct geometry *geometry, struct tilt head, real *H1);
 KERNEL enum dom_status rounded_sum(const struct geometry *geometry, struct tilt head, struct sums *sums);
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,

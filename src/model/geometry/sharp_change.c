@@ -1,22 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Passes down two chains with sharp edges side by side, to find differences of H. Near the ends of both
- * chains, series replace the dominoes. */
+/* Passes down two chains with sharp edges side by side, to find differences of H. The far tails of both
+ * chains are replaced by series (far.h). */
 #include "geometry/bound.h"
 #include "geometry/far.h"
 #include "geometry/law.h"
 
 /*
- * Returns h(A) - h(B), where A and B are the angles of one domino at the tilts a and b, and h = h.y cos + h.x
- * sin. t is tan((A - B)/2). The product 2 sin((A-B)/2) (h.x cos((A+B)/2) - h.y sin((A+B)/2)) has no
- * cancellation.
+ * Returns h(A) - h(B), where A and B are the angles of one domino at the tilts a and b, from t = tan((A -
+ * B)/2). Since h(theta) = h.y cos theta + h.x sin theta, the difference is the product
+ *
+ *     2 sin((A - B)/2) [h.x cos((A + B)/2) - h.y sin((A + B)/2)],
+ *
+ * in which the nearly equal heights do not cancel.
  */
 KERNEL_LOOP real energy_change(const struct geometry *geometry, struct tilt a, struct tilt b, real t)
 {
     return t * (geometry->h.x * (a.y + b.y) - geometry->h.y * (a.x + b.x));
 }
 
-/* The error bounds on a pass down the chains a and b: bounds for the current domino in each chain, for the t
- * of that domino (see energy_change_between), and for the sums. */
+/* The error bounds during a pass down the chains a and b: for the current domino of each chain, for t of that
+ * domino (see energy_change_between), and for the sums. */
 struct energy_change_bound {
     struct bound a, b;
     real t;
@@ -46,16 +49,17 @@ static void error_add(const struct geometry *geometry, struct energy_change_boun
 }
 
 /*
- * Returns tan((theta_f - theta_1) / 2) for a follower that detaches at theta_f and whose tilt is theta_1
- * while its leader has the tilt of `leader`. This is one step of energy_change_between between `leader` and
- * theta_leave, where the arm a is 0, so that Y = r L x. The arm of the leader contains the factor cos theta -
- * cos theta_leave = (leave_at - leave_by v) / leave_by.
+ * Returns tan((theta_f - theta_1) / 2) for a follower that leans at theta_1 now and will detach at theta_f.
+ * This is the step of energy_change_between from `leader` to theta_leave, at which the arm a is 0, that is, Y
+ * = r L x. The arm of `leader` contains the factor
+ *
+ *     cos theta - cos theta_leave = (leave_at - leave_by v) / leave_by.
  */
 static real leaving_half_turn(const struct geometry *geometry, const struct link *leader)
 {
     real rL = geometry->r * geometry->L, x = leader->tilt.x, sines = geometry->leave.x + x,
          Y = leader->contact.Y;
-    if (sines == 0) /* r s = 1: the follower is at theta_f from the start */
+    if (sines == 0) /* the follower is at theta_f from the start (r s = 1) */
         return 0;
     real t = leader->contact.arm * (Y + rL * x) / (geometry->leave_by * sines);
     real whole = rL * geometry->leave.x + Y, F = leader->contact.arm / whole, G = rL * sines / whole;
@@ -63,8 +67,8 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
 }
 
 /*
- * Returns true if a and b are so near to theta_inf that the terms omitted from the far series do not matter.
- * The series can then replace the remaining dominoes of the pass.
+ * Returns true if a and b lean so nearly at theta_inf that the terms omitted from the far series do not
+ * matter. The series can then replace all further dominoes of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)
@@ -73,8 +77,8 @@ KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_stat
     real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
     if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
         return false;
-    /* Far from theta_inf the first term is a poor estimate of the tail, which may cancel the sum. Therefore
-     * check again with all terms. */
+    /* The test so far estimates the tail by the first term of its series. Test again with the whole series,
+     * because the tail may cancel the sum. */
     real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
     if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
         return false;
@@ -96,8 +100,8 @@ static struct far_point far_add(const struct geometry *geometry, struct sum_stat
     return H;
 }
 
-/* These two functions return the term of H2 of one domino, and the sum of the terms of this domino and all
- * dominoes behind it. second_derivative is theta'' of this domino. */
+/* These two functions return terms of H2: the term of one domino, or the terms of that domino and of all
+ * dominoes behind it. second_derivative is theta'' of the domino. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
@@ -117,8 +121,8 @@ KERNEL_LOOP void pair_add(struct sum_state *state, const struct link *a, const s
     series_add(&state->dH, a->weight * energy_change(a->geometry, a->tilt, b->tilt, t));
 }
 
-/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is the ratio of t of the
- * next pair to t of this pair. */
+/* Returns true when the tails of all sums after this pair can be left out. `shrinks` is t of the next pair
+ * divided by t of this pair. */
 KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t, real shrinks, real tol)
 {
     real ratio = fmax(a->geometry->weight * shrinks, a->geometry->decay);
@@ -127,29 +131,29 @@ KERNEL_LOOP bool pair_done(struct sum_state *state, const struct link *a, real t
 }
 
 /*
- * Tests a condition on one contact, whose leader moves from b to a. If all contacts of a chain meet the
- * condition, all of them stay closed, for the following reason.
+ * Tests the contact of one domino with its follower while the domino moves from b to a. If every contact of a
+ * chain passes the test, all contacts stay closed, for the following reason.
  *
- * The torques on all dominoes from i on, times the factors S of dynamics/friction.c (theta_i' without
- * friction), pass through the contact of domino i with its leader. The part of them that does not accelerate
- * these dominoes is the contact force times S_i b_i > 0. With the acceleration of the whole chain this part
- * is the sum over k >= i of
+ * Multiply the torque on each domino by its factor S (dynamics/friction.c; without friction, S = theta'). Of
+ * the torques on domino i and all dominoes behind it, the part that does not accelerate these dominoes is
+ * balanced by the contact of domino i with its leader, so this part is the contact force times S_i b_i > 0.
+ * With the acceleration of the whole chain it is the sum over k >= i of
  *
  *     I_k S_k theta_k' [(a_k - <a>) + (c_k - <c>) w],   w = tau^2 omega^2,
  *     a_k = (weight g)_k / (I_k theta_k'),   c_k = -theta_k'' / theta_k',
  *
- * where g = -h'/2, and <> is the mean over the whole chain with the weights I S theta'. If a_k and c_k do not
- * decrease down the chain, no such sum is negative: all contacts push, at every speed.
+ * where g = -h'/2, and <> is the mean over the whole chain with the weights I S theta'. If neither a_k nor
+ * c_k decreases down the chain, no such sum is negative: all contacts push, at every speed.
  *
  * From a leader to its follower, c increases by r L (y_1 + theta_1' x X) / Y^2 times a square
  * (link_second_derivative), where y_1 = Y y - X x is the cosine of the follower. a does not decrease if f =
- * (weight/inertia) g_1 - theta_1' g >= 0. X and Y of the contact turn g into g_1 of the follower, so that
+ * (weight/inertia) g_1 - theta_1' g >= 0. In terms of X and Y of the contact,
  *
  *     2 f = x [R (h1.y Y + h1.x X) - theta_1' h.y] + y [R (h1.y X - h1.x Y) + theta_1' h.x].
  *
- * From b to a, X and theta_1' decrease, and Y increases while X >= 0, so that the terms at the two ends give
- * a bound. The arm a of the contact, which must be positive, decreases too. While a leader still leans
- * backwards, none of these bounds holds.
+ * From b to a, X and theta_1' decrease, and Y increases while X >= 0. So the values at a and b bound every
+ * term. The arm a of the contact, which must be positive, decreases as well, so it is tested at the end. None
+ * of this holds while a leader still leans backwards, and the test then fails.
  */
 static bool pushes_between(const struct link *a, const struct link *b)
 {
@@ -165,8 +169,8 @@ static bool pushes_between(const struct link *a, const struct link *b)
            fmin(a->tilt.x * of_x, b->tilt.x * of_x) + fmin(a->tilt.y * of_y, b->tilt.y * of_y) >= 0;
 }
 
-/* Returns true if pushes_between holds from b to a. If it does not, tries both halves of the interval
- * separately, down to `halvings` levels. */
+/* Returns true if pushes_between succeeds from b to a. Otherwise bisects the interval and tests both halves,
+ * up to `halvings` times. */
 static bool pushes_within(const struct link *a, const struct link *b, int halvings)
 {
     if (pushes_between(a, b))
@@ -189,9 +193,12 @@ KERNEL bool contact_pushes(const struct link *a, const struct link *b)
 
 /*
  * Finds the sums of chain a, whose head is at `head`, and H of chain a minus H of chain b, whose head is at
- * `from`. With t = tan((theta_a - theta_b)/2) of one domino, t of its follower is exactly t (1 - G) / (1 +
- * t^2 G), where G = r L (x_a + x_b) / (Y_a + Y_b), because X_a - X_b = r L (y_a - y_b). G is r L x / Y of the
- * slope (14; b10), averaged between the two tilts. So the smallest differences keep their digits.
+ * `from`. The difference is computed from t = tan((theta_a - theta_b)/2) of each domino, so that even the
+ * smallest difference keeps its digits. Since X_a - X_b = r L (y_a - y_b), t of the follower is exactly
+ *
+ *     t (1 - G) / (1 + t^2 G),   G = r L (x_a + x_b) / (Y_a + Y_b),
+ *
+ * where G is the mean of r L x / Y, a term of the slope (14; b10), over the two tilts.
  */
 KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometry, struct tilt from,
                                                   struct tilt head, real t, const enum pass pass,
@@ -280,9 +287,9 @@ KERNEL_LOOP enum dom_status energy_change_between(const struct geometry *geometr
     return status;
 }
 
-/* `pass` is a constant in each call, so that the compiler can remove the sums that are not needed. The error
- * bounds come from a second pass, without series, and include the difference between the sums of the two
- * passes. */
+/* `pass` is a constant in each call below, so the compiler can remove the sums that are not needed. For error
+ * bounds, a second pass visits the dominoes that the series replaced. The difference between the sums of the
+ * two passes is added to the bounds. */
 KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     real t, enum pass pass, struct sums *sums, struct sums *error)
 {
@@ -310,8 +317,8 @@ KERNEL enum dom_status sharp_change(const struct geometry *geometry, struct tilt
     return status;
 }
 
-/* The two passes run side by side, because the processor can compute the square roots of one chain while the
- * other chain waits for its own. */
+/* The two passes run side by side, which is faster: the processor computes the square roots of one chain
+ * while it waits for those of the other chain. */
 KERNEL enum dom_status sharp_both(const struct geometry *geometry, struct tilt head, struct sums *sums,
                                   struct sums *at_c)
 {

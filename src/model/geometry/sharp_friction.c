@@ -5,17 +5,17 @@
 #include "geometry/law.h"
 
 /*
- * The series of far_friction follow from A(theta) = 1 + r^-(q+1) S_1 theta_1' A(theta_1) and the
- * corresponding equations for B and C. These equations are differentiated twice at theta_1 = theta =
- * theta_inf, where X = 0 and Y = 1.
+ * The functions A(e), B(e) and C(e) of far_friction follow from A(theta) = 1 + r^-(q+1) S_1 theta_1'
+ * A(theta_1) and the corresponding equations for B and C. These equations are differentiated twice at theta_1
+ * = theta = theta_inf, where X = 0 and Y = 1.
  */
 KERNEL void far_friction_make(struct geometry *geometry)
 {
     real w = geometry->weight, m = geometry->inertia, x = geometry->inf.x, d = geometry->d, mu = geometry->mu;
     real o = geometry->r * geometry->L * x, p = geometry->r * d; /* -X' and -X'' */
-    /* theta_1' and theta_1'' as functions of theta, each with its first two derivatives. */
+    /* theta_1' and theta_1'' as functions of theta: their values and first two derivatives at theta_inf */
     const real step[] = {1 - o, -p, o * (1 - o * o)}, contact[] = {-p, step[2], p * (1 - 6 * o * o)};
-    /* S_1 = a / b. */
+    /* S_1 = a / b, from the derivatives of a (`above`) and of b (`below1` and `below2`) */
     const real above[] = {1 - o - mu * p, -p, o * (1 - o)}, below1 = -mu * o, below2 = -o * o - mu * p;
     const real S1 = above[1] - above[0] * below1,
                S[] = {above[0], S1, above[2] - 2 * S1 * below1 - above[0] * below2};
@@ -29,7 +29,7 @@ KERNEL void far_friction_make(struct geometry *geometry)
                height = geometry_height(geometry, geometry->inf),
                h[] = {-height_slope / 2, height / 2, height_slope / 2};
     struct far_friction f = {.known = fabs(above[0]) < 1};
-    /* The denominator is 1 - r^-q S_1, computed from r^q - 1 to avoid cancellation. */
+    /* The denominator is 1 - r^-q S_1. It is computed from r^q - 1, because the difference may cancel. */
     f.C[0] = h[0] / (w * (geometry->rq_1 + o + mu * p));
     f.C[1] = (h[1] + w * S[1] * f.C[0]) / (1 - w * S[0] * k);
     f.C[2] = (h[2] + w * (S[2] * f.C[0] + (2 * S[1] * k + S[0] * k1) * f.C[1])) / (1 - w * S[0] * k * k);
@@ -49,11 +49,11 @@ KERNEL void far_friction_make(struct geometry *geometry)
 struct friction_link {
     struct link link;
     real S, second_derivative;
-    /* Rounding error of S in units of the unit roundoff. It exceeds 1 where X < 0, because b = Y + mu X then
+    /* Rounding error of S in units of the unit roundoff. X < 0 increases it, because b = Y + mu X then
      * cancels. */
     real noise;
-    /* True if some follower lies so flat that the contact force passes on the wrong side of its hinge: b <=
-     * 0. */
+    /* True if some follower lies so flat that the contact force passes on the wrong side of its hinge (b <=
+     * 0). */
     bool wrong_side;
 };
 
@@ -68,9 +68,8 @@ static void friction_next(struct friction_link *k)
     link_next(&k->link);
 }
 
-/* Returns true when the tails of all three sums can be left out at the tolerance. The ratio of later terms is
- * assumed to be at least `decay`, the ratio at the end of an endless train, since the ratio may still
- * increase to that value. */
+/* Returns true when the tails of all three sums can be left out. To be safe, the ratio of successive terms is
+ * taken to be at least `decay`, the ratio that it approaches far down an endless train. */
 static bool friction_done(const struct friction_link *k, struct series *A, struct series *B, struct series *C)
 {
     const struct link *link = &k->link;
@@ -85,7 +84,7 @@ static bool friction_done(const struct friction_link *k, struct series *A, struc
                        geometry->tol);
 }
 
-/* Returns the distance of a tilt from theta_inf, correct to the fourth order of this distance. */
+/* Returns the angle from a tilt to theta_inf, correct to the fourth order of this angle. */
 static real far_angle(const struct geometry *geometry, struct tilt t)
 {
     real z = far_off(geometry, t);
@@ -97,8 +96,8 @@ static real far_value(const real f[3], real e)
     return f[0] - f[1] * e + f[2] * e * e / 2;
 }
 
-/* If this domino is so near to theta_inf that the last terms of the series do not matter, adds the
- * contributions of this domino and of all dominoes behind it to the sums, and returns true. */
+/* If this domino leans so nearly at theta_inf that the quadratic terms of far_friction are negligible, adds
+ * the contributions of this domino and of all dominoes behind it to the sums, and returns true. */
 static bool friction_closes(const struct friction_link *k, struct series *A, struct series *B,
                             struct series *C)
 {

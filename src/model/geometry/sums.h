@@ -22,11 +22,11 @@ struct sums {
 /* The equation of motion with friction at one tilt of the head: (A/2) dw/dtheta + B w = C. */
 struct equation_of_motion {
     real A, B, C;
-    /* Sums of the absolute values of all terms, from which the rounding errors are estimated. They are
-     * increased where the terms of an arm b cancel. */
+    /* Sums of the absolute values of all terms, increased where an arm b is a difference that cancels. The
+     * rounding errors are estimated from these sums. */
     real A_size, B_size, C_size;
-    /* True if no acceleration is consistent with the forces (Painleve): A <= 0, or the arm b of a follower is
-     * <= 0. */
+    /* True if no acceleration satisfies the equation of motion (Painleve): A <= 0, or the arm b of a follower
+     * is <= 0. */
     bool locks;
     size_t n; /* number of dominoes in the sums */
 };
@@ -39,11 +39,11 @@ struct equation_of_motion {
  * stays within the tolerance. */
 #define TAIL_SHARE ((real)0.125)
 
-/* A compensated sum, with the data from which its remaining terms are bounded. */
+/* A compensated sum, with bounds on its next terms. */
 struct series {
     real sum, size; /* sum of the terms, and of their absolute values */
     real lost;      /* the sum of the rounding errors so far, to be added at the end */
-    /* Upper bounds on the next term, and of the ratio of each later term to the term before it. */
+    /* Upper bounds on the next term, and on the ratio of each later term to the term before it. */
     real next, ratio;
 };
 
@@ -58,8 +58,9 @@ KERNEL_LOOP void series_add(struct series *s, real term)
 }
 
 /*
- * Returns true when the tail can be left out. The remaining terms are at most `term` times ratio, ratio^2,
- * ... Terms below the unit roundoff of the sum never matter.
+ * Returns true when the remaining terms can be left out. `term` is an upper bound on the last term, and each
+ * later term is at most `ratio` times the one before it. A tail below the unit roundoff of the sum can always
+ * be left out.
  */
 KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
 {
@@ -68,8 +69,8 @@ KERNEL_LOOP bool series_done(struct series *s, real term, real ratio, real tol)
     return s->next <= (1 - ratio) * fmax(TAIL_SHARE * tol * fabs(s->sum), UNIT / 2 * s->size);
 }
 
-/* Returns a bound on the rounding error of the sum, plus a bound on its tail, which is 0 if the train has
- * ended. */
+/* Returns a bound on the rounding error of the sum, plus a bound on the terms left out. No terms are left out
+ * if `ended` is true. */
 KERNEL real series_error(const struct series *s, bool ended)
 {
     real tail = ended || s->next == 0 ? 0 : s->next / (1 - s->ratio);

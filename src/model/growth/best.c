@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The best separation. Samples of s give a growth R that some separation allows. Then all intervals of s in
- * which no separation allows more are excluded: either because s R > 1 in the whole interval, or because a
- * bound (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of
- * these trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
+ * The best separation. Samples of s give a growth R that some separation allows. Then every interval of s
+ * that allows no larger growth is excluded: either because s R > 1 in the whole interval, or because a bound
+ * (strip.h) shows that every train in the interval stops at R, or at a smaller growth at which one of these
+ * trains is known to stop. All other intervals are bisected. Peaks of r_max(s) that are wider than
  * BEST_FINEST times s are resolved; in a narrower interval only the midpoint is computed. With friction no
- * bound is available, and only samples are used. In quad precision none of this is repeated: the search
- * begins at the best separation that double precision has found.
+ * bound is available, and only samples are used. In quad precision the search begins at the best separation
+ * that double precision has found, and repeats nothing of the above.
  */
 #include "growth/limit.h"
 
@@ -29,7 +29,7 @@ static real rmax_at(real s, void *context)
 {
     struct margin_context *c = context;
     struct limit limit;
-    if (c->status != DOM_OK) /* keeps the status of the first failure */
+    if (c->status != DOM_OK) /* a later failure does not replace the status of the first one */
         return REAL_NAN;
     c->s = s;
     if (limit_find(c, &limit) != DOM_OK)
@@ -38,9 +38,8 @@ static real rmax_at(real s, void *context)
 }
 
 /*
- * Returns r_max at s, and stores s if it is the best so far. A coarse scan comes first, and is enough unless
- * s seems to be the best: if a coarse scan misses a dip of the margin, r_max comes out too large, never too
- * small.
+ * Returns r_max at s, and stores s if it is the best so far. A coarse scan comes first. If it misses a dip of
+ * the margin, r_max comes out too large, so the fine scan is needed only if s seems to be the best.
  */
 static real search_at(struct search *b, real s)
 {
@@ -79,7 +78,8 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
     enum dom_status status = geometry_set(&at_lo, lo, r);
     if (status == DOM_OK)
         status = geometry_set(&at_hi, hi, r);
-    /* At r = 1 both fuel formulas agree, and P increases with s where it is positive. */
+    /* At r = 1 both fuel formulas agree, and P increases with s where it is positive. So if P <= 0 at hi, no
+     * train in the interval has fuel. */
     if (status == DOM_OK && r == 1 && at_hi.law->paper_fuel(&at_hi) <= 0) {
         *stops = true;
         return DOM_OK;
@@ -96,9 +96,9 @@ static enum dom_status search_stops(struct margin_context *c, real lo, real hi, 
 }
 
 /*
- * Finds a growth at which the train with the separation s stops, if its margin at R is not negative although
- * r_max is less than R. Such a growth lies a little above r_max, and the growth with the most negative margin
- * is the best witness. *witness is R if no growth is found.
+ * Let R be the best r_max so far. If the train with the separation s has a margin >= 0 at R although its
+ * r_max is less than R, finds a smaller growth at which this train stops. Such a growth lies a little above
+ * r_max. *witness receives the growth with the most negative margin, or R if no such growth is found.
  */
 static enum dom_status search_witness(const struct search *b, real s, real r_max, real *witness)
 {
@@ -119,8 +119,8 @@ static enum dom_status search_witness(const struct search *b, real s, real r_max
     return DOM_OK;
 }
 
-/* Returns the width of the narrowest interval. The width increases as the search uses up the work it may do,
- * so that the search comes to an end. */
+/* Returns the width of the narrowest interval. This width increases as the work approaches its limit, so that
+ * the search comes to an end. */
 static real search_finest(const struct search *b)
 {
     const struct geometry *geometry = &b->c->geometry;
@@ -128,8 +128,8 @@ static real search_finest(const struct search *b)
     return b->r_max > 1 ? b->finest * (1 + 1024 * done * done) : BEST_FIRST;
 }
 
-/* Searches the separations between lo and hi for a larger growth than the best so far. `witness` is a growth
- * at which the trains of this interval may stop. */
+/* Searches the separations between lo and hi for a larger growth than the best so far. The trains of this
+ * interval may already stop at the growth `witness`. */
 static enum dom_status search_between(struct search *b, real lo, real hi, real witness)
 {
     struct margin_context *c = b->c;
@@ -242,8 +242,8 @@ static real top_slope(real s, void *context)
 /*
  * Finds the factor for slope_step at which the error of the rule is smallest. If a follower begins to detach
  * at some s between the nodes of the rule, the second derivative jumps there, and a smaller step is better.
- * The difference between the results with two steps shows the error of the rule. The rounding error, divided
- * by h, prevents steps that are too small.
+ * The error is estimated as the difference between the results of two steps, plus the rounding error, which
+ * is inversely proportional to h.
  */
 static void search_step(struct search *b)
 {
@@ -298,15 +298,14 @@ static enum dom_status search_golden(struct search *b, real tol)
     return c->status;
 }
 
-/* Finds a smooth maximum of r_max near b->s by searching for the place where the slope changes its sign.
- * *smooth is false at a kink or a jump. On entry the relative error of b->s must be much less than
- * `width`. */
+/* Finds a smooth maximum of r_max near b->s, as a root of the slope. *smooth is false at a kink or a jump. On
+ * entry the relative error of b->s must be much less than `width`. */
 static enum dom_status search_smooth(struct search *b, real width, real tol, bool *smooth)
 {
     struct margin_context *c = b->c;
     const real span = c->geometry.span;
     *smooth = false;
-    /* The slope of the margin is a difference quotient, and needs all digits of the margin. */
+    /* The slope is a difference quotient of the margin, so the margin needs all its digits. */
     c->geometry.tol = fmax((real)c->train->tol / 512, 8 * REAL_EPSILON);
     search_step(b);
     for (; c->status == DOM_OK && width < (real)0.02; width *= 4) {
@@ -336,8 +335,8 @@ static enum dom_status search_smooth(struct search *b, real width, real tol, boo
  * enough to the maximum to look for the sign change of the slope at once. */
 static enum dom_status search_top(struct search *b, real tol, bool *smooth)
 {
-    /* The values of r_max determine a smooth maximum only to the square root of their noise, so a bracket for
-     * a zero of the slope starts outside that distance. */
+    /* Noise in r_max hides the exact position of a smooth maximum: its error is the square root of the noise.
+     * The bracket for the root of the slope must be wider than that. */
     const real width = 16 * sqrt(fmax(tol, REAL_EPSILON));
     enum dom_status status = *smooth ? search_smooth(b, width, tol, smooth) : DOM_OK;
     if (status == DOM_OK && !*smooth) {
@@ -348,8 +347,8 @@ static enum dom_status search_top(struct search *b, real tol, bool *smooth)
     return status;
 }
 
-/* Returns the difference between r_max at s + step and r_max at the maximum. Returns 0 if the difference is
- * due to a jump, because the lower side of the jump does not belong to the maximum. */
+/* Returns how much r_max at s + step differs from r_max at the maximum. Returns 0 if r_max jumps between the
+ * two, because the lower side of a jump does not belong to the maximum. */
 static real best_fall(struct margin_context *c, real s, real step, real top)
 {
     real far = fabs(rmax_at(s + step, c) - top), near = fabs(rmax_at(s + step / 8, c) - top);
@@ -375,7 +374,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* r_max(s) jumps where a dip of the margin begins, and the shallowest dips are not resolved (scan.c). */
+    /* Where r_max(s) jumps, a dip of the margin begins. The shallowest dips are not resolved (scan.c), so a
+     * jump is less accurate. */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;
@@ -385,8 +385,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
         margin_at(r, c);
         const real wrong = c->error;
         c->errors = false;
-        /* If the step is doubled, the error of the rule is 256 times as large. The absolute weights of the
-         * rule add up to 1750 / (840 h). */
+        /* With twice the step, the error of the rule is 256 times as large. The absolute weights of the rule
+         * add up to 1750 / (840 h). */
         real slope = margin_slope_by(c, s, r, h), rule = fabs(margin_slope_by(c, s, r, 2 * h) - slope) / 32;
         /* An error in r also changes the slope. */
         const real dr = fmin(r, 1 / (s + 4 * h) - r) * (real)1e-3;
@@ -424,7 +424,7 @@ static enum dom_status search_all(struct search *b, bool *smooth)
     return status == DOM_OK ? search_top(b, (real)c->train->tol, smooth) : status;
 }
 
-/* The relative width of the neighbourhood in which the best separation of the double kernel is refined. It
+/* Relative width of the neighbourhood in which the best separation of the double kernel is refined. It
  * exceeds the error of that separation, but r_max hardly changes within it. */
 #define NEAR_WIDTH ((real)1e-8)
 
@@ -433,7 +433,7 @@ struct line {
     real s[2], r[2], slope;
 };
 
-/* Replaces the older of the two points by the one at s. */
+/* Replaces the older of the two points by the point at s. */
 static void line_to(struct line *line, struct margin_context *c, real s)
 {
     line->s[0] = line->s[1];
@@ -467,8 +467,9 @@ static bool search_kink(struct search *b, real tol)
     return b->c->status == DOM_OK;
 }
 
-/* Finds the best separation near c->s, which is the result of the double kernel. If *found is false, c->near
- * is reset, because beyond a jump of r_max(s) a root near c->near is not the first root. */
+/* Finds the best separation near c->s, the result of the double kernel. If *found is false, the best
+ * separation may be beyond a jump of r_max(s). A root near c->near need not be the first root there, so
+ * c->near is reset. */
 static enum dom_status best_near(struct search *b, bool *smooth, bool *found)
 {
     struct margin_context *c = b->c;

@@ -7,8 +7,8 @@
  */
 #include "growth/limit.h"
 
-/* Returns -d ln K / d ln r, approximately: the kinetic energy decreases as r^-(2q+1) (24; c6), and the fuel
- * decreases with the weights of the dominoes that contribute. */
+/* Returns -d ln K / d ln r, approximately. K is proportional to r^-(2q+1) (24; c6) and to the fuel, which
+ * decreases with the weights of the dominoes. */
 KERNEL real margin_falls(const struct margin_context *c, real r)
 {
     real q = c->geometry.q, s = c->s;
@@ -38,7 +38,8 @@ static void root_add(struct root_search *s, struct root_point point)
         s->lo = fmax(s->lo, point.r);
     if (point.share <= 0)
         s->hi = fmin(s->hi, point.r);
-    bool again = s->known > 0 && s->at[2].r == point.r; /* the same growth, with a finer tolerance */
+    /* true if the newest point is computed again with a finer tolerance */
+    bool again = s->known > 0 && s->at[2].r == point.r;
     for (int k = 0; k < 2 && !again; k++)
         s->at[k] = s->at[k + 1];
     s->at[2] = point;
@@ -57,8 +58,8 @@ static real root_line(const struct root_point *a, const struct root_point *b)
     return b->r - f_b * (b->r - a->r) / (f_b - f_a);
 }
 
-/* A value of margin_share closer than ROOT_FLAT to 1 or -1 does not show how far away the root is. The search
- * then moves by at least the fraction ROOT_STEP of ln r. */
+/* If margin_share is closer than ROOT_FLAT to 1 or -1, it does not show how far away the root is. The search
+ * then multiplies or divides r by at least r^ROOT_STEP. */
 #define ROOT_FLAT ((real)0.02)
 #define ROOT_STEP ((real)0.06)
 
@@ -68,8 +69,8 @@ static real root_inside(const struct root_search *s, real r)
     return r >= s->lo && r <= s->hi ? r : s->lo + (s->hi - s->lo) / 2;
 }
 
-/* Returns the next growth to try: by inverse interpolation through the newest points, or the middle of the
- * bracket. */
+/* Returns the next growth to try, found by inverse interpolation through the newest points. If that growth is
+ * outside the bracket, returns the middle of the bracket. */
 static real root_next(const struct root_search *s, const struct margin_context *c)
 {
     const struct root_point *at = s->at;
@@ -117,13 +118,13 @@ static enum dom_status root_search(struct margin_context *c, struct root_search 
             return DOM_OK;
         }
         real next = s->known == 1 && second > 0 ? second : root_next(s, c), step = fabs(next - r);
-        /* The error after a step is roughly the product of the two errors before it, divided by a length that
-         * can be estimated from the previous steps. */
+        /* As in the secant method, the error after a step is roughly the product of the last two errors,
+         * divided by a length that can be estimated from the previous steps. */
         real before = s->known > 2   ? fabs(s->at[1].r - s->at[0].r) / 8
                       : s->known > 1 ? fabs(r - s->at[1].r)
                                      : 0;
-        /* If the caller gave the second point, the error of that point is unrelated to the first step. The
-         * length cannot be estimated then, and r / 16 is used instead. */
+        /* If the caller gave the second point, its error has nothing to do with the first step, so the length
+         * cannot be estimated. r / 16 is used instead. */
         bool given = s->known == 2 && second > 0;
         bool close = given ? 16 * step * before <= tol * r * r : step * step <= tol / 2 * r * before;
         bool narrow = s->hi - s->lo <= tol * r;
@@ -164,8 +165,8 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 {
     const real tol = c->geometry.tol, aside = ROOT_ASIDE * ROOT_ASIDE;
     const bool follows = c->geometry.dynamics->conservative;
-    /* With a coarser tolerance, the root found here could differ too much from the approximate root, and a
-     * complete search would then be necessary. */
+    /* With a coarser tolerance, the root found here could be rejected as too far from the approximate root,
+     * and a complete search would be necessary. */
     c->geometry.tol = fmin(tol, aside);
     enum dom_status status =
         follows ? root_followed(c, near, root)
@@ -180,20 +181,20 @@ KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root
 
 /* ---- The proof ---- */
 
-/* Relative allowance for the difference between the barrier at the last growth of the search and the barrier
- * at the root. */
+/* The relative allowance by which the barrier at the root may exceed the barrier at the last growth of the
+ * search. */
 #define DOWN_SLACK ((real)8e-3)
 
-/* Returns s / d - 2 d^2 / (1 - d^2), or 0 if this difference is negative. A train of equal dominoes has no
- * fuel if the difference is 0. */
+/* Returns s / d - 2 d^2 / (1 - d^2), but at least 0. A train of equal dominoes has fuel only if this
+ * difference is positive. */
 static real root_room(const struct margin_context *c)
 {
     const real d = c->geometry.d;
     return fmax(c->s / d - 2 * d * d / (1 - d * d), 0);
 }
 
-/* Returns an estimate of the root. For the trains that people build, the logarithm of the estimate is correct
- * to a few percent. The coefficients are fitted to computed roots. */
+/* Returns an estimate of the root. For dominoes of ordinary proportions, the logarithm of the estimate is
+ * correct to a few percent. The coefficients are fitted to computed roots. */
 static real root_guess(const struct margin_context *c)
 {
     const real d = fmin(c->geometry.d, (real)0.35), q = c->geometry.q, u = root_room(c),
@@ -215,15 +216,15 @@ static real root_slope(const struct margin_context *c)
 #define REACH_NEAR ((real)0.96)
 
 /*
- * Estimates a root close to the reach, from the kinetic energy at the reach. Where r s is nearly 1, all
- * followers have detached when the head is at theta_u, the tilt of the barrier. On the way only domino 1 has
- * moved, from theta_c to theta_f, and the energy that it released reduces the barrier. To first order in
- * sqrt(1 - r s) the barrier is
+ * Estimates a root close to the reach, from the kinetic energy at the reach. If r s is nearly 1, all
+ * followers have already detached when the head is at theta_u, where the barrier is highest. Until then only
+ * domino 1 has moved, from theta_c to theta_f, and the energy that it released lowers the barrier. To first
+ * order in sqrt(1 - r s) the barrier is
  *
  *     barrier_most - r^-q sqrt(2 (1 - r s)) (1 - sqrt(d / L)).
  *
- * *start receives the estimate, or 0 if there is none. Returns true if K exceeds even the largest barrier at
- * the reach.
+ * *start receives the estimate, or 0 if there is none. Returns true if K at the reach exceeds even the
+ * largest possible barrier.
  */
 static bool root_near_reach(struct margin_context *c, real reach, real *start, real *slope)
 {
@@ -240,7 +241,8 @@ static bool root_near_reach(struct margin_context *c, real reach, real *start, r
 
 enum { DOWN_STRIPS = 16, DOWN_FAILS = 5 };
 
-/* Returns the width in ln r of the first strip below the root. */
+/* Returns the width in ln r of the first strip below the root; `whole` is the width of the whole interval
+ * below the root. */
 static real down_first(real whole)
 {
     real width = whole < (real)0.15 ? (real)0.035 : fmin(fmax(whole / (real)7.5, (real)0.029), (real)0.1);
@@ -248,17 +250,17 @@ static real down_first(real whole)
 }
 
 /*
- * Finds a growth *down between `from` and the root such that the margin is positive from *down up to the
- * root, or up to the reach if the margin is positive there; *down is the root if no strip shows that the
- * margin is positive. Proceeds downwards strip by strip without computing any margin. The margin is known to
- * decrease over the first strip. At the upper end of each later strip, a lower bound on the margin and an
- * upper bound on the barrier are known from the strips before it.
+ * Finds a growth *down between `from` and `root` such that the margin is positive from *down up to `root`,
+ * which is the reach if the margin is positive even there. *down is `root` if no strip shows that the margin
+ * is positive. Proceeds downwards strip by strip, without computing any margin. Over the first strip the
+ * bounds show that the margin decreases. At the upper end of each later strip, the strips before it give a
+ * lower bound on the margin and an upper bound on the barrier.
  */
 static enum dom_status positive_below(struct margin_context *c, real root, real from, real *down)
 {
     const real most = barrier_most(&c->geometry);
     real barrier = c->nearest.height * (1 + DOWN_SLACK), margin = 0, width = down_first(log(root / from));
-    /* K decreases towards the reach as a square root does. */
+    /* K falls like a square root near the reach, so the first strip must be narrow there. */
     const bool reaches = root == 1 / c->s;
     width = fmin(width, reaches ? 2 * c->share * c->share : 2 * log(1 / (c->s * root)));
     *down = root;
@@ -293,8 +295,8 @@ static enum dom_status positive_below(struct margin_context *c, real root, real 
 
 enum { PROOF_STRIPS = 8, PROOF_DEPTH = 4 };
 
-/* Moves *lo, where the margin is positive, up towards `to`, as far as a few strips show that the margin is
- * positive. */
+/* Moves *lo up towards `to`, as far as a few strips show that the margin stays positive. The margin at *lo
+ * must be positive. */
 static enum dom_status positive_to(struct margin_context *c, struct edge *lo, real to)
 {
     struct edge ahead[PROOF_DEPTH] = {{.r = to, .margin = {.kinetic = REAL_NAN}}};
@@ -305,7 +307,7 @@ static enum dom_status positive_to(struct margin_context *c, struct edge *lo, re
         enum dom_status status = scan_strip(c, lo, hi, &known);
         if (status != DOM_OK)
             return status;
-        /* the upper bound on all barriers is not enough, so the barrier itself is computed */
+        /* So far an upper bound takes the place of the barrier at hi. Try again with the barrier itself. */
         if (known == KNOWN_NOTHING && hi->margin.most) {
             hi->margin = margin_tops(c, hi->r);
             status = c->status == DOM_OK ? scan_strip(c, lo, hi, &known) : c->status;

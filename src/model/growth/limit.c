@@ -30,11 +30,10 @@ KERNEL enum dom_status limit_error(struct margin_context *c, const struct limit 
         if (fabs(above - below) > 8 * wrong || h >= widest)
             slope = fabs(above - below) > 2 * wrong ? fabs(above - below) / (r + h - lo) : REAL_MIN;
     }
-    /* If even the widest interval shows no slope, all that is known is that r lies between 1 and the
-     * reach. */
+    /* If even the widest interval shows no slope, r is only known to lie between 1 and the reach. */
     *error += slope > REAL_MIN ? 2 * (fabs(margin) + wrong) / slope : reach - 1;
-    /* Near the reach the margin is curved, so the bound is widened until the margins at both of its ends
-     * certainly have the right signs. */
+    /* Near the reach the margin is curved, so *error is increased until the margin certainly has the right
+     * sign at both r - *error and r + *error. */
     for (bool sure = false; c->status == DOM_OK && !sure && *error < reach - 1; *error *= sure ? 1 : 4) {
         real lo = fmax(r - *error, 1), hi = fmin(r + *error, reach);
         sure = (lo == 1 || margin_at(lo, c) > wrong) && (hi == reach || margin_at(hi, c) < -wrong);
@@ -77,7 +76,7 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     struct geometry geometry = c->geometry;
     bool known = false;
     *limit = (struct limit){.ends = DOM_END_BARRIER};
-    /* the coarser kernel has also shown that this root is the first one */
+    /* A coarser kernel has found c->near, and has shown that it is the first root. */
     if (c->status == DOM_OK && c->near > 0)
         c->status = root_near(c, c->near, &limit->r_max, &known);
     if (known)
@@ -90,8 +89,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     }
     if (status != DOM_OK)
         return c->status = status;
-    /* At r = 1 the fuel P has a closed form, and K = P T. The head's own term in T, which is 1 with sharp
-     * edges, makes a lower bound on K. */
+    /* At r = 1 the fuel P has a closed form, and K = P T. P times the first term of T, which is 1 with sharp
+     * edges, is a lower bound on K. */
     const real own = geometry_inertia(&geometry, geometry.c) / geometry.upright;
     first.margin = (struct margin){.kinetic = geometry.law->paper_fuel(&geometry) * own,
                                    .barrier = barrier_most(&geometry),
@@ -108,8 +107,8 @@ KERNEL enum dom_status limit_find(struct margin_context *c, struct limit *limit)
     return c->status;
 }
 
-/* The largest number of dominoes in all passes of a search that solves an equation of motion, where each
- * domino takes four times as long as in other searches. */
+/* The limit for the number of dominoes visited in all passes of a search that solves an equation of motion.
+ * In such a search each domino takes four times as long as in others. */
 #define WORK_MOST_FLOW ((size_t)15000000)
 
 KERNEL void limit_begin(struct margin_context *c)
@@ -132,7 +131,7 @@ KERNEL enum dom_status limit_rmax(const struct request *train, struct dom_limit 
 static enum dom_status pair_find(struct margin_context *c, struct limit *found)
 {
     *found = no_limit;
-    /* Below this growth, domino 1 has not yet tipped over when it hits the next domino (5; b0). */
+    /* Below this growth, domino 1 hits the next domino before it tips over (5; b0). */
     struct edge first = {.r = fmax(c->geometry.law->tips_at(&c->geometry) / c->s, 1)}, edge;
     if (first.r > c->geometry.span / c->s)
         return DOM_OK;

@@ -38,15 +38,15 @@ KERNEL real margin_falls(const struct margin_context *c, real r);
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root close to `near`, which is known to be a root to half of the digits of this arithmetic.
- * *found is false if no such root is found. */
+/* Finds the root close to `near`, an approximate root with half of the digits of this arithmetic. Sets *found
+ * to false if there is no root that close. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
 /*
- * Estimates a root for an endless train without friction, finds it, and proves that it is the first root
- * after *from. If there is no root up to the reach, proves that, and sets *root to the reach. If *found is
- * false, nothing was proved about roots after *from; *from may have been moved up, and the margin is positive
- * up to the new *from.
+ * Estimates a root for an endless train without friction, finds the root, and tries to prove that it is the
+ * first one after *from. If the margin has no root up to the reach, tries to prove that instead, and sets
+ * *root to the reach. *found is false if there is no proof. In any case the margin is positive up to *from,
+ * which may have been moved up.
  */
 KERNEL enum dom_status foresee_root(struct margin_context *c, struct edge *from, real *root, bool *found);
 

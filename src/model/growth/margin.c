@@ -2,7 +2,7 @@
 #include "growth/margin.h"
 #include "geometry/far.h"
 
-/* The approximate number of passes at one growth, all of which use the same series for the far tail. */
+/* The approximate number of passes at one growth. All of them use the same series for the far tail. */
 #define FAR_PASSES 2
 
 /* Finds the barrier with which the kinetic energy is compared, by the method c->how. `near` holds the sums at
@@ -24,15 +24,15 @@ static enum dom_status margin_barrier(const struct geometry *geometry, struct ma
     enum dom_status status = DOM_NOT_CONVERGED;
     if (c->how != MARGIN_SURE) {
         bool top = barrier_follow(geometry, near, b);
-        m->barrier = fmax(b->height, 0); /* 0 is the height of the upright train */
+        m->barrier = fmax(b->height, 0); /* H(theta) - H(0) is 0 at the start, so the barrier is at least 0 */
         if (c->how == MARGIN_FOLLOW || (top && m->kinetic < b->height * (1 - sure)))
             return top ? DOM_OK : DOM_NOT_CONVERGED;
         if (top)
             status = barrier_tops(geometry, b);
     }
     if (status != DOM_OK)
-        /* With friction, Newton's method cannot find the maximum. The error of the height is then only of
-         * second order in the error of the tilt, so the tilt needs a finer tolerance. */
+        /* Newton's method is not available with friction. The error of the height is then of second order in
+         * the error of the tilt rather than of third order, so the tilt needs a finer tolerance. */
         status = barrier_search(
             geometry, tilt_angle(geometry->c),
             c->errors || !geometry->dynamics->conservative ? geometry->tol / 8 : TOP_TOL(geometry), b);
@@ -78,7 +78,7 @@ static enum dom_status pair_margin(const struct geometry *geometry, struct margi
     struct geometry two = *geometry;
     real u = geometry->reach, sine, cosine;
     geometry_tips(geometry, &sine, &cosine);
-    two.n = 1; /* no dominoes push behind the one that hits */
+    two.n = 1; /* the domino that hits has no followers */
     real J = geometry_inertia(geometry, geometry->c);
     real k = geometry->inertia * J, inertia_ratio = 0;
     enum dom_status status =
@@ -111,7 +111,8 @@ KERNEL struct margin_context margin_of_train(const struct request *train)
 KERNEL struct margin_context margin_of_pair(const struct request *train)
 {
     struct margin_context c = margin_of_train(train);
-    c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status; /* the pair has no fuel */
+    /* the pair does not depend on the fuel formula */
+    c.status = c.status == DOM_NO_METHOD ? DOM_OK : c.status;
     c.dominoes = 2;
     c.margin = pair_margin;
     return c;
@@ -131,8 +132,8 @@ static enum dom_status margin_to(struct margin_context *c, real r, real tol, str
         c->status = c->margin(&geometry, c, m);
     dynamics_end(&geometry);
     c->locked = c->status == DOM_LOCKS;
-    /* A train that locks has no margin, but it has a verdict: as the train approaches the locked tilt, its
-     * energy tends to 0, so it stops. */
+    /* A train that locks has no margin, but it stops: its energy tends to 0 as it approaches the tilt at
+     * which it locks. Any negative margin will do. */
     if (c->locked) {
         c->status = DOM_OK;
         *m = (struct margin){.kinetic = -1};
@@ -177,9 +178,9 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     }
     c->how = MARGIN_SURE;
     /*
-     * The tolerance is refined as in barrier_verdict: the difference of two nearly equal numbers must be
-     * known to the same relative tolerance as the numbers themselves, so that the verdict does not depend on
-     * the tolerance. If the arithmetic does not allow a finer tolerance, the last result stands.
+     * The margin is the difference of two nearly equal numbers, and must itself have the relative tolerance,
+     * so that the verdict does not depend on the tolerance. Therefore refine the tolerance as in
+     * barrier_verdict. If the arithmetic does not allow a finer tolerance, the last result stands.
      */
     real reached = tol_wanted, fine;
     if (margin_to(c, r, reached, &m) != DOM_OK)
@@ -232,7 +233,7 @@ KERNEL real margin_follow(real r, void *context)
     } while (rough > tol && fabs(share) < 8 * rough);
     c->followed_value = margin_value(&m);
     c->followed_tol = rough;
-    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* not even finer sums could resolve the sign */
+    if (fabs(share) <= fmax(tol / 64, 4 * REAL_EPSILON)) /* even finer sums could not resolve the sign */
         share = 0;
     last[0] = last[1];
     last[1] = (struct followed){r, c->barrier.half};

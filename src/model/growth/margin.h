@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The margin by which the kinetic energy exceeds the barrier, as a function of r: computed to the tolerance,
- * or only as precisely as its sign or a root search requires.
+ * The margin K - B of a train as a function of r: kinetic energy minus barrier. The margin is computed to the
+ * tolerance, or only as precisely as a root search or the sign of the margin requires.
  */
 #ifndef DOM_MARGIN_H
 #define DOM_MARGIN_H
@@ -38,7 +38,7 @@ struct margin_context {
         /* use an upper bound on the barrier, or one local maximum of H, if that decides the sign of the
          * margin */
         MARGIN_SIGN,
-        /* use one local maximum of H if that decides the sign of the margin, but no upper bound */
+        /* use one local maximum of H if that decides the sign of the margin, but never an upper bound */
         MARGIN_TOPS,
         MARGIN_FOLLOW, /* follow one local maximum of H from growth to growth */
     } how;
@@ -51,7 +51,7 @@ struct margin_context {
     real error;             /* error bound on the last margin if `errors` is set */
     bool errors;
     real followed_value, followed_tol; /* the last margin found by margin_follow, and its tolerance */
-    /* If > 0, the width of the narrowest strip, for a scan whose result need only be an upper bound. */
+    /* If > 0, the width of the narrowest strip. Set for a scan whose result need only be an upper bound. */
     real coarse;
     real near;     /* r_max at a separation close to s, as found by a coarser kernel, or 0 */
     bool locked;   /* true if friction locked the train at the last r */
@@ -59,8 +59,8 @@ struct margin_context {
     enum dom_status status;
 };
 
-/* These two functions return the context for margins of the endless train (26; c8, corrected), and for
- * margins of the pair (17; b13). */
+/* These two functions return contexts: one for the margin of the endless train (26; c8, corrected), and one
+ * for the margin of the pair (17; b13). */
 KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
@@ -71,8 +71,7 @@ KERNEL real margin_at(real r, void *context);
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */
 KERNEL struct margin margin_rough(struct margin_context *c, real r, real tol);
 
-/* Returns the margin, as precisely as its sign requires. The kinetic energy and the barrier are each computed
- * to a tolerance, of which the tails of all sums together use up less than half. */
+/* Returns the margin, as precisely as its sign requires. */
 KERNEL struct margin margin_sign(struct margin_context *c, real r);
 
 /* Returns the margin as margin_sign does, but if the margin is positive, its barrier is correct to the
@@ -80,15 +79,15 @@ KERNEL struct margin margin_sign(struct margin_context *c, real r);
 KERNEL struct margin margin_tops(struct margin_context *c, real r);
 
 /*
- * margin_follow returns margin_share at r, which is less curved than the margin near a root. The search for
- * the maximum of H begins at the maximum that the previous call has found. Since the next step of a root
- * search nearly squares margin_share, only the digits that matter to that step are computed. Call
- * margin_follow_begin first.
+ * margin_follow returns margin_share at r, which near a root is less curved than the margin. Each call begins
+ * its search for the maximum of H at the maximum of the previous call. A step of a root search nearly squares
+ * margin_share, so only the digits that affect the next step are computed. Call margin_follow_begin first.
  */
 KERNEL void margin_follow_begin(struct margin_context *c);
 KERNEL real margin_follow(real r, void *context);
 
-/* Returns true if the local maximum of H that was followed to the root r is the highest maximum there. */
+/* Returns true if the local maximum of H that the search has followed to the root r is the highest maximum
+ * there. */
 KERNEL bool margin_highest(const struct margin_context *c, real r);
 
 #endif

@@ -15,7 +15,7 @@ static real probe_r(const struct margin_context *c, real x)
     return (1 - x * x) * c->geometry.span / c->s;
 }
 
-/* There are PROBE_PER_E samples for each factor of e in r, up to 0.9 of the reach, and one sample at the
+/* The number of samples while r increases by a factor of e, up to 0.9 of the reach. One more sample is at the
  * reach. */
 #define PROBE_PER_E 8
 
@@ -40,7 +40,7 @@ static real probe_place(const struct margin_context *c, int k)
  */
 #define PROBE_SAFETY 3
 
-/* The largest relative tolerance of samples. The errors of coarser samples would look like bends of
+/* The largest relative tolerance of samples. With a coarser tolerance, errors would look like curvature of
  * the margin, and every interval would be bisected down to the smallest width. */
 #define PROBE_TOL ((real)1e-3)
 
@@ -48,7 +48,7 @@ struct probe {
     struct margin_context *c;
     bool positive; /* true if the margin is >= 0 at the start */
     /* The first growth found so far at which the sign changes, or infinity. If the margin is positive at the
-     * start, this growth is a root. Otherwise it is the growth of `after`, a sample whose margin is not
+     * start, `root` is a root. Otherwise it is the growth of the sample `after`, at which the margin is not
      * negative. */
     real root;
     struct edge after;
@@ -67,9 +67,9 @@ static bool probe_kept(const struct probe *p, const struct edge *edge)
 
 /*
  * Returns a smooth function of x that has the sign of the margin or, if the margin is negative at the start,
- * the opposite sign. The function is divided by the distance from a root that is already known, so that it
- * changes its sign only at further roots. `barrier` replaces a barrier of which only the upper bound is
- * known.
+ * the opposite sign. If a root is already known, the function is divided by the distance from that root, so
+ * that it changes its sign only at other roots. If only an upper bound on the barrier of `edge` is known, the
+ * argument `barrier` is used instead.
  */
 static real probe_value(const struct probe *p, const struct edge *edge, real barrier)
 {
@@ -80,10 +80,10 @@ static real probe_value(const struct probe *p, const struct edge *edge, real bar
 }
 
 /*
- * Returns true if the margin is taken to have no sign change between lo and hi, other than the one at
- * p->root. `third` is a sample outside the interval; if `third` is lo itself, the result is false. Where only
- * the upper bound on a barrier is known, the barrier at hi or at `third` replaces it, so that the switch from
- * the bound to barriers does not look like curvature.
+ * Returns true if, according to its curvature, the margin has no sign change between lo and hi apart from
+ * p->root. The curvature comes from lo, hi and `third`, a sample outside the interval. If `third` is lo
+ * itself, the result is false. Where only an upper bound on the barrier is known, the barrier of another
+ * sample is used, so that the step from upper bounds to barriers is not mistaken for curvature.
  */
 static bool probe_keeps(const struct probe *p, const struct edge *third, const struct edge *lo,
                         const struct edge *hi)
@@ -96,9 +96,9 @@ static bool probe_keeps(const struct probe *p, const struct edge *third, const s
     return fmin(at_lo, at_hi) > PROBE_SAFETY * fabs(bend);
 }
 
-/* Finds the first sign change between two samples that comes before p->root, by taking further samples
- * between them. At `lo` the margin has the same sign as at the start of the search. If the sign differs at
- * `hi`, finds a root between the two, and then looks for an earlier one. */
+/* Looks for the first sign change between two samples, provided that it comes before p->root, by taking
+ * further samples. At `lo` the margin has the same sign as at the start of the search. If it has the other
+ * sign at `hi`, first finds a root between the two, and then looks for an earlier one. */
 static enum dom_status probe_between(struct probe *p, const struct edge *third, const struct edge *lo,
                                      const struct edge *hi, int halves)
 {
@@ -122,8 +122,8 @@ static enum dom_status probe_between(struct probe *p, const struct edge *third, 
     return status == DOM_OK ? probe_between(p, lo, &middle, hi, halves - 1) : status;
 }
 
-/* Takes sample number k and all later ones up to the first sign change, and then looks for sign changes
- * between `lo` and sample k, which is stored in *hi. `last` is the sample before lo. */
+/* Takes samples from number k on, up to the first sign change. Then looks for sign changes between `lo` and
+ * the next sample, which is stored in *hi. `last` is the sample before `lo`. */
 static enum dom_status probe_from(struct probe *p, const struct edge *last, const struct edge *lo, int k,
                                   struct edge *hi)
 {

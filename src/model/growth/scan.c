@@ -3,18 +3,18 @@
 
 #define SCAN_FINEST fmax((real)1e-6, 4096 * REAL_EPSILON)
 /*
- * SCAN_ROUGH and SCAN_FINE are relative errors of the barrier: the error that a scan accepts from
- * margin_sign, and the smaller error of scan_sure. A root is taken to be the first one if it lies in a strip
- * narrower than SCAN_CLOSE, above growths with positive margins.
+ * SCAN_ROUGH is the relative error of the barrier that a scan accepts from margin_sign. SCAN_FINE is the
+ * smaller error that scan_sure leaves. If the margin is positive up to some growth, and negative at a growth
+ * that exceeds it by less than SCAN_CLOSE in ln r, the root between the two is taken to be the first one.
  */
 #define SCAN_ROUGH ((real)1e-3)
 #define SCAN_FINE  fmax((real)1e-7, 64 * REAL_EPSILON)
 #define SCAN_CLOSE fmax((real)1e-4, 4096 * REAL_EPSILON)
 
 /*
- * Finds the root of the margin between lo and hi by following the maximum of H at hi down to the root. One
- * more search at the root checks that this maximum is the highest there; if it is not, a search for all
- * maxima is made at every r.
+ * Finds the root of the margin between lo and hi. The maximum of H that is found first is followed to the
+ * root. There, another search checks that this maximum is the highest. If it is not, the root is found again
+ * with a search for all maxima at every r.
  */
 KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                  real *r)
@@ -30,8 +30,8 @@ KERNEL enum dom_status scan_root(struct margin_context *c, const struct edge *lo
     return model_status(c->status, solver);
 }
 
-/* Finds the margin with its barrier correct to a relative tolerance, since margin_sign may have used only one
- * of several maxima of H. */
+/* Computes the margin again with an accurate barrier, since margin_sign may have used only one of several
+ * maxima of H. */
 static enum dom_status scan_sure(struct margin_context *c, struct edge *edge)
 {
     edge->margin = margin_rough(c, edge->r, fmax(SCAN_FINE, c->geometry.tol));
@@ -74,7 +74,8 @@ KERNEL enum dom_status scan_strip(struct margin_context *c, const struct edge *l
     }
     for (real wrong = 8 * SCAN_ROUGH; above && !hi->margin.most && *known == KNOWN_NOTHING;
          wrong = 8 * SCAN_FINE) {
-        /* On the way up to hi the margin increases by at most strip.margin_slope * ln_r. */
+        /* From any growth in the strip up to hi, the margin increases by at most strip.margin_slope *
+         * ln_r. */
         real left = margin_value(&hi->margin), spare = wrong * hi->margin.barrier;
         real barrier = strip_barrier_most(&strip, hi->margin.barrier + spare, most, ln_r);
         if (left - spare > strip.margin_slope * ln_r || strip.kinetic_least > barrier)
@@ -95,8 +96,8 @@ static real scan_ahead(const struct margin_context *c, const struct edge *from)
     return (K > most ? log(2 * K / most) : (real)0.5) / margin_falls(c, from->r);
 }
 
-/* Returns the narrowest step: SCAN_FINEST for the first 1500 strips, and then doubled after every further 100
- * strips. No search takes more than about 3,000 strips. */
+/* Returns the narrowest step: SCAN_FINEST for the first 1500 strips, doubled after every further 100 strips.
+ * No search takes more than about 3,000 strips. */
 static real scan_finest(const struct margin_context *c, int strips)
 {
     return fmax(SCAN_FINEST, c->coarse) * exp((real)0.7 * (real)(strips > 1500 ? (strips - 1500) / 100 : 0));
@@ -133,7 +134,7 @@ KERNEL enum dom_status scan_to_negative(struct margin_context *c, const struct e
         } else if (known == KNOWN_POSITIVE || step <= finest) {
             lo = hi;
             step = known == KNOWN_POSITIVE ? fmax(scan_ahead(c, &hi), 2 * step) : 2 * step;
-        } else { /* for a shorter strip the bounds may suffice, or the numbers may not underflow */
+        } else { /* a shorter strip may have sufficient bounds, or numbers that do not underflow */
             step /= 2;
         }
     }

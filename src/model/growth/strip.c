@@ -14,7 +14,7 @@ static real strip_fall(const struct geometry *geometry, struct tilt t)
     return geometry->h.y * t.v - geometry->h.x * t.x;
 }
 
-/* Returns -dh/dtheta, which is negative before theta_u. */
+/* Returns g = -dh/dtheta of one domino, which is negative at tilts below theta_u. */
 static real strip_sink(const struct geometry *geometry, struct tilt t)
 {
     return -geometry_height_slope(geometry, t);
@@ -57,8 +57,8 @@ static void upright_next(struct upright *u, const struct geometry *geometry)
         u->link.slope = 0;
     }
     u->slope = u->link.slope;
-    /* T is the sum of r^-(q+1)i theta_i'^2 over a train whose head leans at theta_c, so it is the sum over
-     * the upright chain from domino 1 on. */
+    /* The inertia ratio T is J of the upright chain without its head, since domino 1 of this chain leans at
+     * theta_c. */
     u->inertia_ratio += u->inertia * u->slope * u->slope;
     u->step = u->ended || !u->link.leads ? 0 : u->link.step;
     real ratio = geometry->inertia * u->step * u->step;
@@ -78,7 +78,7 @@ struct strip_sums {
     real tilt;                     /* upper bound on the head's tilt at the maximum of H */
 };
 
-/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or of d theta_1 / ds in a strip of
+/* Returns an upper bound on d theta_1 / d ln r in a strip of growths, or on d theta_1 / ds in a strip of
  * separations. The bound is the derivative at hi, at the smallest tilt of the leader. */
 static real strip_advance(const struct geometry *lo, const struct geometry *hi, struct tilt leader)
 {
@@ -87,8 +87,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound on the same derivative as strip_advance over the strip. The bound is the value at lo
- * for the largest tilt of the leader. */
+/* Returns a lower bound on the derivative of which strip_advance returns an upper bound: its value at lo, at
+ * the largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -97,16 +97,19 @@ static real strip_least_advance(const struct geometry *lo, bool in_r, struct til
 }
 
 /*
- * Adds follower i to the sums. Let u_i = d theta_i / d ln r, D_i = theta_i(theta) - theta_i(0), g =
- * -dh/dtheta, w = r^-q and c = (1 - w) T / (1 + (1 - w) T). Let theta be the tilt at which H has its maximum.
+ * Adds follower i to the sums, which bound d margin / d ln r. Let theta be the tilt at which H has its
+ * maximum, and let
+ *
+ *     u_i = d theta_i / d ln r,   m_i = theta_i(theta) - theta_i(0),   g = -dh/dtheta,   w = r^-q,
+ *     D = r^q / T + r^q - 1,   K = P / D,   c = (1 - w) T / (1 + (1 - w) T).
+ *
  * By the envelope theorem
  *
  *     d margin / d ln r = -K d ln D / d ln r - (q / D) sum i w^i (h_i - h_{i+1})
- *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))],
- *     D = r^q / T + r^q - 1,   K = P / D.
+ *         + sum w^i [g_i(theta) u_i(theta) - (1 - c) g_i(0) u_i(0) - q i (h_i(0) - h_i(theta))].
  *
- * For a follower beyond theta_u, g_i(theta) - g_i(0) <= h_i(0) D_i, u_i(theta) <= u_i(0) and h_i(0) -
- * h_i(theta) >= g_i(0) D_i. For a follower before theta_u, the absolute values of the parts are added.
+ * For a follower beyond theta_u, g_i(theta) - g_i(0) <= h_i(0) m_i, u_i(theta) <= u_i(0) and h_i(0) -
+ * h_i(theta) >= g_i(0) m_i. For a follower before theta_u, the bound adds the absolute values of the parts.
  */
 static void strip_follower(const struct geometry *lo, const struct geometry *hi, bool in_r, size_t i,
                            const struct between *at, real weight, real slope, real least_weight,
@@ -118,7 +121,8 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* From this domino to the next, h decreases by the integral of g over the angle asin X >= X. */
+        /* h of the next domino is less by the integral of g over the angle between the two, which is asin X
+         * >= X */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -130,10 +134,10 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
 }
 
 /*
- * Finds a lower bound on the head's tilt at the maximum of H, for those trains whose barrier is at least
- * `kinetic`. Up to the maximum the head has gained the height of the barrier, plus the energy that the first
- * follower has lost. This loss increases with the tilt of the head, and is at least the loss at hi divided by
- * `grows`.
+ * Finds a lower bound on the tilt of the head at the maximum of H, for trains whose barrier is at least
+ * `kinetic`. At this maximum the head has gained at least the height of the barrier plus the energy that the
+ * first follower has lost. This loss increases with the tilt of the head, and is at least the loss at hi
+ * divided by `grows`.
  */
 static struct tilt strip_least_top(const struct geometry *lo, const struct geometry *hi, real kinetic,
                                    real grows)
@@ -153,10 +157,10 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 }
 
 /*
- * Returns the terms of the first follower in a form that stays finite at the reach, where the derivative of
- * the follower's tilt may be unbounded while the head is upright. At the maxima that matter, the head leans
- * at least by the tilt `least`, where this derivative is smaller than for an upright head. The difference
- * lowers the margin by less than it raises it.
+ * Returns an upper bound on the terms of the first follower that stays finite at the reach, where u_1(0) may
+ * be infinite. u_1 decreases with the tilt of the head. At the maxima that matter, the head leans by at least
+ * `least`, so u_1(theta) is at most the derivative there. u_1(0), which is subtracted, is at least its value
+ * at lo.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)
@@ -170,7 +174,7 @@ static real strip_first(const struct geometry *lo, const struct geometry *hi, co
            (more > 0 ? lo->weight * g_hi : hi->weight * g_lo) * more;
 }
 
-/* Adds bounds for all followers after those that are already in the sums. */
+/* Adds bounds on the terms of all followers behind the last one that the sums include. */
 static void strip_tail(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                        real weight, real slope, real step, struct strip_sums *s)
 {
@@ -199,7 +203,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
     s->kinetic_most = sums->most > 0 ? sums->most / D_least * (1 + STRIP_SLACK) : 0;
     s->drops = (sums->first_drops + sums->drops) * (1 + STRIP_SLACK);
     /* d ln D / d ln r >= (2 q + 1 + q T) / (1 + (1 - w) T), since T r^(q+1) decreases with r. The right side
-     * is monotone in T. */
+     * is monotone in T, so it is smallest at one end of the range of T. */
     real q = lo->q, ages = fmin((2 * q + 1 + q * inertia_ratio_least) / (1 + fallen * inertia_ratio_least),
                                 (2 * q + 1 + q * inertia_ratio_most) / (1 + fallen * inertia_ratio_most));
     real c = fallen * inertia_ratio_most / (1 + fallen * inertia_ratio_most);
@@ -208,7 +212,7 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
         rests = hi->detaches ? strip_sink(hi, hi->f) * strip_advance(lo, hi, hi->leave) / D_least : 0;
         head = sums->first_drops;
         c = 0;
-    } else { /* the tail is multiplied by c / (1 - w), which is at most T */
+    } else { /* far_rests is multiplied by c / (1 - w), which is at most T */
         rests = c * sums->rests + inertia_ratio_most * sums->far_rests - q * sums->ages / D_most;
         head = sums->first_drops + c * sums->first_rests;
     }
@@ -222,12 +226,14 @@ static void strip_finish(const struct geometry *lo, const struct geometry *hi, e
 }
 
 /*
- * Returns tan(theta / 2) of an upper bound on the head's tilt at the maximum of H of every train in the
- * strip: theta_u, or less if the first follower pulls. At the maximum, d cos theta - sin theta = sum r^-qi
- * theta_i' g(theta_i). None of these terms is negative. The first is at least the product of lower bounds on
- * its factors, each of which comes from one end of the strip, with theta_1' at the largest tilt. `below` is
- * at most half of the angle between the tilt and theta_u. It takes the place of the tangent of that half
- * angle, which is larger.
+ * Returns tan(theta / 2) of an upper bound on the tilt of the head at the maximum of H, for every train in
+ * the strip. The bound is theta_u, or less if the first follower pulls. At the maximum,
+ *
+ *     reach sin(theta_u - theta) = sum r^-qi theta_i' g(theta_i),
+ *
+ * where no term is negative. The first term is at least the product of lower bounds on its three factors,
+ * each of which comes from one end of the strip. theta_1' is taken at the largest tilt. This gives `below`, a
+ * lower bound on (theta_u - theta) / 2, which is used in place of its tangent, since the tangent is larger.
  */
 static real strip_top(const struct geometry *lo, const struct geometry *hi, struct tilt first)
 {
@@ -269,7 +275,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
     const real half_top = strip_top(lo, hi, at.lo);
     sums.tilt = 2 * atan(half_top);
     const struct between first = at;
-    /* A chain in which no domino gets beyond theta_u has no fuel. */
+    /* true if no domino of the train at lo gets beyond theta_u, so that this train has no fuel */
     bool never = strip_sink(lo, lo->f) <= 0;
     if (strip_sink(lo, hi->f) <= 0) {
         *strip = (struct strip){.kinetic_least = -(real)INFINITY,
@@ -301,8 +307,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
         }
         real g_lo = strip_sink(lo, at.lo), g_hi = strip_sink(lo, at.hi);
         s.grows = g_lo > 0 ? fmax(s.grows, g_hi / g_lo) : (real)INFINITY;
-        /* The energy that the dominoes further down the chain can still lose: upper bounds for the two ends
-         * of the strip. None of these dominoes gains energy. */
+        /* Upper bounds, at lo and at hi, on the energy that the dominoes behind this one can still lose. They
+         * are known only if none of these dominoes gains energy. */
         bool after = g_lo >= 0, settled = after || (never && g_hi >= 0);
         real rest = after ? b.weight * (strip_fall(lo, lo->f) - at.fall_least) : REAL_NAN;
         real rest_hi = settled ? a.weight * fmax(strip_fall(lo, hi->f) - at.fall_most, 0) : REAL_NAN;
@@ -314,8 +320,8 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Because of rounding errors, the computed chain stops moving before its end. The second number in
-         * this maximum allows for that. */
+        /* Rounding errors can stop the computed tilts before they reach theta_inf. The second number in this
+         * maximum allows for that. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&
                     (never || a.next <= tol * a.inertia_ratio) && b.next <= tol * b.inertia_ratio;
@@ -357,12 +363,12 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
 }
 
 /*
- * The drop of follower i beyond theta_u is the integral of w^i theta_i' g(theta_i) over theta. For every
- * train in the strip, this drop is at least the drop at hi divided by `grows`: theta_i' and w^i are at least
- * as large as at hi, and the factor by which g(theta_i) is smaller is largest when the head is upright,
- * because h/g and d theta_i / dr decrease with theta. The part of the head's rise that the drops do not
- * compensate is at most `most`. If a follower has not yet reached theta_u, the slope of the barrier gives the
- * bound.
+ * Beyond theta_u, follower i lowers the barrier by its drop: the integral of w^i theta_i' g(theta_i) over
+ * theta. For every train in the strip, this drop is at least the drop at hi divided by `grows`. The reason is
+ * that theta_i' and w^i are at least as large as at hi, and that g(theta_i) is smaller than at hi by a factor
+ * that is largest when the head is upright, because h/g and d theta_i / dr decrease with theta. The rise of
+ * the head itself is at most `most`. If a follower has not yet reached theta_u, `grows` is infinite, and the
+ * bound comes from the slope of the barrier.
  */
 KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most, real width)
 {
@@ -371,7 +377,7 @@ KERNEL real strip_barrier_most(const struct strip *s, real hi_barrier, real most
     return fmin(most, fmin(by_grows, isfinite(by_slope) ? by_slope : most)) * (1 + STRIP_SLACK);
 }
 
-/* A drop (see strip_barrier_most) is at most `grows` times the drop at lo. */
+/* Each drop (see strip_barrier_most) is at most `grows` times the drop at lo. */
 KERNEL real strip_barrier_least(const struct strip *s, real lo_barrier, real most, real width)
 {
     real by_grows = s->grows * lo_barrier - (s->grows - 1) * most - s->cut,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Bounds for all trains between two given ones. A strip is an interval of growths at one separation, or an
- * interval of separations at one growth. If a domino that has detached counts as staying at theta_f, every
+ * interval of separations at one growth. A domino that has detached is taken to stay at theta_f. Then every
  * tilt theta_i(theta) increases with r and with s, every slope theta_i' decreases with r and s, and d theta_i
  * / dr (or d theta_i / ds) decreases with theta:
  *
@@ -9,8 +9,8 @@
  *
  * X = r (L cos theta - d) makes all of these monotone, and a chain only multiplies and adds terms that are
  * not negative. So the two chains at the ends of a strip enclose the chains of all trains in it. The bounds
- * are computed with ordinary rounding. STRIP_SLACK keeps them on the safe side of rounding errors, but this
- * is not a proof by interval arithmetic.
+ * are computed with ordinary rounding. STRIP_SLACK allows for rounding errors, but this is not a proof by
+ * interval arithmetic.
  */
 #ifndef DOM_STRIP_H
 #define DOM_STRIP_H
@@ -18,20 +18,20 @@
 #include "energy/barrier.h"
 
 struct strip {
-    /* Bounds of K over the strip. kinetic_least is a bound only if it is positive, and kinetic_most is
+    /* Bounds on K over the strip. kinetic_least is a bound only if it is positive, and kinetic_most is
      * infinite if it is unknown. */
     real kinetic_least, kinetic_most;
     /* Largest factor by which g(theta_i(0)) of any follower increases over the strip, where g(theta) = sin
      * theta - d cos theta. Infinite if a follower has not yet reached theta_u. */
     real grows;
-    /* Upper bound on the energy that the followers after those included in `grows` can still lose. */
+    /* Upper bound on the energy that later followers, which `grows` does not cover, can still lose. */
     real cut;
     real drops; /* upper bound over the strip of -d barrier / d ln r, or of -d barrier / ds; >= 0 */
     /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
      * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */
     real margin_slope, root_slope;
-    /* True if K exceeds `enough` over the whole strip. In that case the walk has ended early, and only
-     * kinetic_least is set. */
+    /* True if K exceeds `enough` over the whole strip. The walk ends as soon as this is known, and then sets
+     * only kinetic_least. */
     bool clear;
 };
 
