@@ -20,9 +20,9 @@ static bool find(void *library, const char *name, void *member)
 }
 
 /*
- * Creates and frees a first space, because the library prints its name when the first space is created.
- * Meanwhile the variable `stdout` refers to /dev/null. The file descriptor is left alone, because a signal
- * handler or another thread may write output to it.
+ * Creates and frees a space, since the library prints its name when a process creates its first space.
+ * Meanwhile, the variable `stdout` refers to /dev/null, which discards the name. The file descriptor is left
+ * alone, because a signal handler or another thread may write to it.
  */
 static void make_first(void)
 {
@@ -37,7 +37,7 @@ static void make_first(void)
 
 static void load(void)
 {
-    /* Linux and FreeBSD, macOS, and Homebrew on macOS. */
+    /* The names of the library on Linux and FreeBSD, on macOS, and in Homebrew on macOS. */
     static const char *const names[] = {"libchipmunk.so.7", "libchipmunk.dylib",
                                         "/opt/homebrew/lib/libchipmunk.dylib"};
     void *library = NULL;
@@ -60,7 +60,7 @@ enum engine_status chipmunk_load(const struct chipmunk **found)
     static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     static bool tried;
     pthread_mutex_lock(&lock);
-    /* Checks that there is memory for the first space and for loading the library. */
+    /* There must be memory for loading the library and for the space that make_first creates. */
     const bool room = tried || room_take(0);
     if (room && !tried) {
         load();

@@ -10,8 +10,8 @@
 #include <chipmunk/chipmunk.h>
 #include <chipmunk/chipmunk_structs.h>
 
-/* The functions that are looked up in the library: X(name). Members of a body, a shape or a constraint are
- * read from its struct. */
+/* Calls X(name) for each function that is looked up in the library. The library's getters are not among
+ * these, since members are read directly from its structs. */
 #define CHIPMUNK_FUNCTIONS(X)                                                                                \
     X(cpSpaceNew)                                                                                            \
     X(cpSpaceFree)                                                                                           \

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Ends the iterations of the engine's solver once they have converged. Chipmunk makes a fixed number of
- * iterations in each step. In each iteration it asks every constraint to apply its impulse, and reads the
- * number of iterations again. A constraint that applies no impulse can therefore see how much the velocities
- * of the boxes still change, and end the loop.
+ * iterations in each step. In each iteration it calls a function of every constraint, and it reads the number
+ * of iterations again. Therefore a constraint is added that applies no impulse, but observes how much the
+ * velocities of the boxes still change, and ends the loop by lowering the number of iterations.
  */
 #include "world.h"
 #include <math.h>
@@ -27,8 +27,9 @@ static double motion_change(const struct motion *a, const struct motion *b)
     return fmax(fmax(fabs(a->v.x - b->v.x), fabs(a->v.y - b->v.y)), fabs(a->turns - b->turns));
 }
 
-/* Called in each iteration. Ends the loop if all further iterations together would change the velocities
- * little, compared with their change in this step. The changes are taken to form a geometric series. */
+/* Called in each iteration. Estimates how much all further iterations together would still change the
+ * velocities, supposing that the changes form a geometric series. Ends the loop if this is only a small
+ * fraction of the change of the velocities in the whole step. */
 static void each(cpConstraint *watch, double dt)
 {
     struct world *w = watch->userData;

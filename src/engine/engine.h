@@ -37,8 +37,7 @@ struct engine_row {
     double bevel;
 };
 
-/* Initialiser for a row of solid boxes on hinges, without any other effect. Set the members that differ
- * afterwards. */
+/* Initialiser for a row of solid, frictionless boxes on hinges. A caller may change members afterwards. */
 #define ENGINE_ROW(box_, count_)                                                                             \
     {                                                                                                        \
         .box = (box_), .count = (count_), .g = 1, .push = (double)NAN, .feet = (double)INFINITY              \
@@ -46,8 +45,8 @@ struct engine_row {
 
 /* The resolution of a computation. A caller refines both numbers until the result stops changing. */
 struct engine_grain {
-    /* Steps per unit of time, where the unit is sqrt(height / g) of the foremost moving box. A box also takes
-     * at least this many steps to turn by one radian. */
+    /* Number of steps per unit of time. The unit is sqrt(height / g) of the foremost moving box. A box also
+     * takes at least this many steps to turn by one radian. */
     double steps;
     /* The impulses of contacts and hinges are found by iteration. The error in an impulse may change a
      * velocity by at most this fraction of the change of the velocity in the step. */
@@ -76,7 +75,7 @@ struct engine_fall {
     bool leans;
     size_t hits;    /* number of boxes that were hit, including the first */
     double seconds; /* time until the last box lies on the floor, or until the row has come to rest */
-    double zero;    /* time from the start of the run to the moment from which all other times are measured */
+    double zero;    /* time from the start of the run to the zero point of all other times */
     /* The deepest penetration of one box into another, relative to the height of the rear box. */
     double depth;
     double drift; /* the largest distance of a corner from its hinge, relative to the height */
@@ -85,14 +84,13 @@ struct engine_fall {
     double gain;
     /* How much the foremost boxes slowed down: the smallest ratio of the angular velocity of a box to the
      * largest angular velocity that this box has had since it was hit. A row that almost stops has a small
-     * ratio. Any contact of the foremost box makes the ratio 0, except that of its back face with the tip of
-     * the box behind it. */
+     * ratio. The ratio is 0 if the foremost box touches another box in any way, unless only its back face is
+     * touched by the tip of the box behind it. */
     double slowest;
     /* How close the foremost box came to falling by itself: its largest tilt, relative to the tilt at which
      * it balances on its lower front corner. The value is 1 if the box went beyond its balance. */
     double climbed;
-    /* true if two boxes have had any contact other than between the tip of a box and the back face of the
-     * next */
+    /* true if a contact occurred that was not between the tip of one box and the back face of the next box */
     bool other_contact;
 };
 
@@ -101,7 +99,7 @@ enum engine_status {
     ENGINE_NO_LIBRARY, /* Chipmunk is not installed */
     ENGINE_NO_MEMORY,
     ENGINE_INTERRUPTED,
-    ENGINE_NO_END /* the row has neither fallen nor come to rest within a very large number of steps */
+    ENGINE_NO_END /* after a very large number of steps, the row had neither fallen nor come to rest */
 };
 
 /* The largest number of boxes in a row. The time that a run takes grows with the square of this number. */
@@ -119,31 +117,32 @@ const char *engine_version(void);
 struct engine_moment {
     double time;
     size_t head;  /* index of the foremost box that was hit */
-    size_t count; /* number of boxes in the engine so far; all others still stand upright */
+    size_t count; /* number of boxes in the engine so far; all later boxes still stand upright */
     const double *tilt, *foot;
 };
 typedef bool engine_visit(const struct engine_moment *moment, void *context);
 
 /*
  * Runs a row once. `hit` is an array of row->count elements, or NULL. `visit`, which may be NULL, is called
- * after each step and returns false to end the run. If both are NULL, only the verdict is wanted, and the run
- * ends as soon as the verdict is certain; fall->seconds is then the time at which the run ended.
+ * after each step and returns false to end the run. If both are NULL, the run ends as soon as the verdict is
+ * certain, and fall->seconds is the time at which the run ended.
  */
 enum engine_status engine_run(const struct engine_row *row, const struct engine_grain *grain,
                               const volatile sig_atomic_t *interrupt, struct engine_hit *hit,
                               engine_visit *visit, void *context, struct engine_fall *fall);
 
-/* The result of runs with ever shorter steps. */
+/* The result of repeating a run with shorter and shorter steps. */
 struct engine_settled {
     struct engine_fall fall;
     struct engine_grain grain; /* the resolution of the last run */
-    /* The largest change of a time when the length of the steps was last halved, relative to the duration;
-     * NaN if the verdict changed or times were not requested. */
+    /* The largest change in any time when the step length was last halved, as a fraction of the duration. NaN
+     * if the verdict changed or if times were not requested. */
     double change;
-    bool same; /* true if the verdict did not change when the length of the steps was last halved */
+    bool same; /* true if the verdict did not change when the step length was last halved */
 };
 
-/* The largest relative change of a time that counts as settled, and the finest resolution to try. */
+/* engine_settle stops refining when no time changes by more than the fraction ENGINE_AGREES of the duration,
+ * or when a run has used ENGINE_FINEST steps per unit of time. */
 #define ENGINE_AGREES 0.01
 #define ENGINE_FINEST 1600
 
@@ -151,10 +150,10 @@ struct engine_settled {
 extern const struct engine_grain engine_coarsest;
 
 /*
- * Runs a row repeatedly, and halves the length of the steps until the verdict no longer changes. A coarse run
- * whose verdict is certain is not repeated if `times` is false. If `times` is true, continues until
- * the times of all hits change by less than ENGINE_AGREES. Ends in any case when the resolution is
- * ENGINE_FINEST. `hit` is the same as for engine_run, but must not be NULL if `times` is true.
+ * Runs a row repeatedly, and halves the step length until the verdict no longer changes. If `times` is false,
+ * a coarse first run whose verdict is certain is not repeated. If `times` is true, the times of all hits must
+ * also change by less than ENGINE_AGREES. In any case, the last run is the one with ENGINE_FINEST steps per
+ * unit of time. `hit` is an array of row->count elements; it may be NULL if `times` is false.
  */
 enum engine_status engine_settle(const struct engine_row *row, bool times,
                                  const volatile sig_atomic_t *interrupt, struct engine_hit *hit,

@@ -8,13 +8,13 @@
 enum { SPACE = 1 << 20, BOX = 1 << 14 };
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static size_t taken; /* bytes reserved for all spaces of Chipmunk */
+static size_t taken; /* bytes reserved for all existing Chipmunk spaces */
 
 bool room_take(size_t boxes)
 {
     const size_t more = SPACE + BOX * boxes;
     pthread_mutex_lock(&lock);
-    /* The pointer is volatile, because gcc may remove a malloc whose result is only freed. */
+    /* The pointer is volatile because otherwise gcc could remove a malloc whose result is only freed. */
     void *volatile room = malloc(taken + more);
     const bool found = room;
     free(room);

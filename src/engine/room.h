@@ -12,7 +12,7 @@
 /* Reserves memory for a space with this many boxes. Returns false if there is not enough. Thread-safe. */
 bool room_take(size_t boxes);
 
-/* Ends the reservation after the space has been freed. */
+/* Ends the reservation for a space with this many boxes, after the space has been freed. */
 void room_give(size_t boxes);
 
 #endif

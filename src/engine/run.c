@@ -5,10 +5,10 @@
 #include <stdlib.h>
 
 /*
- * The engine integrates by the symplectic Euler method, which is of first order, and finds the impulses of
- * contacts and joints by iteration. Boxes that penetrate each other are not pushed apart, since the push
- * would move them off their hinges. A hinge that has drifted is pulled back over many steps, because a box
- * keeps the velocity that the pull gives it.
+ * The engine integrates with the symplectic Euler method, which is of first order, and finds the impulses of
+ * contacts and joints iteratively. Boxes that penetrate each other are not pushed apart, since the push would
+ * move them off their hinges. A box that has drifted from its hinge is pulled back slowly, over many steps,
+ * because it keeps the velocity that the pull gives it.
  *
  * Before a hit the steps become short, so that the hit is detected on time and with little penetration. After
  * the hit they stay short for a while: the engine starts each step from the impulses of the step before,
@@ -16,32 +16,32 @@
  */
 /* Rate at which the drift of a hinge is made to decay, in 1 / sqrt(height / g) of the foremost box. */
 static const double hinge_rate = 50;
-static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal one */
+static const double shortest = 1.0 / 1024; /* the shortest step, relative to the normal step */
 static const double brakes = 0.9; /* a step takes at most this fraction of the time until the next hit */
 /* a box lies on the floor if its tip is lower than this fraction of its height */
 static const double lies = 1e-3;
 static const double rests = 1e-5; /* angular velocities below this count as 0, in 1 / sqrt(height / g) */
-static const double hinged_rest = 0.1,
-                    any_rest = 3; /* time, in sqrt(height / g), after which a box at rest counts as stopped */
-/* Limit on the work of a run, which may take most_work * (boxes + 20) * (steps per unit of time) steps. Most
- * rows need a twentieth of this limit. */
+/* A box counts as stopped once it has rested for this time, in sqrt(height / g). */
+static const double hinged_rest = 0.1, any_rest = 3;
+/* A run is given up after most_work * (boxes + 20) * (steps per unit of time) steps. Most rows need only a
+ * twentieth of these. */
 static const double most_work = 30;
-enum { CALM = 2 }; /* number of short steps after a hit */
+enum { CALM = 2 }; /* number of steps that are kept short after a hit */
 
 struct run {
     struct world world;
     const struct engine_grain *grain;
     double unit;         /* sqrt(height / g) of the head */
     double dt, whole;    /* the length of the current step, and of the longest step */
-    int calm;            /* number of short steps still to make after a hit */
+    int calm;            /* number of steps that must still be short because of the last hit */
     double work;         /* number of steps so far */
     double rest, most;   /* how long the head has rested, and its largest tilt */
     double fastest;      /* the largest angular velocity of the head since it was hit */
     double *tilt, *foot; /* arrays passed to the visitor, or NULL */
 };
 
-/* Returns the time until the front face of the head reaches the upper back edge of the next box, if that box
- * is lower than the head. */
+/* Returns the time until the front face of the head reaches `edge`, the upper back edge of the next box, or
+ * INFINITY if the face does not reach this edge. */
 static double time_to_edge(const struct world *w, cpVect edge)
 {
     const size_t k = w->head;
@@ -64,7 +64,7 @@ static double time_to_hit(const struct world *w)
     for (int i = 0; i < 2; i++) {
         cpVect at = world_front(w, k, i == 0);
         double speed = w->cp->cpBodyGetVelocityAtWorldPoint(w->body[k].body, at).x;
-        if (speed > 0 && at.y < height) /* a tip that is higher than the next box passes over this box */
+        if (speed > 0 && at.y < height) /* a tip above the top of the next box does not hit its back face */
             soonest = fmin(soonest, (face - at.x) / speed);
     }
     return soonest;
@@ -74,7 +74,7 @@ static double time_to_hit(const struct world *w)
 static void look_at_hinges(struct world *w, double unit)
 {
     const double left =
-        exp(-hinge_rate / unit); /* the fraction of the drift that remains after 1 unit of time */
+        exp(-hinge_rate / unit); /* the fraction of a drift that remains after one unit of time */
     for (size_t k = 0; k < w->count && !w->floor; k++) {
         const struct body *b = &w->body[k];
         const double drift = cpvdist(world_foot(w, k), b->corner) / w->row->box[k].height;
@@ -132,8 +132,8 @@ static double to_balance(const struct world *w, size_t k)
 }
 
 /* Returns true once the head lies on the floor, or has rested for so long that it has stopped for good. If
- * only the verdict is wanted, returns true as soon as the verdict is certain, that is, when the last box is
- * tipped and turns ever faster. */
+ * `verdict_only` is true, also returns true when the last box is past its balance point and still
+ * accelerates, since the verdict is then certain. */
 static bool ends(struct run *r, bool verdict_only)
 {
     struct world *w = &r->world;
@@ -178,8 +178,8 @@ static bool visited(struct run *r, engine_visit *visit, void *context)
     return visit(&moment, context);
 }
 
-/* Completes the times of the boxes that were hit, and the distances that their feet have slid. If the first
- * box was let go rather than pushed, times are measured from the first hit. */
+/* Fills in the times at which boxes hit the next one, and the distances that feet have slid. If the first box
+ * was let go rather than pushed, shifts all times so that they are measured from the first hit. */
 static void finish(struct run *r)
 {
     struct world *w = &r->world;
@@ -189,7 +189,7 @@ static void finish(struct run *r)
     w->fall->seconds -= zero;
     w->fall->zero = zero;
     if (tipped && w->hit)
-        w->hit[0].omega = 0; /* a box that is let go starts without a hit */
+        w->hit[0].omega = 0; /* a box that is let go starts at rest */
     for (size_t k = 0; k < hits && w->hit; k++) {
         struct engine_hit *h = &w->hit[k];
         h->time = tipped && k == 0 ? (double)NAN : h->time - zero;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Repeats a run with ever shorter steps, until the length of the steps no longer matters. */
+/* Repeats a run with shorter and shorter steps, until the step length no longer matters. */
 #include "engine.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 static const struct engine_grain verdict_first = {.steps = 50, .tolerance = 2e-3};
 const struct engine_grain engine_coarsest = {.steps = 100, .tolerance = 1e-3};
 
-/* Returns the largest change in any hit time, or in the duration, between two runs, relative to the duration
- * of the second run. */
+/* Returns by how much the times of two runs differ: the largest difference of any hit time or of the
+ * duration, divided by the duration of the second run. */
 static double change_of(const struct engine_hit *before, const struct engine_hit *now,
                         const struct engine_fall *last, const struct engine_fall *fall)
 {
@@ -21,13 +21,15 @@ static double change_of(const struct engine_hit *before, const struct engine_hit
 }
 
 /*
- * Returns true if the verdict of the first run is certain. Either all boxes fall, and none has slowed down to
- * less than half of its largest angular velocity, or the foremost box has stopped far from its balance. Both
- * limits were tested with finer steps in 3,750 random rows on floors, with friction, bounce, slopes and
- * rounded edges. All boxes fell with finer steps, too, if none had slowed down to less than 0.41 of its
- * largest angular velocity. Of 1,400 rows whose foremost box had come less than a quarter of the way to its
- * balance, one fell with finer steps. On hinges a stop is never certain, because there a run ends soon after
- * the foremost box has turned back, although the box behind it may still push it over.
+ * Returns true if the verdict of the first run is certain: either all boxes fall, and none has slowed down to
+ * less than half of its largest angular velocity, or the foremost box has stopped far from its balance.
+ *
+ * The limits come from 3,750 random rows on floors, with friction, bounce, slopes and rounded edges, which
+ * were run again with finer steps. Whenever all boxes fell and none slowed down to less than 0.41 of its
+ * largest angular velocity, all boxes fell with finer steps, too. In 1,400 rows the foremost box stopped
+ * after less than a quarter of the way to its balance; only one of these rows fell with finer steps. On
+ * hinges a stop is never certain: the run ends soon after the foremost box has turned back, although the box
+ * behind it may still push it over.
  */
 static bool is_certain(const struct engine_row *row, const struct engine_fall *fall)
 {

@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Two directions count as parallel if the cosine of the angle between them exceeds this. */
+/* Two directions count as parallel if the cosine of the angle between them exceeds this number. */
 static const double parallel = 0.999;
 /* Friction coefficient of a floor on which rounded feet roll without slipping. */
 static const double rough = 1000;
-/* Tilt in rad at which a released box starts, measured from the tilt at which it balances on its edge. */
+/* Angle in rad by which a released box starts beyond the tilt at which it balances on its edge. */
 static const double tipped = 1e-3;
 
 /* The engine measures angles anticlockwise, from x to y, whereas boxes fall clockwise, towards positive x. */
@@ -83,8 +83,8 @@ double world_energy(const struct world *w)
     return sum;
 }
 
-/* Returns which shapes a box can collide with: on hinges only with its neighbours, on a floor with the floor
- * and all other boxes, since feet may slide. */
+/* Returns a filter for the shapes with which a box can collide. On hinges these are only its neighbours. On a
+ * floor, where feet may slide, a box can collide with the floor and with all other boxes. */
 static cpShapeFilter touches(const struct world *w, size_t k)
 {
     const cpBitmask floor = 1u << 4;
@@ -137,8 +137,8 @@ static void turn(struct world *w, double tilt, double spin)
     cp->cpBodySetVelocity(body, cpvmult(cpvperp(arm), -spin));
 }
 
-/* Starts the first box. Without a push, the box starts slightly beyond its balance on the edge, from which it
- * moves away as exp(rate t). */
+/* Starts the first box. Without a push, the box starts slightly beyond the tilt at which it balances on its
+ * edge, and with the velocity of a motion that grows like exp(rate t). */
 static void start(struct world *w)
 {
     const struct engine_row *row = w->row;
@@ -165,8 +165,8 @@ static void note_hit(struct world *w, size_t k)
         w->hit[k].time = w->now;
 }
 
-/* Records how deeply two boxes penetrate each other, and whether they touch in a way that the model does not
- * include. */
+/* Records how deeply box `front` and the box behind it penetrate each other, and whether they touch in a way
+ * that the model does not include. */
 static void note_touch(struct world *w, const cpArbiter *arbiter, size_t front)
 {
     const struct chipmunk *cp = w->cp;

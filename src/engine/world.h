@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A row as bodies in Chipmunk: how the boxes stand, touch and start. */
+/* Represents a row as bodies in a Chipmunk space, and handles their contacts. */
 #ifndef ENGINE_WORLD_H
 #define ENGINE_WORLD_H
 
@@ -9,8 +9,7 @@
 /* The number of boxes, counted back from the head, whose penetration and drift are recorded. */
 enum { FOREMOST = 4 };
 
-/* The velocity of the centre of a box, and the velocities of its upper and lower ends relative to the centre.
- */
+/* The velocity of the centre of a box, and the speed of its upper and lower ends relative to the centre. */
 struct motion {
     cpVect v;
     double turns;
@@ -23,7 +22,7 @@ struct body {
     cpConstraint *hinge, *limit; /* NULL if the box stands on a floor */
     cpVect corner;               /* position of the lower front corner at the start */
     double moment;
-    /* motion before the iterations of a step, and after the last iteration so far */
+    /* the velocities before the first iteration of a step, and after the latest iteration */
     struct motion begin, now;
 };
 
@@ -32,7 +31,7 @@ struct world {
     const struct engine_row *row;
     struct engine_fall *fall;
     struct engine_hit *hit; /* may be NULL */
-    bool has_room;          /* room_take has reserved memory for the space */
+    bool has_room;          /* true if room_take has reserved memory for the space */
     cpSpace *space;
     cpShape *floor; /* NULL if the boxes stand on hinges */
     struct body *body;
@@ -52,29 +51,29 @@ void world_free(struct world *world);
 /* Adds the next box in its upright position. */
 void world_stand(struct world *world);
 
-/* Makes the solver iterate in each step until its impulses have converged. converge_begin is called once
- * there is a box, converge_step before each step, and converge_end before the boxes are freed. */
+/* These functions make the solver iterate in each step until its impulses have converged. converge_begin is
+ * called once there is a box, converge_step before each step, and converge_end before the boxes are freed. */
 void converge_begin(struct world *world);
 void converge_step(struct world *world);
 void converge_end(struct world *world);
 
-/* Returns the acceleration by gravity in the directions along and perpendicular to the floor. */
+/* Returns the components of the gravitational acceleration along the floor and perpendicular to it. */
 cpVect world_gravity(const struct engine_row *row);
 
-/* Returns the velocities of box k. */
+/* Returns the current motion of box k. */
 struct motion world_motion(const struct world *world, size_t k);
 
-/* Return the tilt of box k, its angular velocity, and the positions of its upper and its lower front
- * corner. */
+/* These functions return the tilt of box k, its angular velocity, and the positions of its upper and lower
+ * front corners. */
 double world_tilt(const struct world *world, size_t k);
 double world_spin(const struct world *world, size_t k);
 cpVect world_tip(const struct world *world, size_t k);
 cpVect world_foot(const struct world *world, size_t k);
 
-/* Returns the foremost point of the upper or of the lower front edge, which may be rounded. */
+/* Returns the foremost point of the upper or lower front edge of box k, which may be rounded. */
 cpVect world_front(const struct world *world, size_t k, bool upper);
 
-/* Return the kinetic energy and the total energy of all boxes in the space. */
+/* These functions return the kinetic energy and the total energy of all boxes in the space. */
 double world_kinetic(const struct world *world);
 double world_energy(const struct world *world);
 

@@ -35,8 +35,8 @@ FINDS(limit_pair, dom_limit)
 FINDS(limit_best, dom_best)
 
 static const struct {
-    find_train *train; /* answers a question about a train, or NULL for a question at a tilt */
-    find_tilt *tilt;   /* answers a question about a train at a tilt, or NULL for other questions */
+    find_train *train; /* the function for a question that needs only a train, otherwise NULL */
+    find_tilt *tilt;   /* the function for a question that needs a train and a tilt, otherwise NULL */
     size_t size;       /* size of the structure that holds the result */
 } questions[] = {
     [DOM_ASK_ANGLES] = {ask_angles_find, NULL, sizeof(struct dom_angles)},

@@ -3,8 +3,8 @@
 #include "dispatch/dispatch.h"
 #include "effects/effects.h"
 
-/* Returns a question about a limit of growth. The value of train->r does not matter, since the search chooses
- * r itself. */
+/* Makes a question about a limit of growth. The value of train->r does not matter, since the search chooses
+ * r. */
 static struct question question_of_limit(const struct dom_train *train, const struct dom_compute *compute)
 {
     struct dom_train t = *train;
@@ -12,7 +12,7 @@ static struct question question_of_limit(const struct dom_train *train, const st
     return question_make(&t, compute);
 }
 
-/* Returns the status, after setting the error bounds to NaN if they were not requested. */
+/* Sets the error bounds to NaN if they were not requested. Returns `status`. */
 static enum dom_status found(const struct question *q, enum dom_status status, void *bounds, size_t size)
 {
     if (!q->request.errors)
@@ -20,8 +20,8 @@ static enum dom_status found(const struct question *q, enum dom_status status, v
     return status;
 }
 
-/* Calls a function of the kernel that fills in a result, including its error bounds. Bounds that the function
- * does not find are NaN. */
+/* Calls a function of the kernel that fills in a result and its error bounds. The bounds are NaN if they were
+ * not requested, or if the function finds none. */
 #define FIND(question, member, bounds, ...)                                                                  \
     (no_bounds(&(bounds), sizeof(bounds)),                                                                   \
      found(&(question), ASK(question, member, __VA_ARGS__), &(bounds), sizeof(bounds)))
@@ -154,9 +154,9 @@ enum dom_status dom_cycle_floor(const struct dom_train *train, const struct dom_
     return ASK(q, cycle_floor, floor);
 }
 
-/* Sets *coarse to the same question for the kernel in double, with the smallest tolerance that double allows.
- * The quad kernel starts from the answer to that question. Returns false unless the original question is one
- * for the quad kernel. */
+/* The quad kernel starts its search from the answer of the double kernel. Sets *coarse to the request for the
+ * double kernel, with the smallest tolerance that double allows. Returns false if the question is not for the
+ * quad kernel. */
 static bool coarse_first(const struct question *q, struct request *coarse)
 {
     *coarse = q->request;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method for comparison: the energies are computed as in our own method, but the solvers are the standard
- * ones of GSL. Brent's method finds the barrier, as a maximum around the highest of a few samples, and r_max,
- * as a root. An adaptive quadrature finds the duration. Second maxima, kinks and trains that nearly stop get
- * no special treatment.
+ * A comparison method: the energies are computed as in the library's own method, but GSL's standard solvers
+ * are used. Brent's method finds the maximum of H near the highest of a few samples, and the root of the
+ * margin, which is r_max. An adaptive quadrature finds the duration. Second maxima, kinks and trains that
+ * nearly stop get no special treatment.
  */
 #include "numerics/quiet.h"
 #include "precision/double.c" // NOLINT(bugprone-suspicious-include): the functions of the kernel in double
@@ -21,7 +21,7 @@ struct gsl_context {
     enum dom_status status;
 };
 
-/* Returns H(0) - H(theta), not H(theta) - H(0), because GSL searches for minima. */
+/* Returns H(0) - H(theta). The sign is reversed because GSL searches for minima. */
 static double gsl_depth(double theta, void *context)
 {
     struct gsl_context *c = context;
@@ -41,7 +41,8 @@ static enum dom_status gsl_polish(struct gsl_context *c, double left, double mid
     int code = gsl_min_fminimizer_set(solver, &f, middle, left, right), done = GSL_CONTINUE;
     for (int i = 0; code == GSL_SUCCESS && done == GSL_CONTINUE && c->status == DOM_OK; i++) {
         code = i < GSL_ITERATIONS ? gsl_min_fminimizer_iterate(solver) : GSL_EMAXITER;
-        /* The error of the height is of second order in the error of theta_m. */
+        /* sqrt(tol) is enough for theta_m, since the error in the height is of second order in the error in
+         * theta_m. */
         done = gsl_min_test_interval(gsl_min_fminimizer_x_lower(solver), gsl_min_fminimizer_x_upper(solver),
                                      0, sqrt((double)c->train->tol));
     }
@@ -66,7 +67,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     }
     if (c->status != DOM_OK || top == GSL_SAMPLES)
         return c->status;
-    /* If no sample is above H(0), theta_m may still be before the first sample. */
+    /* If no sample is above H(0), there may still be a maximum before the first sample. */
     double middle = top > 0 ? top * step : step / 2;
     while (top == 0 && middle > 1e-12 * step && -gsl_depth(middle, c) <= 0)
         middle /= 2;
@@ -75,7 +76,7 @@ static enum dom_status gsl_barrier(struct gsl_context *c, struct barrier *b)
     return gsl_polish(c, fmax(0, (top - 1) * step), middle, (top + 1) * step, b);
 }
 
-/* Finds the launch and the barrier at the growth r. */
+/* Finds the launch and the barrier of the train with growth r. */
 static enum dom_status gsl_cycle(struct gsl_context *c, double r, struct barrier *b)
 {
     struct launch launch = {0};

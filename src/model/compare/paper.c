@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A method for comparison: the recipe at the end of the paper's section 'A general domino train', with the
- * angles and plain sums of the paper. theta is raised in steps until H decreases. r is raised in steps until
- * the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors of about tol. One error
- * of the paper is corrected: a follower detaches when its leader reaches theta_leave.
+ * A comparison method: the recipe at the end of the paper's section 'A general domino train', with the
+ * paper's formulas for the angles and with plain sums. theta is raised in steps until H decreases. r is
+ * raised in steps until the train stops, and r_max is then interpolated. Steps of sqrt(tol) / 2 give errors
+ * of about tol. One mistake in the paper is corrected: here a follower detaches when its leader reaches
+ * theta_leave.
  */
 #include "precision/kernel.h"
 #include <math.h>
@@ -77,7 +78,7 @@ static enum dom_status paper_begin(const struct request *t, double r, struct pap
     return p->status != DOM_OK ? p->status : isfinite(p->kinetic) ? DOM_OK : DOM_NOT_FINITE;
 }
 
-/* Raises theta step by step until H decreases. */
+/* Finds the first maximum of H: raises theta step by step until H decreases. */
 static enum dom_status paper_barrier(struct paper *p, double *theta_m, double *height)
 {
     double step = p->theta_c * sqrt(p->tol) / 2, H0 = paper_chain(p, 0).H, H = H0;
@@ -146,7 +147,7 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
         if (status != DOM_OK)
             return status;
         double margin = p.kinetic - height;
-        if (margin < 0) { /* interpolate between this r and the previous one */
+        if (margin < 0) { /* the root is between r - step and r */
             if (!(before > 0))
                 return DOM_NOT_CONVERGED;
             *limit =
@@ -159,8 +160,8 @@ static enum dom_status paper_limit_rmax(const struct request *train, struct dom_
     return DOM_OK;
 }
 
-/* Integrates 1/(tau omega) by the trapezoidal rule. The paper gives no recipe for t_f; this rule is in the
- * spirit of its other recipes. */
+/* Integrates 1/(tau omega) with the trapezoidal rule. The paper does not say how to compute t_f, but this
+ * rule is as simple as its other recipes. */
 static enum dom_status paper_cycle_duration(const struct request *train, struct dom_value *duration)
 {
     struct paper p;

@@ -28,7 +28,7 @@ enum dom_status precision_check(enum dom_precision precision)
                                              : DOM_NO_PRECISION;
 }
 
-/* Sets `status` to the status for the first parameter that is outside its range. */
+/* If no earlier check has failed, sets `status` to an error if the parameter is outside its range. */
 #define CHECK(name, default_, lowest, highest, unit, meaning)                                                \
     if (status == DOM_OK && !(q->name >= (dom_real)(lowest) && q->name <= (dom_real)(highest)))              \
         status = BAD_##name;
@@ -54,7 +54,7 @@ static enum dom_status request_check(const struct request *q)
 }
 #undef CHECK
 
-/* With one of these arguments, the macro DOM_DYNAMICS lists the values of all effects of a train or a row, in
+/* Arguments for the macro DOM_DYNAMICS, which then lists the values of all effects of a train or of a row, in
  * the order of enum dom_effect_name. */
 #define TRAIN_VALUE(effect, member, status) train->member,
 #define ROW_VALUE(effect, member, status)   row->member,
@@ -68,8 +68,9 @@ struct question question_make(const struct dom_train *train, const struct dom_co
         .request = {DOM_TRAIN_PARAMETERS(COPY) DOM_COMPUTE_PARAMETERS(COPY_COMPUTE).fuel = train->fuel,
                     .effect = {DOM_DYNAMICS(TRAIN_VALUE)}, .precision = compute.precision,
                     .method = compute.method,
-                    .errors = compute.errors && train->rho == 0, /* no bounds are known for rounded edges */
-                    .work = compute.work, .interrupt = compute.interrupt}};
+                    /* with rounded edges, no error bounds are known */
+                    .errors = compute.errors && train->rho == 0, .work = compute.work,
+                    .interrupt = compute.interrupt}};
 #undef COPY
 #undef COPY_COMPUTE
     q.status = request_check(&q.request);

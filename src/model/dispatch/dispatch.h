@@ -43,15 +43,15 @@ struct row_question row_question_make(const struct dom_row *row, const struct do
 
 /*
  * Calls a function of the question's kernel with the request and the other arguments, and evaluates to the
- * status that the function returns. Calls nothing if the question already has an error status. Evaluates to
- * DOM_NO_METHOD if the kernel lacks the function.
+ * status that the function returns. If the question already has an error status, evaluates to that status
+ * instead. Evaluates to DOM_NO_METHOD if the kernel does not have the function.
  */
 #define ASK(question, member, ...)                                                                           \
     ((question).status != DOM_OK         ? (question).status                                                 \
      : (question).kernel->member == NULL ? DOM_NO_METHOD                                                     \
                                          : (question).kernel->member(&(question).request, __VA_ARGS__))
 
-/* Runs a row, in its engine if it has one: see dom_row_run. */
+/* Runs a row, in its engine if it has one. The arguments are those of dom_row_run. */
 enum dom_status row_verdict(const struct dom_row *row, const struct dom_compute *compute, bool times,
                             dom_fall_visit *visit, void *context, struct dom_verdict *verdict);
 

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The descriptions of all effects, and functions for the values of the effects that are on. */
+/* The descriptions of all effects, and the functions of effects.h. */
 #include "effects/effects.h"
 
 const struct dom_effect dom_energy_balance = {
     .name = "energy balance",
     .adds = "no effect: contacts without friction dissipate no energy",
     .help = "The sum of kinetic and potential energy is constant during a cycle (21; c3), and the collision "
-            "conserves angular momentum (22; c4), so that the kinetic energy of a train that repeats itself "
-            "is known in closed form (24; c6).",
+            "conserves angular momentum (22; c4). This gives a closed form for the kinetic energy of a train "
+            "whose cycles repeat (24; c6).",
     .source = "J. M. J. van Leeuwen, Domino Magnification",
     .plan = "energy balance (21; c3) (22; c4) (24; c6), not integrated",
 };
 
-/* The words for false and true of struct dom_error.uniform. */
+/* The words that a user types for the distribution of errors, indexed by the member `uniform` of struct
+ * dom_error. */
 static const char *const distributions[] = {"normal", "uniform", NULL};
 
 const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
@@ -22,17 +23,17 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .synonyms = "mu rub rough sandpaper slippery coefficient",
             .adds = "Coulomb friction between dominoes, in motion and in the collision",
             .help = "MU is the friction coefficient: 0.2 to 0.5 for wood on wood, and 0 in the paper's "
-                    "model. The tip of each follower slides down the face of its leader; the friction force "
-                    "mu N acts along the face, where N is the contact force. The arms of a contact become a "
-                    "= Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the follower. The torques add "
-                    "up with S_0 = 1, S_{i+1} = S_i a_i/b_i. For w = tau^2 omega^2 the equation of motion is "
-                    "(A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B = sum r^-(q+1)i S_i "
-                    "theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision the angular velocity "
-                    "is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic energy that the train "
-                    "needs to pass every tilt of the cycle. The verdict 'locks' is possible only with "
-                    "friction: near r s = 1 the force on the struck domino passes on the wrong side of its "
-                    "hinge and cannot turn it. 'fuel paper' cannot be combined with friction: the paper's "
-                    "closed form of the fuel does not include this effect.",
+                    "model. The tip of each follower slides down the face of its leader, and a friction "
+                    "force mu N acts along the face, where N is the contact force. The lever arms of a "
+                    "contact become a = Y/r - L x - mu d on the leader and b = (Y + mu X)/r on the follower. "
+                    "The torques add up with S_0 = 1, S_{i+1} = S_i a_i/b_i. For w = tau^2 omega^2 the "
+                    "equation of motion is (A/2) dw/dtheta + B w = C, with A = sum r^-(q+1)i S_i theta_i', B "
+                    "= sum r^-(q+1)i S_i theta_i'', C = 1/2 sum r^-qi S_i (x_i - d y_i). In the collision "
+                    "the angular velocity is multiplied by (A(0) - 1)/A(0). The barrier is the kinetic "
+                    "energy that the train needs to pass every tilt of the cycle. The verdict 'locks' is "
+                    "possible only with friction: near r s = 1 the force on the struck domino passes on the "
+                    "wrong side of its hinge and cannot turn it. 'fuel paper' cannot be combined with "
+                    "friction: the paper's closed form of the fuel does not include this effect.",
             .source = "J. M. J. van Leeuwen, The domino effect, Am. J. Phys. 78, 721 (2010)",
             .plan = "equation of motion, linear in omega^2: Chebyshev series",
             .dissipates = true,
@@ -59,7 +60,8 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .plan = "the potential energy, with the tilt increased by alpha",
             .argument = {{.name = "ALPHA",
                           .unit = "rad",
-                          .meaning = "angle by which the floor falls in the direction of the train",
+                          .meaning =
+                              "angle of the floor, positive if it slopes down in the direction of the train",
                           .lowest = (dom_real)-1.5,
                           .highest = (dom_real)1.5,
                           .usual = (dom_real)0.0174532925199432957692}},
@@ -71,18 +73,18 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
             .adds = "the moment of inertia of boxes of six walls",
             .help =
                 "Without this effect the moment of inertia is that of a solid block, even if 'q' is hollow. "
-                "In a train, the thickness of the walls is the same fraction of the height for every domino: "
-                "only times change, because the moment of inertia enters only tau. With thin walls times are "
-                "2.8 % longer. In a row all dominoes are boxes of the same boards, whose thickness is "
+                "In a train, the thickness of the walls is the same fraction of the height for every domino. "
+                "Only times change, because the moment of inertia enters only tau: with thin walls, times "
+                "are 2.8 % longer. In a row, all dominoes are boxes of the same boards, whose thickness is "
                 "THICKNESS times the height of the first domino, or a length as in 'effect walls 12 mm'. "
                 "With ABOVE, as in 'effect walls 12 mm 30 cm', only the dominoes of a row that are taller "
-                "than ABOVE are boxes, and all others are solid. The masses of a row without a file then "
-                "follow from the volumes of the blocks and boxes, whatever 'q' is, and a train has no walls. "
-                "The moments of inertia of the boxes, and masses that follow from a density, take the walls "
-                "into account. Walls half as thick as the domino make a solid block. A domino is half as "
-                "wide as it is tall. The moment of inertia about the lower edge is that of a solid block of "
-                "the same mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v = (1 - 2 "
-                "t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
+                "than ABOVE are boxes, and all others are solid. The endless train then has no walls. In a "
+                "row without a file, masses then follow from the volumes of the blocks and boxes, and 'q' "
+                "has no effect. The moments of inertia of boxes, and masses computed from a density, take "
+                "the walls into account. Walls half as thick as the domino make a solid block. A domino is "
+                "half as wide as it is tall. The moment of inertia about the lower edge is that of a solid "
+                "block of the same mass, times 1 + v (1 - u)/(4 (1 - v)), where the hollow has the volume v "
+                "= (1 - 2 t)(1 - 2 t/d)(1 - 4 t), and u = ((1 - 2 t)^2 + (d - 2 t)^2)/(1 + d^2).",
             .source =
                 "moment of inertia of a block with a smaller block cut out, and the parallel-axis theorem",
             .plan = "one factor of the moment of inertia, in closed form",
@@ -193,7 +195,7 @@ const struct dom_effect dom_effects[DOM_EFFECT_COUNT] = {
                     "whole row.",
             .source = "C. J. Clopper and E. S. Pearson, Biometrika 26, 404 (1934), for the interval; "
                       "generators of GSL",
-            .plan = "many rows, for which only the verdicts are computed, on all processors",
+            .plan = "verdicts on many random rows, computed on all processors",
             .argument = {{.name = "SIGMA",
                           .unit = "m",
                           .meaning = "standard deviation of every gap",

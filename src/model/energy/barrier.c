@@ -7,8 +7,8 @@
  */
 #include "energy/barrier.h"
 
-/* The number of samples in each smooth piece (see barrier_scan). For 1,000,000 random trains, 8 samples found
- * every maximum that 150 samples in each piece found. tests/hard/test_sweep.c compares barriers with barriers
+/* The number of samples in each smooth piece (see barrier_scan). In a test with 1,000,000 random trains, 8
+ * samples found every maximum that 150 samples found. tests/hard/test_sweep.c compares barriers with barriers
  * that are computed in 400 bits. */
 #define BARRIER_SAMPLES 8
 
@@ -18,8 +18,8 @@ static const float sample_place[BARRIER_SAMPLES - 1] = {0.03806f, 0.14645f, 0.30
 
 struct slope_context {
     const struct geometry *geometry;
-    struct tilt from; /* heights are relative to H at this tilt */
-    real known;       /* tan(theta / 2) of a maximum that is already known, or a negative number */
+    struct tilt from; /* the tilt whose H is subtracted from all heights */
+    real known;       /* tan(theta / 2) of a maximum of H that is already known, or a negative number */
     enum dom_status status;
 };
 
@@ -40,7 +40,7 @@ static real rises(real p, struct slope_context *c)
     return slope;
 }
 
-/* Stores p as the barrier in *b if H at p is higher than the barrier found so far. */
+/* If H at p is higher than the barrier in *b, stores p and its height in *b. */
 static enum dom_status barrier_try(const struct slope_context *c, real p, struct barrier *b)
 {
     real height = 0;
@@ -56,15 +56,15 @@ static enum dom_status barrier_try(const struct slope_context *c, real p, struct
  * hi]. */
 struct top {
     real lo, hi;
-    /* `rises` is true if H is known to increase at lo, and `falls` is true if H is known to decrease at hi.
-     * Where that is not known, the top may be at the end of the bracket itself. */
+    /* True if H is known to increase at lo, and if H is known to decrease at hi. If one of these is not
+     * known, the top may lie at that end of the bracket. */
     bool rises, falls;
     real p; /* the next p to try */
     /* tan of half the angle by which the head leans backwards at the start. Because p may be 0 inside the
      * bracket, changes of p are measured relative to |p| plus this value. */
     real backwards;
-    real height; /* estimated height of the top; its error is of third order in the last step */
-    real moved;  /* relative change of p in the last step */
+    real height; /* estimated height of the top, whose error is of third order in the last step */
+    real moved;  /* relative change of p in the last step of the search */
 };
 
 /*
@@ -79,7 +79,8 @@ static void top_step(struct top *top, struct sums at)
     top->rises = top->rises || up;
     top->falls = top->falls || !up;
     real contact = -at.H1 / at.H2, next = p + contact * (1 + p * p) / 2;
-    if (p == (up ? top->hi : top->lo)) { /* the top is at the end of the bracket */
+    /* H still increases towards this end of the bracket, so the top is at this end */
+    if (p == (up ? top->hi : top->lo)) {
         next = p;
         contact = 0;
     }
@@ -153,8 +154,8 @@ static void barrier_sample(struct slope_context *c, real p, real tol, struct sam
     *last = next;
 }
 
-/* Returns true if H decreases at all tilts above theta_u (6; b2). At these tilts the head loses height, and
- * so do all its followers, since they lean more. */
+/* Returns true if it is certain that H decreases at all tilts above theta_u (6; b2), because at these tilts
+ * the head loses height, and so do all its followers, which lean more than the head. */
 static bool falls_above_u(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && !geometry->follower &&
@@ -162,12 +163,12 @@ static bool falls_above_u(const struct geometry *geometry)
 }
 
 /*
- * Returns true if H is proved to be concave up to theta_u, which means that H has a single top. The proof: up
- * to theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and
- * (14; b10), theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >=
- * sqrt(1 - r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of
- * which lose height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i
- * is w / (1 - w)^2. A follower that has detached reduces the concavity by less.
+ * Returns true if it is proved that H is concave up to theta_u, and so has a single top. The proof: up to
+ * theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14; b10),
+ * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >= sqrt(1 -
+ * r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of which lose
+ * height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i is w / (1 -
+ * w)^2. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
@@ -178,8 +179,8 @@ KERNEL bool barrier_single(const struct geometry *geometry)
 
 /*
  * Finds all maxima of H inside one smooth piece. The samples have Chebyshev spacing, which is dense near the
- * ends, where dominoes detach. The piece in which the head begins to move has further samples, down to a
- * small fraction of the tilts d and sqrt(1 - r s), however small these tilts are.
+ * ends, where dominoes detach. `begins` is true for the piece in which the head begins to move. This piece
+ * has further samples close to its beginning, at tilts that are small even compared with d and sqrt(1 - r s).
  */
 static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, bool begins, real tol,
                                     struct barrier *b)
@@ -201,7 +202,8 @@ static enum dom_status barrier_scan(struct slope_context *c, real lo, real hi, b
     return c->status;
 }
 
-/* Finds the top of H if H has only one. hi is tan(theta / 2) of an upper bound on the tilt of this top. */
+/* Finds the top of an H that has only one. `hi` is tan(theta / 2) of an upper bound on the tilt of the top.
+ */
 static enum dom_status barrier_climb_one(const struct slope_context *c, real hi, real tol, struct barrier *b)
 {
     struct top top = {.hi = hi, .p = hi / 2};
@@ -209,8 +211,9 @@ static enum dom_status barrier_climb_one(const struct slope_context *c, real hi,
     return status == DOM_OK ? barrier_try(c, top.p, b) : status;
 }
 
-/* Searches all smooth pieces between the edges of b. Heights are relative to H at `from`, the tilt of the
- * first edge. `known` is tan(theta / 2) of a top that b already holds, or -1. */
+/* Searches the smooth pieces between the edges of *b for the barrier. Heights are relative to H at `from`,
+ * which is the tilt of the first edge. If *b already holds a top, `known` is tan(theta / 2) of this top, and
+ * otherwise -1. */
 static enum dom_status barrier_pieces(const struct geometry *geometry, struct tilt from, real known, real tol,
                                       struct barrier *b)
 {
@@ -263,7 +266,7 @@ KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end,
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b)
 {
     struct barrier tops = *b;
-    if (tops.height <= 0) /* H of the upright train is higher than this top */
+    if (tops.height <= 0) /* the top in *b is no higher than the upright position */
         tops.height = tops.half = tops.theta_m = 0;
     if (barrier_single(geometry)) {
         *b = tops;
@@ -350,7 +353,8 @@ KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, con
     return inside ? sqrt(-2 * margin / at.H2) : REAL_NAN;
 }
 
-/* Finds the sign of H' at a tilt, or 0 if rounding errors hide the sign, and an upper bound on |H'|. */
+/* Finds the sign of H' at a tilt, and an upper bound on |H'|. The sign is 0 if it is uncertain because of
+ * rounding errors. */
 static enum dom_status sure_slope(const struct geometry *geometry, real theta, int *sign, real *size)
 {
     struct sums at, e;
@@ -363,11 +367,11 @@ static enum dom_status sure_slope(const struct geometry *geometry, real theta, i
 }
 
 /*
- * Finds *error, a bound on the distance between theta and the top in [first, last]. H certainly increases at
- * theta - *error and certainly decreases at theta + *error, unless these tilts are outside of the cycle. The
- * first estimate is the distance over which H'' changes H' by twice its possible error. Where H'' jumps or is
- * 0, the distance is doubled until both signs are certain. Sets *steepest to an upper bound on |H'| at the
- * tilts that were tried.
+ * Sets *error to an upper bound on the distance between theta and the exact top of H in [first, last]. The
+ * bound holds because within this distance H' is certainly positive at a tilt below theta, and certainly
+ * negative at a tilt above theta, unless these tilts are outside of the cycle. The first distance that is
+ * tried follows from H'' at theta. The distance is doubled until both signs are certain. Sets *steepest to an
+ * upper bound on |H'| at the tilts that were tried.
  */
 static enum dom_status top_error(const struct geometry *geometry, real theta, real first, real last,
                                  real *error, real *steepest)

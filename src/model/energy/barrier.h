@@ -17,32 +17,32 @@ struct barrier {
     int edges;
 };
 
-/* A top is a local maximum of H. This is the relative tolerance for the tilt of a top if only the height of
- * the top must have the tolerance of the sums. The error of the height is of third order in the last step to
- * the top. */
+/* Relative tolerance for the tilt of a top (a local maximum of H) if only its height is needed. The cube root
+ * suffices, because the error in the height is of third order in the last step of the search. */
 #define TOP_TOL(geometry) (cbrt((geometry)->tol) / 4)
 
-/* Finds the barrier. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the height is
- * needed. */
+/* Finds the barrier over [0, end]. tol is the relative tolerance of theta_m; TOP_TOL is enough if only the
+ * height is needed. */
 KERNEL enum dom_status barrier_search(const struct geometry *geometry, real end, real tol,
                                       struct barrier *barrier);
 
 /*
- * These two functions find a single top by Newton's method. barrier_near returns the tilt at which
- * barrier_follow starts. This tilt is a good estimate of the top if b holds the top of a similar train. `at`
- * holds the sums at that tilt (PASS_SECOND_DERIVATIVE), or is NULL. barrier_follow returns false if it finds
- * no top. Only barrier_tops checks whether the top is the highest one.
+ * barrier_follow finds one top by Newton's method, and stores it in *b. Returns false if it finds no top. It
+ * does not check whether the top is the highest; barrier_tops does. The search starts at the tilt that
+ * barrier_near returns, which is close to the top if *b holds the top of a similar train. If the caller has
+ * already computed the sums at this tilt (with PASS_SECOND_DERIVATIVE), `at` points to them; otherwise it is
+ * NULL.
  */
 KERNEL struct tilt barrier_near(const struct geometry *geometry, const struct barrier *b);
 KERNEL bool barrier_follow(const struct geometry *geometry, const struct sums *at, struct barrier *b);
 
-/* Searches [0, theta_c] for tops higher than that of b, and stores the highest in b. */
+/* Searches [0, theta_c] for tops of H that are higher than the top in *b, and stores the highest in *b. */
 KERNEL enum dom_status barrier_tops(const struct geometry *geometry, struct barrier *b);
 
-/* Returns true only if H is proved to have a single top. */
+/* Returns true only if it is proved that H has a single top. */
 KERNEL bool barrier_single(const struct geometry *geometry);
 
-/* Returns an upper bound on the barrier, which holds for trains of any length with r >= 1. */
+/* Returns an upper bound on the barrier. The bound holds for trains of any length, if r >= 1. */
 KERNEL real barrier_most(const struct geometry *geometry);
 
 /* Finds the barrier over [lo, hi], where H must be smooth. Heights are relative to H at lo, and `from` is lo
@@ -50,39 +50,41 @@ KERNEL real barrier_most(const struct geometry *geometry);
 KERNEL enum dom_status barrier_piece(const struct geometry *geometry, struct tilt from, real lo, real hi,
                                      struct barrier *barrier);
 
-/* Finds the barrier over the tilts from the first edge of `whole` to `end`. The edges of `whole` inside this
- * range are edges of the result, too. Heights are relative to H at `from`. */
+/* Finds the barrier over the tilts from whole->edge[0] to `end`. The edges of `whole` that are below `end`
+ * become edges of the result. Heights are relative to H at `from`. */
 KERNEL enum dom_status barrier_up_to(const struct geometry *geometry, struct tilt from,
                                      const struct barrier *whole, real end, struct barrier *barrier);
 
 /*
- * Finds the launch of an endless train and its barrier over [0, end], and error bounds on the launch unless
- * `error` is NULL. If the kinetic energy and the barrier are nearly equal, digits cancel in their difference.
- * Both energies are then computed again with a finer tolerance, if the arithmetic allows one, and
- * geometry->tol is set to that tolerance.
+ * Finds the launch of an endless train and its barrier over [0, end]. Also finds error bounds on the launch,
+ * unless `error` is NULL. If the kinetic energy and the barrier are nearly equal, their difference loses
+ * digits by cancellation. Both energies are then computed again with a finer tolerance, if the arithmetic
+ * allows one, and geometry->tol is set to this tolerance.
  */
 KERNEL enum dom_status barrier_balance(struct geometry *geometry, enum dom_fuel fuel, real end,
                                        struct launch *launch, struct launch *error, struct barrier *barrier);
 
 /*
- * Returns DOM_OK if a train keeps falling (26; c8), and otherwise DOM_STOPS or DOM_NO_FUEL, from the results
- * of barrier_balance over the whole cycle. Every result about a train uses this verdict.
+ * Decides from the results of barrier_balance for a whole cycle whether a train keeps falling (26; c8).
+ * Returns DOM_OK if it does, and otherwise DOM_STOPS or DOM_NO_FUEL. Every result about a train uses this
+ * verdict.
  */
 KERNEL enum dom_status barrier_verdict(const struct launch *launch, const struct barrier *barrier);
 
-/* Returns the tolerance with which two terms of the size `whole` must be computed so that their difference,
- * of the size `left`, has the tolerance tol. */
+/* Two terms of magnitude `whole` have a difference of magnitude `left`. Returns the relative tolerance that
+ * the terms need so that their difference has the relative tolerance tol. */
 KERNEL real balance_tol(real tol, real left, real whole);
 
 /*
- * Returns the width of the peak of 1/omega at a top inside a cycle. Near the top, the remaining kinetic
- * energy is (width^2 + (theta - theta_m)^2) |H2| / 2. Returns NaN if the top is at an end of the cycle, or if
- * H2 is unknown. `from` is as for barrier_piece.
+ * Returns the width of the peak of 1/omega at a top inside a cycle. `margin` is the kinetic energy that is
+ * left at the top. Near the top, the kinetic energy is (width^2 + (theta - theta_m)^2) |H2| / 2. Returns NaN
+ * if the top is at an end of the cycle, or if H2 is unknown. `from` is as for barrier_piece.
  */
 KERNEL real barrier_width(const struct geometry *geometry, struct tilt from, const struct barrier *b,
                           real margin);
 
-/* Finds error bounds on theta_m and height. They are NaN if no bounds are known for this train. */
+/* Finds error bounds on theta_m and on the height of the barrier. The bounds are NaN if none are known for
+ * this train. */
 KERNEL enum dom_status barrier_error(const struct geometry *geometry, const struct barrier *barrier,
                                      struct barrier *error);
 

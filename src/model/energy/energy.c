@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The angles and the energies of a train, and how its cycle begins. */
+/* Computes the angles, the energies, the fuel and the launch of a train. */
 #include "dynamics/choose.h"
 
 KERNEL enum dom_status angles_find(const struct request *train, struct dom_angles *angles)
@@ -16,7 +16,7 @@ KERNEL enum dom_status angles_find(const struct request *train, struct dom_angle
         .theta_leave = geometry.detaches ? tilt_angle(geometry.leave) : REAL_NAN,
         .detaches = geometry.detaches,
     };
-    if (train->errors) /* the inverse trigonometric functions add one or two rounding units */
+    if (train->errors) /* the inverse trigonometric functions add errors of one or two times UNIT */
         angles->error = (struct dom_angles_error){
             .theta_c = geometry_error_head(geometry.c) + 2 * UNIT * angles->theta_c,
             .theta_u = geometry_error_u(&geometry) + 2 * UNIT * angles->theta_u,
