@@ -62,3 +62,12 @@ END
     wrong 'plan' 'there is no row'
     wrong 'effect row 3; plan foo' "a title is written as in 'plan title"
 }
+
+@test "plan: widths come from the file, and a domino keeps its width when its height changes" {
+    printf 'height (mm),thickness (mm),gap (mm),mass (g),width (mm)\n50,10,0,100,20\n60,10,20,110,33\n' > widths.csv
+    widths() { "$DOMINO" -e "$1; plan > widths.out.csv" > /dev/null; cut -d, -f13 widths.out.csv | tail -n +2 | paste -sd ' ' -; }
+    same file '0.02 0.033' "$(widths 'effect row widths.csv')"
+    same 'saved and read again' '0.02 0.033' "$(widths 'effect row widths.csv; row > again.csv; effect row again.csv')"
+    same changed '0.024 0.036 0.054' "$(widths 'effect row 3; change 2 height 80 mm')"
+    same 'changed, saved and read again' '0.024 0.036 0.054' "$(widths 'effect row 3; change 2 height 80 mm; row > changed.csv; effect row changed.csv')"
+}

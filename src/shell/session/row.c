@@ -33,7 +33,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
         d->mass = d->height * d->height / 2 * d->thickness *
                   scene_filled(scene, d->height, d->thickness, d->height / 2);
     }
-    for (size_t k = 0; listed->width && k < count; k++)
+    for (size_t k = 0; listed->from_volumes && k < count; k++)
         domino[k].mass *= scene_filled(scene, domino[k].height, domino[k].thickness, listed->width[k]);
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
@@ -41,6 +41,24 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
     /* if a change has affected the first domino, its m g h / 2 must be made 1 again */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
+}
+
+domq_real *scene_row_widths(const struct scene *scene, size_t count)
+{
+    domq_real *width = malloc(count * sizeof *width);
+    struct domq_domino *domino = malloc(count * sizeof *domino);
+    struct scene unchanged = *scene;
+    unchanged.listed.changes = 0;
+    if (!width || !domino) {
+        free(width);
+        free(domino);
+        return NULL;
+    }
+    scene_row_fill(&unchanged, domino, count);
+    for (size_t k = 0; k < count; k++)
+        width[k] = scene->listed.domino ? scene->listed.width[k] : domino[k].height / 2;
+    free(domino);
+    return width;
 }
 
 /* Returns true if the walls fit into every domino. Otherwise reports the problem. */

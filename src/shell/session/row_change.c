@@ -37,7 +37,7 @@ static void size_change(const struct scene *scene, domq_real width, struct domq_
                         domq_real value)
 {
     const struct listed_row *row = &scene->listed;
-    const bool of_wood = row->width || (!row->domino && scene_boxes_above(scene) > 0);
+    const bool of_wood = row->from_volumes || (!row->domino && scene_boxes_above(scene) > 0);
     const domq_real filled = of_wood ? scene_filled(scene, d->height, d->thickness, width) : 1;
     d->mass *= value / *size;
     *size = value;

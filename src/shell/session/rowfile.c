@@ -168,10 +168,7 @@ static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row 
         csv_write_others(csv, false, others);
         putc('\0', others);
     }
-    if (csv->column[MEASURE_MASS] || (csv->column[RELATIVE] && !rows->has_masses)) {
-        free(rows->width);
-        rows->width = NULL;
-    }
+    rows->from_volumes = !csv->column[MEASURE_MASS] && (rows->has_masses || !csv->column[RELATIVE]);
     return !*csv->file.problem.text;
 }
 

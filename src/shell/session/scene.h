@@ -34,8 +34,9 @@ enum row_measure {
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;
-    bool has_masses;  /* the masses are in kg; otherwise only their ratios matter */
-    domq_real *width; /* the widths in m, if masses follow from volumes; otherwise NULL */
+    bool has_masses;   /* the masses are in kg; otherwise only their ratios matter */
+    bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
+    domq_real *width;  /* the widths in m; NULL if the row does not come from a file */
     char *path;
     /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
      * row. Each cell begins with a comma, and each line ends with a NUL byte. */

@@ -52,6 +52,7 @@ static void plan_free(struct plan *p)
         free(p->guide.table[i].line);
     free(p->windows.kind[0]);
     free(p->back);
+    free(p->width);
     falling_row_free(&p->row);
 }
 
@@ -61,8 +62,7 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
                       struct plan *p)
 {
     const struct scene *of = query->scene;
-    *p = (struct plan){.width = of->listed.width,
-                       .is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
+    *p = (struct plan){.is_thin = !of->listed.domino && of->train.q < 4 && scene_walls(of) == 0};
     if (!falling_row_make(query, problem, picture_marks(a), &p->row))
         return false;
     struct scene_row *scene = &p->row.run.scene;
@@ -78,7 +78,8 @@ static bool plan_make(const struct query *query, const struct answer *a, struct 
     }
     scene->row.floor = false;
     p->back = malloc(count * sizeof *p->back);
-    enum dom_status status = p->back ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
+    p->width = scene_row_widths(of, count);
+    enum dom_status status = p->back && p->width ? windows_find(query, scene, &p->windows) : DOM_NO_MEMORY;
     for (size_t k = 0; k < count && p->back; k++)
         p->back[k] =
             k > 0 ? p->back[k - 1] + (double)(scene->domino[k - 1].thickness + scene->domino[k].gap) : 0;
@@ -180,7 +181,7 @@ static void plan_rows(const struct plan *p, struct answer *a)
         answer_cells(a, cell_count((domq_real)k + 1), cell_real(back), cell_real(back + d->thickness),
                      cell_real(place->low), cell_real(place->high), cell_real(d->gap), cell_real(d->height),
                      cell_real(height->low), cell_real(height->high), cell_real(d->thickness),
-                     cell_real(thickness->low), cell_real(thickness->high), cell_real(plan_width(p, k)),
+                     cell_real(thickness->low), cell_real(thickness->high), cell_real(p->width[k]),
                      cell_real(d->mass));
     }
 }

@@ -11,17 +11,15 @@
 struct plan {
     struct falling_row row;
     struct windows windows;
-    double *back;           /* where the back edges of the dominoes are on the tape measure, in m */
-    bool is_thin;           /* the dominoes are hollow, and the thickness of their walls is not known */
-    const domq_real *width; /* the widths in m, or NULL if they are half the heights */
+    double *back;     /* where the back edges of the dominoes are on the tape measure, in m */
+    bool is_thin;     /* the dominoes are hollow, and the thickness of their walls is not known */
+    domq_real *width; /* the widths of the dominoes in m */
     struct domq_study study;
     struct domq_error error[DOM_ERROR_COUNT];
     struct guide guide;
 };
 
-/* plan_width returns the width of domino k, counted from 0. plan_window returns the window of one kind for
- * this domino. */
-domq_real plan_width(const struct plan *plan, size_t k);
+/* Returns the window of one kind for domino k, counted from 0. */
 const struct domq_window *plan_window(const struct plan *plan, enum dom_window_of kind, size_t k);
 
 /* Each of these functions adds a table to the guide of a plan, and returns false if memory runs out. */

@@ -20,24 +20,33 @@ static const struct column row_columns[] = {
     {"relative", "", "mass divided by the mass of the first domino, if masses are not known", 0},
     {"radius", "m", "radius of the edges, if the file has radii; used with 'effect edges'", 0},
     {"lean", "m", "how far the top is off plumb, if the file has leans (negative: backwards)", 0},
+    {"width", "m", "width of the domino, if not all dominoes are half as wide as they are tall", 0},
     {NULL, NULL, NULL, 0},
 };
 
 static bool run_row(const struct query *query, struct answer *a, struct problem *problem)
 {
     struct scene_row scene;
-    bool has_radii = false, has_leans = false;
+    bool has_radii = false, has_leans = false, has_widths = false;
     if (!scene_row_list(query->scene, &scene, problem))
         return false;
+    domq_real *width = scene_row_widths(query->scene, scene.row.count);
+    if (!width) {
+        free(scene.domino);
+        return problem_status(problem, query->scene, DOM_NO_MEMORY);
+    }
     for (size_t k = 0; k < scene.row.count; k++) {
         has_radii = has_radii || scene.domino[k].radius > 0;
         has_leans = has_leans || scene.domino[k].lean != 0;
+        has_widths = has_widths || width[k] != scene.domino[k].height / 2;
     }
     answer_leave_out(a, scene_has_masses(query->scene) ? "relative" : "mass");
     if (!has_radii)
         answer_leave_out(a, "radius");
     if (!has_leans)
         answer_leave_out(a, "lean");
+    if (!has_widths)
+        answer_leave_out(a, "width");
     a->csv.units = true;
     a->style.errors = false; /* 'effect row FILE' cannot read columns with error bounds */
     a->csv.extra = a->path ? query->scene->listed.others : NULL;
@@ -48,13 +57,15 @@ static bool run_row(const struct query *query, struct answer *a, struct problem 
                 cell_count((domq_real)k + 1), cell_real(d->height),
                 cell_real(d->thickness),      cell_real(d->gap),
                 cell_real(d->mass),           cell_real(d->mass / scene.domino[0].mass),
-                cell_real(d->radius),         cell_real(d->height * quad(sin)(d->lean))};
-            for (int i = 1; i < 8 && !writes; i++)
+                cell_real(d->radius),         cell_real(d->height * quad(sin)(d->lean)),
+                cell_real(width[k])};
+            for (int i = 1; i < 9 && !writes; i++)
                 answer_largest(a, row_columns[i].key, cells[i].number);
             if (writes)
                 answer_row(a, cells, NULL);
         }
     free(scene.domino);
+    free(width);
     if (query->next && a->path)
         query->next->scene.listed.saved = true;
     return true;
