@@ -37,7 +37,7 @@ KERNEL enum dom_status dynamics_make(const struct request *train, struct geometr
     if (status == DOM_OK)
         status = geometry_set(geometry, geometry->s, geometry->r);
     if (status == DOM_OK)
-        far_make(geometry, 16); /* about as many passes as one train needs */
+        far_make(geometry, 16); /* one train needs about 16 passes */
     return status;
 }
 

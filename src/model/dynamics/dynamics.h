@@ -61,14 +61,14 @@ struct dynamics {
      */
     enum dom_status (*solve_piece)(const struct geometry *geometry, real J, real lo, real *hi);
     /*
-     * Optional: if the motion uses up its energy before *hi, lowers *hi to a tilt soon after the one at which
-     * the energy is used up, so that the exact tilt is easier to find. edge[0] and edge[1] are the ends of
-     * the smooth piece of the motion that contains `start`.
+     * Optional: if the motion uses up its energy before *hi, lowers *hi to a tilt soon after that, so that
+     * the tilt of the stop is easier to find. edge[0] and edge[1] are the ends of the smooth piece of the
+     * motion that contains `start`.
      */
     enum dom_status (*spent)(const struct geometry *geometry, const struct start *start, const real edge[2],
                              real *hi);
-    /* Optional: sets *braked to true if a motion that locks at this tilt is braked there, or to false if it
-     * is driven. */
+    /* Optional: finds whether a motion that friction locks at this tilt slows down on the way there (*braked
+     * is true) or speeds up. */
     enum dom_status (*braked)(const struct geometry *geometry, struct tilt head, bool *braked);
 
     /* Finds the launch of a train in which each cycle repeats the one before, scaled by r (24; c6). Also
@@ -76,15 +76,15 @@ struct dynamics {
     enum dom_status (*collide)(const struct geometry *geometry, enum dom_fuel fuel, struct launch *launch,
                                struct launch *error);
     /*
-     * Finds the inertia ratio of the collision in which the chain `hitting`, with its head at the tilt `at`
-     * and with the inertia J, hits the upright domino of `next`. Returns DOM_UNDERFLOW or DOM_LOCKS if the
-     * ratio is not positive.
+     * Finds the inertia ratio of a collision. The chain `hitting`, whose head is at the tilt `at` and whose
+     * inertia is J, hits the domino of `next`, which is still at rest. Returns DOM_UNDERFLOW or DOM_LOCKS if
+     * the ratio is not positive.
      */
     enum dom_status (*inertia_ratio)(const struct geometry *next, const struct geometry *hitting,
                                      struct tilt at, real J, real *inertia_ratio);
 
-    /* Finds dH/dtheta at a tilt of the head or, with friction, a quantity that has the same sign as the
-     * derivative of the required energy. If `rough` is true, only the sign of the result is reliable. */
+    /* Finds dH/dtheta at a tilt of the head or, with friction, a quantity with the sign of the derivative of
+     * the required energy. If `rough` is true, only the sign of the result is reliable. */
     enum dom_status (*slope)(const struct geometry *geometry, struct tilt head, bool rough, real *slope);
     /* Finds the kinetic energy at the tilt `from` that is just sufficient to reach the tilt 2 atan p. */
     enum dom_status (*required_energy)(const struct geometry *geometry, struct tilt from, real p,
@@ -102,15 +102,14 @@ struct dynamics {
      * receives the number of dominoes that contribute. */
     enum dom_status (*acceleration)(const struct geometry *geometry, struct tilt head, real w,
                                     real *acceleration, size_t *n);
-    /* Returns the derivative of omegasq at a tilt with respect to omegasq at the launch. `gain` is this
-     * derivative at the start of the motion, and J_at is the inertia at the tilt. */
+    /* Returns the derivative of omegasq at the tilt theta with respect to omegasq at the launch. `gain` is
+     * the corresponding derivative at the start of this motion, and J_at is the inertia at theta. */
     real (*gain)(const struct geometry *geometry, const struct start *start, real gain, real theta,
                  real J_at);
 };
 
-/* Returns true if the law of motion and the contacts provide error bounds, and also the bounds that a search
- * for a limit needs on the margin between two samples. Otherwise error bounds are NaN, and searches rely on
- * samples alone. */
+/* Returns true if error bounds are known, as well as the bounds on the margin between two samples that the
+ * search for a limit needs. Otherwise error bounds are NaN, and searches rely on samples alone. */
 KERNEL inline bool dynamics_bounded(const struct geometry *geometry)
 {
     return geometry->dynamics->conservative && geometry->law->closed_form;

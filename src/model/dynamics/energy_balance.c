@@ -140,8 +140,7 @@ static enum dom_status energy_before_rest(const struct geometry *geometry, real 
 {
     struct tilt head, rest;
     struct sums at;
-    /* At the beginning of the motion, rounding may put end - by slightly below the tilt at which the head
-     * started. */
+    /* At the start of the motion, rounding may put end - by slightly below the initial tilt of the head. */
     enum dom_status status = geometry_tilt(geometry, fmax(end - by, geometry->lean), &head);
     if (status == DOM_OK)
         status = geometry_tilt(geometry, end, &rest);

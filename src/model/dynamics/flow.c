@@ -9,8 +9,8 @@ KERNEL void flow_free(struct flow *flow)
     free(flow);
 }
 
-/* The largest number of dominoes that all passes of one solution may visit. A solution takes about a hundred
- * passes. In double precision, visiting that many dominoes takes half a second. */
+/* The limit for the number of dominoes visited in all passes of one solution, which takes about a hundred
+ * passes. In double precision, visiting so many dominoes takes half a second. */
 #define FLOW_DOMINOES ((size_t)8000000)
 
 struct flow_context {
@@ -48,15 +48,15 @@ static bool flow_rate(real theta, void *context, struct num_rate *rate)
 
 /*
  * Solves the beginning of a motion on separate narrow panels, whose ends increase by factors of 8, because
- * the solution changes on two small scales there. One scale is d: u changes by only d^2 up to theta ~ d, and
- * by much more afterwards. The other scale is sqrt(1 - r s), the tilt near which followers come down. *lo
- * receives the tilt up to which the motion is solved.
+ * the solution changes there on two small scales. One scale is d: u changes by only d^2 up to theta ~ d, and
+ * by much more afterwards. The other scale is sqrt(1 - r s), the tilt of the head at which followers that
+ * started near pi/2 have come down. *lo receives the tilt up to which the motion is solved.
  */
 static enum dom_status flow_finely(struct flow_context *c, real tol, real *lo, real hi)
 {
     const struct geometry *geometry = c->geometry;
     real finest = geometry_finest(geometry);
-    /* If the head leans at the start, it is already past the smallest scale. */
+    /* If the head leans at the start, the smallest scales no longer matter. */
     while (finest <= *lo && finest < hi / 8)
         finest *= 8;
     for (real to = finest; *lo < to && to < hi / 8; to *= 8) {
@@ -82,9 +82,9 @@ static enum dom_status flow_piece(struct flow_context *c, real tol, real lo, rea
 #define FLOW_FINER 64
 
 /*
- * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain jumps
- * between two tilts if the sum ends one domino earlier at one of these tilts. With the finer tolerance, the
- * jump is too small for a Chebyshev series to resolve.
+ * Empties the solution and returns a copy of the geometry with a finer tolerance. A sum over the chain may
+ * include one domino fewer at one tilt than at the next, which makes the sum jump. With the finer tolerance,
+ * the jump is too small to disturb a Chebyshev series.
  */
 static struct geometry flow_begin(const struct geometry *geometry)
 {
@@ -125,8 +125,8 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     enum dom_status status = chain_edges(geometry, tilt_angle(geometry->c), edge, &edges, &moving);
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
-    /* All sums over one piece must include the same dominoes, even if rounding puts the tilt at which a
-     * domino detaches inside the piece. */
+    /* All sums over one piece must include the same dominoes, but rounding can put the tilt at which a domino
+     * detaches inside the piece. So count the dominoes instead. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -144,9 +144,9 @@ static real flow_end(const struct flow *flow, real lo)
 }
 
 /*
- * Solves the motion up to the tilt where A vanishes, to within the tolerance, by repeatedly halving the
- * distance to a tilt known to be locked. Panels become as short as the remaining distance, since 2 B / A has
- * a pole there.
+ * Solves the motion up to the tilt, correct to the tolerance, at which A vanishes and friction locks the
+ * motion. Each step solves half of the distance to a tilt that is known to be locked. Panels become short
+ * there, since 2 B / A has a pole.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)
 {
@@ -158,7 +158,7 @@ static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real 
             break;
         enum num_status solver = num_linear_solve(flow_rate, &c, from, to, tol / 8, &flow->solution);
         if (solver == NUM_NOT_CONVERGED && c.status == DOM_OK)
-            break; /* the pole is so close that panels have no significant digits left */
+            break; /* so close to the pole, panels have no significant digits left */
         if (solver != NUM_OK && c.status != DOM_LOCKS)
             return model_status(c.status, solver);
     }
@@ -194,9 +194,8 @@ static enum dom_status flow_slope(const struct geometry *geometry, struct tilt h
 }
 
 /*
- * Solves the first part of a smooth piece again, if the motion uses up its energy soon after lo. The panels
- * of the whole piece may be too wide to show where the energy is used up. Lowers *hi to the end of the part
- * that was solved.
+ * If the motion uses up its energy soon after lo, solves the first part of the smooth piece again, because
+ * the panels of the whole piece may be too wide to locate the stop. Lowers *hi to the end of that part.
  */
 static enum dom_status flow_spent_in(const struct geometry *geometry, const struct start *start, real lo,
                                      real *hi)
@@ -217,7 +216,7 @@ static enum dom_status flow_spent_in(const struct geometry *geometry, const stru
             return DOM_OK;
         }
     }
-    /* The motion ends so late in this piece that the solution over the whole piece tells accurately where. */
+    /* The motion stops so late in this piece that the solution over the whole piece is accurate enough. */
     return cut ? flow_solve_piece(geometry, J0, lo, hi) : DOM_OK;
 }
 
@@ -284,8 +283,8 @@ KERNEL real flow_rises(const struct geometry *geometry, real theta)
     return -num_linear_moved(&geometry->flow->solution, theta, REAL_EPSILON) / REAL_EPSILON;
 }
 
-/* Returns the error of the solution, plus the error of the sums in it, each of which leaves out the tail of
- * the chain. */
+/* Returns the error of required energies: the error of the solution, plus the error of its sums, which leave
+ * out the tail of the chain. */
 KERNEL real flow_unsure(const struct geometry *geometry)
 {
     const struct num_linear *solution = &geometry->flow->solution;
@@ -330,8 +329,8 @@ KERNEL real flow_gain(const struct geometry *geometry, const struct start *start
     return gain * exp(ln_G);
 }
 
-/* Finds whether the motion is braked where it locks. As A -> 0 the sign of C decides, since w' = 2 (C - B w)
- * / A. */
+/* Finds whether the motion slows down before it locks. Since w' = 2 (C - B w) / A and A -> 0, the sign of C
+ * decides. */
 KERNEL enum dom_status flow_braked(const struct geometry *geometry, struct tilt head, bool *braked)
 {
     struct equation_of_motion equation = {.C = 0};

@@ -20,8 +20,8 @@ struct flow {
 /* Frees a flow and its panels. `flow` may be NULL. */
 KERNEL void flow_free(struct flow *flow);
 
-/* These functions are the members of struct dynamics for laws of motion that need a flow: flow_solve is the
- * member `solve`, and so on. The exception is flow_rises, which returns du/dtheta, whose sign is reliable. */
+/* These functions are members of struct dynamics for laws of motion that need a flow: flow_solve is the
+ * member `solve`, and so on. Only flow_rises is not a member. It returns du/dtheta, with a reliable sign. */
 KERNEL enum dom_status flow_solve(const struct geometry *geometry);
 KERNEL enum dom_status flow_solve_piece(const struct geometry *geometry, real J, real lo, real *hi);
 KERNEL enum dom_status flow_spent(const struct geometry *geometry, const struct start *start,

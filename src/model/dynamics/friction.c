@@ -56,7 +56,7 @@ static enum dom_status friction_acceleration(const struct geometry *geometry, st
                                              real *acceleration, size_t *n)
 {
     struct equation_of_motion equation;
-    /* Forces need as many dominoes as energies do, so *n is the number of dominoes in an energy pass. */
+    /* *n receives the number of dominoes in an energy pass, since the forces depend on the same dominoes. */
     enum dom_status status = n ? energy_acceleration(geometry, head, w, acceleration, n) : DOM_OK;
     if (status == DOM_OK)
         status = geometry->law->equation(geometry, head, &equation);

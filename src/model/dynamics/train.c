@@ -87,9 +87,9 @@ void dom_row_of_train(const struct dom_train *train, const struct dom_scale *sca
                       struct dom_domino *domino, size_t count)
 {
     /*
-     * A power in quad precision costs as much as running a domino, so the height and the mass of each domino
-     * are multiples of those of the domino before it. The errors of these products are far below the accuracy
-     * of a row.
+     * Computing a power in quad precision takes as long as running a domino. So the height and the mass of
+     * each domino are multiples of those of the domino before it. The rounding errors of these products are
+     * too small to affect a row.
      */
     const bool by_products = sizeof(dom_real) > sizeof(double);
     const dom_real heavier = by_products ? pow(train->r, train->q - 1) : DOM_NAN;

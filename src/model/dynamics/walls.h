@@ -27,7 +27,8 @@ KERNEL inline struct box walls_box(real d, real width, real walls)
 {
     real a = fmin(2 * walls, 1), b = fmin(2 * walls / d, 1), c = fmin(2 * walls / width, 1);
     real filled = a + (1 - a) * (b + (1 - b) * c), v = (1 - a) * (1 - b) * (1 - c);
-    real smaller = (a * (2 - a) + d * d * b * (2 - b)) / (1 + d * d); /* 1 - u, in the formula above */
+    /* the term 1 - u of the formula at the top */
+    real smaller = (a * (2 - a) + d * d * b * (2 - b)) / (1 + d * d);
     return (struct box){filled, 1 + v * smaller / (4 * filled)};
 }
 

@@ -374,8 +374,8 @@ static enum dom_status best_error(struct search *b, bool smooth, struct dom_best
     enum dom_status status = limit_find(c, &limit);
     if (status == DOM_OK)
         status = limit_error(c, &limit, &r_error);
-    /* Where r_max(s) jumps, a dip of the margin begins. The shallowest dips are not resolved (scan.c), so a
-     * jump is less accurate. */
+    /* r_max(s) jumps where a dip of the margin begins. The shallowest dips are not resolved (scan.c), so a
+     * jump is located less accurately than a smooth maximum. */
     real s_error = 2 * fmax((real)c->train->tol, smooth ? 4 * REAL_EPSILON : (real)1e-8) * s;
     if (status == DOM_OK && smooth) {
         real h = slope_step(c->geometry.span, s, r) * b->finer, width = 4 * h;

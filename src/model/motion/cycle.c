@@ -112,8 +112,8 @@ KERNEL enum dom_status cycle_omegasq(const struct request *train, dom_real theta
     return DOM_OK;
 }
 
-/* Finds the error of the tilt at which a train stops, as the error of the remaining energy there divided by
- * the slope of the energy. */
+/* Finds the error of the tilt at which a train stops: the error of the remaining energy there, divided by the
+ * slope of the energy. */
 KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_real *error, real *energy)
 {
     const struct geometry *geometry = &cycle->segment.geometry;
@@ -124,7 +124,8 @@ KERNEL enum dom_status stop_error(const struct cycle *cycle, real theta, dom_rea
     enum dom_status status = chain_energy_at(geometry, theta, &at, &e);
     if (status == DOM_OK)
         *error = (fabs(cycle->launch.kinetic - at.dH) + cycle->launch_error.kinetic + e.dH) / fabs(at.H1) *
-                     (1 + 4 * geometry->tol) + /* allows for second-order terms if the tolerance is loose */
+                     /* allows for second-order terms, which matter if the tolerance is loose */
+                     (1 + 4 * geometry->tol) +
                  4 * UNIT * theta;
     if (energy)
         *energy = fabs(at.H1) * (real)*error;
@@ -154,8 +155,8 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* The kinetic energy and the barrier each have a few rounding errors, which limit the accuracy of the
-     * duration when they are divided by the margin. */
+    /* The kinetic energy and the barrier each have a few rounding errors, which are divided by the margin and
+     * limit the accuracy of the duration. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

@@ -26,8 +26,8 @@ static bool required_seen(const struct hinge_load *hinge_load, void *context)
     return hinge_load->link->slope > FLOOR_SHARE;
 }
 
-/* If the friction that is needed at this tilt exceeds *required_friction, stores it there. In any case,
- * *motion receives the friction that the motion needs at this tilt. */
+/* Finds the friction that the motion needs at this tilt, and stores it in *motion. If it exceeds the largest
+ * so far, also stores it in *required_friction. */
 static enum dom_status required_at(const struct segment *st, real theta,
                                    struct required_friction *required_friction, real *motion)
 {
@@ -54,8 +54,8 @@ static enum dom_status required_at(const struct segment *st, real theta,
 /*
  * Bisects an interval recursively while a maximum inside it may exceed the largest known value. A parabola
  * through the two ends and the middle exceeds the largest of the three values by at most an eighth of their
- * second difference; allowing for a whole second difference covers other shapes too. Since no maximum is
- * missed, the order in which maxima are found does not matter.
+ * second difference. Allowing for the whole second difference makes the test safe for other shapes. Since no
+ * maximum is missed, the order in which maxima are found does not matter.
  */
 static enum dom_status required_between(const struct segment *st, real lo, real hi, const real at[2],
                                         int halvings, struct required_friction *required_friction)

@@ -19,7 +19,7 @@ static real geometric(real first, real ratio)
 static void moving_push(const struct geometry *geometry, const struct kinematics *kinematics,
                         struct moving *k, size_t n)
 {
-    /* The torque on domino j that the contact with its leader must balance, and the change of angular
+    /* rest: the torque on domino j that the contact with its leader must balance. push: the change of angular
      * momentum in the collision that the impulse of this contact must supply. */
     real rest = 0, push = 0;
     bool endless = geometry->n == CHAIN_ENDLESS && k[n - 1].link.leads;
@@ -39,7 +39,7 @@ static void moving_push(const struct geometry *geometry, const struct kinematics
             push = geometric(push, geometry->inertia * self->step * torque_share);
         }
         real arm_b = k[j - 1].arms.b / leader->geometry->r * k[j - 1].size;
-        /* At r s = 1 the tip hits exactly at the hinge, where even the largest force turns no domino. */
+        /* At r s = 1 the tip hits the leader at its hinge, and no force can turn a domino. */
         if (j == 1 && leader->tilt.x == 0 && geometry->short_of <= REAL_EPSILON)
             arm_b = 0;
         k[j - 1].force = arm_b > 0 ? rest / arm_b : REAL_NAN;
@@ -61,8 +61,8 @@ static struct push push_on(const struct moving *k, real normal)
 
 /*
  * Finds the force of the floor from Newton's law for the centre of the block, at (x - d y, y + d x) / 2 from
- * its hinge: the floor supplies whatever force the contacts and gravity do not. If the edges are rounded, the
- * centre of the lower edge rolls along the floor at the height rho.
+ * its hinge. If the edges are rounded, the centre of the lower edge takes the place of the hinge, and moves
+ * along the floor at the height rho.
  */
 static void hinge_find(const struct moving *k, const struct moving *leader, bool leaned,
                        const struct geometry *head, const struct kinematics *kinematics,
@@ -90,7 +90,7 @@ static void hinge_find(const struct moving *k, const struct moving *leader, bool
     onto = leader ? push_on(leader, leader->impulse) : none;
     hinge_load->impulse_x = momentum * high * change - from.x + onto.x;
     hinge_load->impulse_z = -momentum * across * change - from.z + onto.z;
-    /* at r s = 1 no impulse turns a domino, so no floor can supply enough friction */
+    /* at r s = 1 no finite impulse turns a domino, so the required friction is infinite */
     if (isnan(hinge_load->impulse_x))
         hinge_load->impulse_x = (real)INFINITY;
 }
@@ -254,8 +254,8 @@ static real least_at(real theta, void *context)
     return c->status == DOM_OK ? -c->force : REAL_NAN;
 }
 
-/* The number of samples. The tolerance of a search for a minimum between two samples is a thousandth of the
- * distance between them. */
+/* The number of samples. The minimum between two samples is found to a thousandth of the distance between
+ * them. */
 #define LEAST_SAMPLES 24
 /* A train with more dominoes than this has a tiny s, and moves so smoothly that a third of the samples is
  * enough. */
@@ -297,7 +297,8 @@ KERNEL enum dom_status segment_contact(struct segment *st, real to, real *least)
     struct least_context c = {.segment = st, .least = *least, .status = DOM_OK};
     for (int k = 0; k <= CONTACT_SAMPLES && !st->end.pushes && c.status == DOM_OK; k++) {
         real part = (1 - cos(PI * (real)k / CONTACT_SAMPLES)) / 2;
-        /* If the head leans backwards at lo and `to` is a small tilt, lo + (to - lo) can round past `to`. */
+        /* If the head leans backwards at lo, rounding can put lo + (to - lo) beyond `to`, so the last tilt is
+         * `to` itself. */
         least_at(k < CONTACT_SAMPLES ? st->lo + part * (to - st->lo) : to, &c);
     }
     *least = c.least;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The forces in a moving chain, computed from the tail up to the head. The part of a follower's torque that
- * does not accelerate the follower is passed on to its leader. The hinge of each domino supplies whatever
- * force the contacts and gravity do not.
+ * The forces in a moving chain, computed from the tail up to the head: a follower passes on to its leader the
+ * part of its torque that does not accelerate the follower. The force of the floor at each hinge supplies
+ * whatever the contacts and gravity do not.
  */
 #ifndef DOM_FORCES_H
 #define DOM_FORCES_H
@@ -14,9 +14,9 @@ struct kinematics {
     real omegasq, acceleration;
     size_t n; /* number of dominoes that contribute */
     /*
-     * If `hit` is true, the motion begins at this moment with a collision. `omega` is tau times the angular
-     * velocity of the head just after the collision. In the collision, tau times the angular velocity of
-     * follower i decreases by theta_i' omega_lost.
+     * If `hit` is true, the motion begins with a collision at this moment. `omega` is then tau times the
+     * angular velocity of the head just after the collision. The collision reduces tau times the angular
+     * velocity of follower i by theta_i' omega_lost.
      */
     bool hit;
     real omega, omega_lost;
@@ -58,9 +58,9 @@ KERNEL enum dom_status segment_kinematics(const struct segment *segment, real th
 KERNEL bool motion_part(const struct motion *motion, int i, real *lo, real *hi);
 
 /*
- * Finds the smallest contact force at a few tilts up to `to`, relative to the weight of the domino that the
- * force pushes, and lowers *least to this value if *least is larger. Does nothing if segment->end.pushes
- * already shows that every contact pushes.
+ * Finds the smallest contact force at a few tilts up to `to`, divided by the weight of the domino that the
+ * force pushes. Lowers *least to that value if *least is larger. Does nothing if segment->end.pushes already
+ * shows that every contact pushes.
  */
 KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *least);
 
@@ -69,12 +69,12 @@ KERNEL enum dom_status segment_contact(struct segment *segment, real to, real *l
 KERNEL real forces_needed(real x, real z);
 
 /*
- * The friction coefficient that the floor needs: no hinge slips while |R_x| / R_z is below the coefficient of
- * the floor, where R is the force at the hinge during the motion, and the impulse in the collision.
+ * The friction coefficient that the floor needs so that no hinge slips: the largest |R_x| / R_z, where R is
+ * the force at a hinge during the motion, or the impulse at a hinge in the collision.
  */
 struct required_friction {
     real motion, theta; /* the largest ratio during the motion, and the tilt of the head at that time */
-    size_t domino;      /* the domino whose foot needs `motion`, 0 for the head */
+    size_t domino;      /* the domino whose foot needs the coefficient `motion`, 0 for the head */
     real hit;           /* the largest ratio in the collision */
     size_t hit_domino;
 };

@@ -16,7 +16,7 @@ KERNEL enum dom_status motion_begin(const struct request *train, struct motion *
     m->stops = cycle_stops(&m->cycle);
     m->tol = fmax((real)train->tol / 8, 16 * REAL_EPSILON * m->cycle.launch.kinetic / fabs(margin));
     if (!(m->tol < (real)0.125))
-        /* all times in a cycle grow like ln(1/margin), and the error of the margin is too large */
+        /* times grow like ln(1/margin), and the margin is too inaccurate */
         return DOM_NO_MARGIN;
     return cycle_end(&m->cycle, &m->end);
 }
@@ -28,17 +28,17 @@ KERNEL void motion_end(struct motion *m)
 }
 
 /*
- * Returns the slowness before a stop as a smooth function of x. The slowness grows like 1/sqrt(end - theta),
- * but with theta = end (1 - u^2) the integrand dt/du = 2 end u / (tau omega) is smooth in u. As x runs from 0
- * to 1, u runs from `root` to root + span. The remaining energy H(end) - H(theta) is computed directly from
- * end - theta, so nothing cancels, neither at the stop nor at the launch.
+ * Returns dt/du, the integrand of the time before a stop. The slowness grows like 1/sqrt(end - theta), but
+ * with theta = end (1 - u^2) the integrand dt/du = 2 end u / (tau omega) is smooth. As x runs from 0 to 1, u
+ * runs from `root` to root + span. The remaining energy H(end) - H(theta) is computed directly from end -
+ * theta, so nothing cancels, neither at the stop nor at the launch.
  */
 KERNEL real slowness_before(real x, void *context)
 {
     struct motion *m = context;
     struct segment *st = &m->cycle.segment;
-    /* Very near the stop the remaining energy would underflow. There dt/du is constant to within rounding
-     * errors, so that a larger u serves as well. */
+    /* Very near the stop, the remaining energy would underflow. dt/du is constant there to within rounding
+     * errors, so it can be computed at a larger u. */
     real u = fmax(m->root + m->span * x, sqrt(REAL_EPSILON));
     real delta = fmin(m->end * u * u, m->end - m->smooth), slowness_squared = REAL_NAN;
     st->status = st->geometry.dynamics->before_rest(&st->geometry, m->end, delta, &slowness_squared);
@@ -123,10 +123,10 @@ KERNEL enum dom_status cycle_events(const struct request *train, struct dom_even
 
 /*
  * Finds the error bound on the time at which the head reaches theta: the integral of the error bound on the
- * slowness, plus the error that the tolerance of the integral allows. The slowness has no error bound near a
- * stop; there, rounding errors of the energy enter through m->tol and through the tilt of the stop. If that
- * tilt has the error of_end, the times shift by at most of_end / omega. Early in the cycle a better bound is
- * half of the time so far, multiplied by the relative error of the kinetic energy.
+ * slowness, plus the tolerance of the integral of the slowness. Near a stop the slowness has no error bound.
+ * There, rounding errors affect the time through m->tol, and through the tilt of the stop: if that tilt has
+ * the error of_end, times shift by at most of_end / omega. Early in the cycle, half of the time so far,
+ * multiplied by the relative error of the kinetic energy, is a better bound.
  */
 static enum dom_status time_error(struct motion *m, const struct dom_state *state, real *error)
 {

@@ -61,8 +61,8 @@ struct motion {
 KERNEL enum dom_status motion_begin(const struct request *train, struct motion *motion, bool errors);
 KERNEL void motion_end(struct motion *motion);
 
-/* Returns the slowness before a stop as a smooth function of x, which motion.c defines. The context is a
- * struct motion. */
+/* Returns dt/du, the integrand of the time before a stop, which is a smooth function of x (motion.c). The
+ * context is a struct motion. */
 KERNEL real slowness_before(real x, void *context);
 
 /* Finds the time from one tilt to another, in tau. */

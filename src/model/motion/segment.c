@@ -2,9 +2,9 @@
 #include "motion/segment.h"
 
 /*
- * Ends the segment where the first domino detaches. The search takes a domino that has detached by the end of
- * the segment, and moves the end of the segment to the tilt where that domino detaches. It repeats this step,
- * since another domino may have detached even earlier.
+ * Ends the segment where the first domino detaches. Each step finds a domino that has detached before the end
+ * of the segment, and moves the end to the tilt where this domino detaches. The steps are repeated, since
+ * another domino may have detached even earlier.
  */
 KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
 {
@@ -17,8 +17,8 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* A domino whose motion is below the rounding errors does not count as detaching. At the moment when
-         * a domino detaches, no domino after it moves. */
+        /* Dominoes whose motion is below the rounding errors are not searched. This condition is dropped once
+         * a domino that detaches has been found, because the dominoes after it do not move at that tilt. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -48,8 +48,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no kinetic energy away. If a domino detaches at once (r s = 1), J is
-     * smaller without that domino, and omegasq becomes larger by the same factor. */
+    /* A domino that detaches carries no kinetic energy away. So if a domino detaches at once (r s = 1), which
+     * makes J smaller, omegasq is multiplied by the same factor by which J is divided. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;
@@ -117,7 +117,7 @@ KERNEL enum dom_status segment_rest(struct segment *st, real *theta)
     if (status != DOM_OK)
         return status;
     enum num_status solver = num_root(segment_short, st, edge[0], hi, st->geometry.tol / 8, theta);
-    /* Apart from a rounding error, the energy is just enough for the highest point, so the row comes to rest
+    /* The energy is just enough for the highest point, except for a rounding error, so the row comes to rest
      * there. */
     if (solver == NUM_NOT_BRACKETED && st->status == DOM_OK) {
         *theta = hi;

@@ -28,7 +28,7 @@ struct segment {
     real inertia_ratio;
     bool locks;             /* true if friction locks the motion at hi */
     struct barrier barrier; /* the barrier over [lo, hi] */
-    struct sums end;        /* the sums at hi, with dH relative to lo; segment_next finds them */
+    struct sums end;        /* the sums at hi, set by segment_next; dH is relative to lo */
     struct room *room;      /* memory for the computation of forces; may be NULL */
     enum dom_status status; /* error status of the function that a root search or an integral evaluates */
 };
@@ -39,19 +39,19 @@ KERNEL enum dom_status segment_cut(struct segment *segment, size_t *stay);
 
 /*
  * Prepares a segment whose geometry, lo, hi, gain and start are set: finds its barrier, and J of the moving
- * dominoes. If friction locks the motion, hi is lowered to the tilt at which this happens.
+ * dominoes. If friction locks the motion, lowers hi to the tilt at which the motion locks.
  */
 KERNEL enum dom_status segment_begin(struct segment *segment);
 
 /*
- * Finds segment->end, and sets *next to a segment that begins at that tilt with the dominoes that continue to
- * move. next->start.omegasq is linear in omegasq of the launch. If the energy has been used up on the way,
- * next->start.omegasq is negative and shows how much is missing.
+ * Finds segment->end, the sums at hi, and sets *next to the segment that begins at hi with the dominoes that
+ * continue to move. next->start.omegasq is a linear function of omegasq at the launch. A negative value means
+ * that the energy has been used up on the way, and shows how much is missing.
  */
 KERNEL enum dom_status segment_next(struct segment *segment, struct segment *next);
 
-/* For a segment whose motion locks at hi: sets *braked to true if the motion is braked just before hi, so
- * that no motion reaches hi. */
+/* For a segment that locks at hi: finds whether the motion slows down before hi (*braked is true), so that no
+ * motion reaches hi. */
 KERNEL enum dom_status segment_braked(const struct segment *segment, bool *braked);
 
 /* Finds tau^2 omega^2 at a tilt, with its error bound unless error is NULL. */
@@ -63,7 +63,8 @@ KERNEL enum dom_status segment_speed(const struct segment *segment, real theta, 
  */
 KERNEL enum dom_status segment_rest(struct segment *segment, real *theta);
 
-/* Integrands: 1 / (tau omega) at a tilt, and its error bound. The context is the segment. */
+/* Integrands: the slowness 1 / (tau omega) at a tilt, and the error bound on the slowness. The context is the
+ * segment. */
 KERNEL real slowness(real theta, void *context);
 KERNEL real slowness_error(real theta, void *context);
 

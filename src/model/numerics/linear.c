@@ -4,7 +4,7 @@
 
 enum { N = LINEAR_ORDER };
 
-/* Finds the n Chebyshev nodes of the first kind. Sums over the nodes evaluate T_k by its recurrence. */
+/* Finds the n Chebyshev nodes of the first kind. */
 static void nodes_make(real *node, int n)
 {
     for (int j = 0; j < n; j++)
@@ -17,7 +17,7 @@ static void series_of(const real *node, const real *value, int n, real *series)
         series[k] = 0;
     for (int j = 0; j < n; j++) {
         real x = node[j], T = 1, before = x,
-             part = value[j] * 2 / (real)n; /* `before` starts as T_-1 = T_1 = x */
+             part = value[j] * 2 / (real)n; /* `before` is T_(k-1), and T_-1 = T_1 = x */
         for (int k = 0; k < n; k++) {
             series[k] += part * T;
             real next = 2 * x * T - before;
@@ -42,7 +42,7 @@ static bool series_died(const real *series, real tol, real noise, real *left)
     return *left <= fmax(fmax(tol, 2 * N * REAL_EPSILON) * size, noise);
 }
 
-/* The values of p and c at the nodes, and the largest noise of each of the two. */
+/* The values of p and c at the nodes, the largest noise of p, and the largest noise of c. */
 struct values {
     real p[N], c[N], p_noise, c_noise;
 };
@@ -76,7 +76,7 @@ static bool panel_make(num_linear_function *f, void *context, const real *node, 
         return false;
     }
     series_of(node, at.p, N, series);
-    /* The solution contains exp(ln G), so the absolute error of ln G counts. */
+    /* The solution contains exp(ln G), so ln G needs an absolute tolerance, not a relative one. */
     for (int k = 0; k < N; k++)
         largest = fmax(largest, fabs(series[k]));
     if (!series_died(series, largest > 0 ? tol * fmax(1, 1 / (half * largest)) : tol, at.p_noise, &of_p))
@@ -119,7 +119,7 @@ KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, r
             return NUM_NOT_CONVERGED;
         struct num_panel *panel = &s->panel[s->panels];
         panel->lo = lo;
-        /* If little of the interval would remain, this panel includes the remainder. */
+        /* If little would remain after this panel, include the remainder. */
         panel->hi = lo + (real)1.25 * width >= hi ? hi : lo + width;
         if (panel_make(f, context, node, ln_G, v, tol, panel, s, &status)) {
             s->panels++;
@@ -206,10 +206,9 @@ static real series_moved(const real *series, int n, real x, real by)
     real y = x - by, T = 1, T_next = y, moved = 0, moved_next = by, sum = 0;
     for (int k = 1; k < n; k++) {
         sum += series[k] * moved_next;
-        real inertia_ratio_then = 2 * y * T_next - T,
-             moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
+        real T_then = 2 * y * T_next - T, moved_then = 2 * x * moved_next + 2 * by * T_next - moved;
         T = T_next;
-        T_next = inertia_ratio_then;
+        T_next = T_then;
         moved = moved_next;
         moved_next = moved_then;
     }

@@ -44,7 +44,7 @@ KERNEL enum num_status num_root_between(num_function *f, void *context, real lo,
         }
         a = next;
         fa = value;
-        /* Interpolation through a, b and c stays inside the bracket if xi and phi satisfy this condition. */
+        /* Interpolation through a, b and c stays inside the bracket under the condition below. */
         real xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
         t = (real)0.5;
         if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
@@ -91,24 +91,24 @@ struct span {
     num_function *f;
     void *context;
     real lo, hi, half;
-    /* A sum ends at the first terms of this relative size. The remainder is negligible, since terms decrease
-     * faster than a geometric series. */
+    /* A sum ends at the first terms that are smaller than this fraction of the sum. The remaining terms are
+     * negligible, since they decrease faster than a geometric series. */
     real cut;
     bool failed;
     /* The fraction of f that the nodes of the last level do not resolve. */
     real tail;
-    real step, sum; /* for the double exponential rule */
-    real peak, width, from, to,
-        /* The rule of Clenshaw and Curtis uses these members. If width is not NaN, the variable of the rule
-         * is u in x = peak + width sinh u. */
-        *value;
+    real step, sum; /* only for the double exponential rule */
+    /* Only for the rule of Clenshaw and Curtis. If width is not NaN, the variable of the rule is u, where x =
+     * peak + width sinh u. */
+    real peak, width, from, to, *value;
 };
 
-/* Returns the integral as computed on the given level. Each level is finer than the previous one. */
+/* Returns the value of the integral on a level of the rule. Each level has more nodes than the previous
+ * one. */
 typedef real span_level(struct span *s, int level);
 
-/* Estimates the remaining error from the differences between successive levels. From level to level the
- * number of correct digits nearly doubles. */
+/* Estimates the relative error of the last level from `off` and `off_before`, the relative differences
+ * between successive levels. From level to level the number of correct digits nearly doubles. */
 static real span_left(real off, real off_before)
 {
     real gain = off < 1 && off_before < 1 ? fmin(fmax(log(off) / log(off_before), 1), (real)1.5) : 1;
@@ -121,18 +121,20 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
     real before = next(s, 0), off_before = 1;
     for (int level = 1; level <= levels && !s->failed && isfinite(before); level++) {
         real value = next(s, level), off = fabs(value - before) / fabs(value);
-        /* Two levels may agree by chance while the nodes do not yet resolve f. */
+        /* Two levels may agree by chance although the nodes do not yet resolve f, so the unresolved part of f
+         * counts as well. */
         real unseen = 8 * s->tail * s->tail, left = span_left(off, off_before);
         if (level >= 2 && unseen <= tol && (left <= tol || off <= 4 * REAL_EPSILON)) {
             *integral = value;
-            /* an estimate is not a bound, so one more level shows how large the error really was */
+            /* `left` is only an estimate, so compute one more level to find the error */
             if (error && level < levels)
                 off = 2 * fabs(next(s, level + 1) - value) / fabs(value) + 4 * s->cut + 8 * UNIT;
             if (error)
                 *error = (off + unseen) * fabs(value);
             return s->failed ? NUM_NOT_FINITE : NUM_OK;
         }
-        if (level >= 2 && s->tail > (real)0.01) /* f is not resolved at all, and another rule is better */
+        /* the nodes do not resolve f at all, so another rule is better */
+        if (level >= 2 && s->tail > (real)0.01)
             break;
         before = value;
         off_before = off;
@@ -371,8 +373,8 @@ struct series_target {
     real integral;
 };
 
-/* Returns the series minus the target, at the distance `right` from the left end of [-1, 1]. Roots close to
- * that end keep their digits, because the variable of the search is the distance. */
+/* Returns the series minus the target at x = right - 1. The search uses `right`, the distance from the left
+ * end of [-1, 1], so that a root close to that end keeps its digits. */
 static real series_off(real right, void *context)
 {
     const struct series_target *t = context;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Roots, maxima and integrals in the arithmetic of the kernels; nothing here depends on dominoes. A function
- * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE. These functions take the
- * place of those of GSL, which exist only in double precision, because the same source must serve all
- * precisions. For a list of roots, the functions here need 65 evaluations and Brent's method 73. For
- * integrals of trains that nearly stop, the functions here need 4883 evaluations and qag 7497.
+ * that cannot be evaluated returns NaN, which ends a search with NUM_NOT_FINITE. GSL has such functions too,
+ * but only for double precision, and the same source must serve all precisions. On the roots of a benchmark,
+ * these functions need 65 evaluations, and Brent's method needs 73. On integrals of trains that nearly stop,
+ * they need 4883 evaluations, and GSL's qag needs 7497.
  */
 #ifndef NUM_NUMERICS_H
 #define NUM_NUMERICS_H
@@ -56,7 +56,7 @@ enum { CHEBYSHEV_FIRST = 8, CHEBYSHEV_LEVELS = 4, CHEBYSHEV_MOST = CHEBYSHEV_FIR
 /* The integral of a function with a peak (see num_peak_integral) from lo to any x up to hi, as a Chebyshev
  * series in u. */
 struct num_series {
-    real lo, hi, peak, width; /* if the width is NaN, there is no substitution, and u = x */
+    real lo, hi, peak, width; /* as in num_peak_integral; if the width is NaN, u is x */
     real from, half;          /* u at lo, and half of the length of the interval in u */
     int terms;
     real term[CHEBYSHEV_MOST + 2];
@@ -81,9 +81,8 @@ KERNEL enum num_status num_series_find(const struct num_series *series, real int
  *
  * Both integrals are Chebyshev series on panels, which are halved until the series of p and c / G have died
  * out. The solution is as precise between the nodes as at the nodes, so that searches for maxima, roots and
- * times need no further steps. This code takes the place of odeiv2 of GSL, which computes only in double
- * precision and for one initial value at a time. A list of equations takes 6880 evaluations here, and 13917
- * with rk8pd.
+ * times need no further steps. GSL's odeiv2 computes only in double precision and for one initial value at a
+ * time. On the equations of a benchmark, it needs 13917 evaluations with rk8pd, and this code needs 6880.
  */
 #if REAL_BITS <= 24
 #define LINEAR_ORDER 8
@@ -113,20 +112,20 @@ struct num_linear {
     /* An array of LINEAR_PANELS panels, too large for the stack. NULL until the first solution
      * allocates it. */
     struct num_panel *panel;
-    real ln_G_error, v_error; /* estimates, from the last terms of the series */
+    real ln_G_error, v_error; /* estimated from the last terms of the series */
 };
 
 /*
- * Continues the solution from its present end up to hi; if it has no panels yet, starts it at lo. p and c
- * must be smooth in between. The relative error of G is about tol, and so is the error of v relative to the
+ * Extends the solution over [lo, hi], where p and c must be smooth. lo must be the end of the solution so
+ * far, if it has any panels. The relative error of G is about tol, and the error of v is about tol times the
  * range of v.
  */
 KERNEL enum num_status num_linear_solve(num_linear_function *f, void *context, real lo, real hi, real tol,
                                         struct num_linear *solution);
 
 /*
- * A rough solution from x = 0 to hi that takes only ROUGH evaluations: a single panel, whose series need not
- * have died out. The errors are absolute, and estimated from the last terms.
+ * A rough solution from x = 0 to hi. It consists of a single panel and takes only ROUGH evaluations, so its
+ * series need not have died out. The errors are absolute, and estimated from the last terms.
  */
 enum { ROUGH = 8 };
 struct num_rough {
@@ -147,7 +146,7 @@ KERNEL void num_linear_free(struct num_linear *solution);
 /* Finds ln G and v at x, which must lie within the range of the solution. */
 KERNEL void num_linear_at(const struct num_linear *solution, real x, real *ln_G, real *v);
 
-/* Returns v(x) - v(x - by). The relative error is that of the derivative of v, however small `by` is. */
+/* Returns v(x) - v(x - by). Even if `by` is tiny, the relative error is only that of the derivative of v. */
 KERNEL real num_linear_moved(const struct num_linear *solution, real x, real by);
 
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The arithmetic of the kernels. The same source is compiled for each precision (precision/): REAL_FLOAT or
- * REAL_QUAD selects one, and the default is double. `real` is the floating-point type, and sqrt() and the
- * other functions are those for that type, as with <tgmath.h>.
+ * The arithmetic of the kernels. The same source is compiled for each precision (precision/): with REAL_FLOAT
+ * defined for float, with REAL_QUAD for quad, and with neither for double. `real` is the floating-point type.
+ * sqrt() and the other functions of <math.h> are those for that type, as with <tgmath.h>.
  */
 #ifndef DOM_REAL_H
 #define DOM_REAL_H
