@@ -128,7 +128,8 @@ struct dom_scale {
     dom_real h, g;
 };
 
-/* Return the defaults of DOM_TRAIN_PARAMETERS, without effects, and of DOM_SCALE_PARAMETERS. */
+/* These two functions return defaults: those of DOM_TRAIN_PARAMETERS, without effects, and those of
+ * DOM_SCALE_PARAMETERS. */
 struct dom_train dom_train_default(void);
 struct dom_scale dom_scale_default(void);
 
@@ -242,8 +243,8 @@ struct dom_link {
 };
 
 /*
- * Calls visit for the head, which leans at theta, and then for each follower that matters at the tolerance.
- * visit returns false to end the walk early. The status is DOM_OK in that case, too.
+ * Calls visit for the head, which leans at theta, and then for each follower that contributes at the
+ * tolerance. visit returns false to end the walk early. The status is DOM_OK in that case, too.
  */
 typedef bool dom_visit(const struct dom_link *link, void *context);
 enum dom_status dom_chain_walk(const struct dom_train *train, const struct dom_compute *compute,
@@ -272,7 +273,8 @@ struct dom_fuels_error {
 
 struct dom_fuels {
     dom_real exact; /* the potential energy that all dominoes lose in one cycle: H(0) - H(theta_c) */
-    dom_real paper; /* 1 - h(theta_f): the second equality of (25; c7), which holds only for r = 1 */
+    /* 1 - h(theta_f), the paper's closed form of the fuel (25; c7), which holds only for r = 1 */
+    dom_real paper;
     struct dom_fuels_error error;
 };
 
@@ -427,15 +429,15 @@ struct dom_force {
 };
 
 /*
- * Calls visit for the dominoes that matter at the tilt theta of a moving train, from the head down. visit
- * returns false to end the walk early. The statuses are those of dom_cycle_state.
+ * Calls visit for the dominoes of a moving train at the tilt theta, from the head down to the last one that
+ * contributes. visit returns false to end the walk early. The statuses are those of dom_cycle_state.
  */
 typedef bool dom_force_visit(const struct dom_force *force, void *context);
 enum dom_status dom_cycle_forces(const struct dom_train *train, const struct dom_compute *compute,
                                  dom_real theta, dom_force_visit *visit, void *context);
 
-/* The smallest contact force and impulse. Dominoes stay in contact if both are > 0. Both are infinite if
- * there is no contact. */
+/* The smallest contact force and the smallest impulse. Dominoes stay in contact if the force and the impulse
+ * are > 0. Both numbers are infinite if there is no contact. */
 struct dom_least_force {
     dom_real force; /* the smallest force of the cycle, divided by the weight of the domino that it pushes */
     dom_real theta; /* the tilt of the head at which this force occurs */
@@ -457,9 +459,9 @@ enum dom_status dom_cycle_least_force(const struct dom_train *train, const struc
 struct dom_floor {
     /* The coefficient needed during the motion, and the tilt of the head at that moment. */
     dom_real motion, theta;
-    size_t domino;     /* the domino whose foot needs `motion`, 0 = head */
+    size_t domino;     /* the domino whose foot needs the coefficient `motion`, 0 = head */
     dom_real hit;      /* the coefficient needed in the collision */
-    size_t hit_domino; /* the domino whose foot needs `hit`, 0 = head */
+    size_t hit_domino; /* the domino whose foot needs the coefficient `hit`, 0 = head */
 };
 
 /*
@@ -499,9 +501,9 @@ enum dom_status dom_limit_rmax(const struct dom_train *train, const struct dom_c
 
 /*
  * Finds the largest growth of two dominoes (section "Two dominoes"): domino 1, just tipped over, must carry
- * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since (5; b0) is a lower
- * bound on r, equal dominoes can fail where larger ones succeed. r_max is then the upper end of the first
- * interval of growths that succeed.
+ * domino 0 over the barrier of the pair. train->r and train->fuel are not used. Since r must be large enough
+ * for domino 1 to tip over (5; b0), equal dominoes can fail where larger ones succeed. r_max is then the
+ * upper end of the first interval of growths that succeed.
  */
 enum dom_status dom_limit_pair(const struct dom_train *train, const struct dom_compute *compute,
                                struct dom_limit *limit);
@@ -559,12 +561,12 @@ struct dom_effect {
     const char *name;
     const char *adds;   /* what the effect adds, in a few words */
     const char *help;   /* a description in full sentences, with equations in the paper's letters */
-    const char *source; /* where the mathematics comes from */
+    const char *source; /* the publication from which the mathematics comes */
     const char *plan;   /* the equation that is solved, and how it is solved, in a few words */
     struct dom_effect_argument argument[DOM_EFFECT_ARGUMENTS]; /* a NULL name ends the list early */
     unsigned needs;  /* the effects that must be on as well, as bits 1 << DOM_EFFECT_... */
-    bool dissipates; /* dominoes lose energy while they move: see dom_law */
-    /* The effect changes only tau: with times in tau, a train moves as it does without the effect. */
+    bool dissipates; /* true if dominoes lose energy while they move; see dom_law */
+    /* True if the effect changes only tau: with times in tau, a train moves as it does without the effect. */
     bool cancels;
     const char *synonyms; /* search words for the effect, separated by blanks */
 };

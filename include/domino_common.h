@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What <domino.h> and <domino_quad.h> share, because no floating-point type occurs in it: statuses, the
- * choices that a caller makes, the names of effects and events, and the counters of work. <domino.h>, which
- * has the introduction, includes this header.
+ * The parts of <domino.h> that do not depend on the floating-point type, and that <domino_quad.h> therefore
+ * shares: statuses, the choices that a caller makes, the names of effects and events, and the counters of
+ * work. <domino.h>, which has the introduction, includes this header.
  */
 #ifndef DOMINO_COMMON_H
 #define DOMINO_COMMON_H
@@ -51,7 +51,7 @@ extern "C" {
     X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
     X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
     X(LOCKS,                                                                                                 \
-      "friction locks the train: a contact force passes on the wrong side of a hinge and cannot turn it")    \
+      "friction locks the train: a contact force passes on the wrong side of a hinge and turns no domino")   \
     X(NO_STAND,                                                                                              \
       "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \

@@ -24,7 +24,7 @@ extern "C" {
     X(NONE, "nothing is missing")                                                                            \
     X(EFFECT, "trains with friction, a slope or rounded edges have no proof")                                \
     X(ROUNDING, "the energy and the barrier differ by less than the rounding error of double precision")     \
-    X(BOXES, "the proof would need more boxes or dominoes than the limit allows")                            \
+    X(BOXES, "the proof would have to examine more rectangles or dominoes than the limit allows")            \
     X(INTERRUPTED, "interrupted")                                                                            \
     X(MODE, "the rounding mode is not round-to-nearest: call fesetround(FE_TONEAREST) first")
 
@@ -57,8 +57,8 @@ enum dom_proof_end {
 
 struct dom_proof {
     enum dom_proof_end ends;
-    /* The lowest growth of the proved interval: 1, or a growth at which the pair succeeds if equal dominoes
-     * fail but larger ones succeed. */
+    /* The lowest growth of the proved interval. It is 1, unless equal dominoes of a pair fail but larger ones
+     * succeed. */
     double from;
     double low;   /* r_max >= low; NaN with DOM_PROVED_NONE */
     double high;  /* r_max <= high; infinite if no bound is proved */

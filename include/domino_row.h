@@ -55,11 +55,11 @@ enum dom_window_of {
     DOM_WINDOW_GAP, /* the gap before a domino; all dominoes after the gap move with it */
     /* The distance from the back of the first domino to the back of this domino. No other domino moves. */
     DOM_WINDOW_PLACE,
-    DOM_WINDOW_HEIGHT,   /* the height of a domino, and its mass, since the density stays the same */
+    DOM_WINDOW_HEIGHT, /* the height of a domino, which changes its mass, since the density stays the same */
     DOM_WINDOW_FRICTION, /* the friction between all dominoes */
     DOM_WINDOW_PLUMB,    /* the lean of a domino, in rad */
-    /* The thickness of a domino, and its mass, since the density stays the same; the gaps beside it do not
-     * change. */
+    /* The thickness of a domino, which changes its mass, since the density stays the same. The gaps beside
+     * the domino do not change. */
     DOM_WINDOW_THICKNESS
 };
 
@@ -71,11 +71,11 @@ enum dom_window_of {
 #define DOM_ERRORS(X)                                                                                        \
     X(gap, "m", "gap before each domino; all later dominoes move with it")                                   \
     X(place, "m", "place of each domino; no other domino moves")                                             \
-    X(height, "", "height of each domino, as a fraction")                                                    \
-    X(thickness, "", "thickness of each domino, as a fraction")                                              \
-    X(mass, "", "mass of each domino, as a fraction")                                                        \
+    X(height, "", "height of each domino; the error is relative to the height")                              \
+    X(thickness, "", "thickness of each domino; the error is relative to the thickness")                     \
+    X(mass, "", "mass of each domino; the error is relative to the mass")                                    \
     X(lean, "rad", "lean of each domino")                                                                    \
-    X(radius, "", "radius of the edges of each domino, as a fraction")                                       \
+    X(radius, "", "radius of the edges of each domino; the error is relative to the radius")                 \
     X(friction, "", "friction between dominoes, equal for all dominoes")                                     \
     X(slope, "rad", "slope of the floor, equal for all dominoes")                                            \
     X(floor, "", "friction of the floor, equal for all dominoes")                                            \
@@ -194,7 +194,7 @@ struct dom_verdict {
     /* The domino at which the row ends, which is the last one that was hit. With DOM_BAD_..., the domino with
      * the bad value. */
     size_t domino;
-    /* J, the missing energy, > 0 for DOM_ROW_STOPS. Infinite if friction would lock the row. */
+    /* J, the missing energy: > 0 for DOM_ROW_STOPS, and infinite if friction would lock the row */
     dom_real short_by;
     /* s, the time until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
      * times were not requested */
@@ -258,7 +258,7 @@ typedef void dom_row_make(dom_real r, struct dom_domino *domino, size_t count, v
 
 /* The largest growth of a row. */
 struct dom_row_growth {
-    dom_real r_max; /* NaN if not all dominoes fall at any growth that was tried */
+    dom_real r_max; /* NaN if no growth was found at which all dominoes fall */
     /* All dominoes fall at growths from r_min to r_max; r_min is 1 if the row falls at r = 1. */
     dom_real r_min;
     /* How the row ends at a growth just above r_max, or at r = 1 if r_max is NaN. DOM_ROW_FALLS if r_max is
@@ -270,15 +270,15 @@ struct dom_row_growth {
  * Finds the largest growth at which all dominoes of a row fall, to the relative tolerance. r is raised from 1
  * to `highest`, first until the row falls, and then until it no longer falls. `make` writes the dominoes for
  * each r that is tried. For a train, let `make` call dom_row_of_train, and let `highest` be dom_train_reach.
- * row->domino is not used. r is raised in steps of 2 %, or in steps of 10 % while the row does not fall in an
- * engine; an interval of growths that is narrower than a step can be missed. The statuses are those of
- * dom_row_run, which also checks the dominoes that `make` has written. The status is DOM_BAD_R if `highest`
- * is not a finite number >= 1.
+ * row->domino is not used. The steps of r are 2 %; with an engine they are 10 % until the row falls. An
+ * interval of growths that is narrower than a step can be missed. The statuses are those of dom_row_run,
+ * which also checks the dominoes that `make` has written. The status is DOM_BAD_R if `highest` is not a
+ * finite number >= 1.
  */
 enum dom_status dom_row_rmax(const struct dom_row *row, const struct dom_compute *compute, dom_real highest,
                              dom_row_make *make, void *context, struct dom_row_growth *growth);
 
-/* A change of one gap that makes all dominoes of a row fall. */
+/* A change of a single gap after which all dominoes of the row fall. */
 struct dom_mend {
     size_t domino; /* the number of the domino whose gap changes, from 2 */
     dom_real gap;  /* m, the current gap */
@@ -289,13 +289,13 @@ struct dom_mend {
 };
 
 /*
- * Finds the changes of single gaps that make all dominoes fall, the smallest change first, and writes their
- * number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which the row
- * ends and the 30 gaps before that gap, down to 0 and up to the height of the domino before the gap. If a gap
- * is wider than that height, and all dominoes fall with a gap of that height, `to` is that height. Each
- * direction is searched in 40 steps of increasing length, of which the first is 1/64,000 of the range, and
- * then by bisection. An interval of gaps narrower than a step can be missed. Calls progress, which may be
- * NULL, for each gap. The statuses are those of dom_row_run.
+ * Finds the changes of a single gap with which all dominoes of a row fall, the smallest change first. Writes
+ * their number to *count, which is 0 for a row that falls already. Tries the gap after the domino at which
+ * the row ends, and the 30 gaps before it. Each gap is tried from 0 to the height of the domino before the
+ * gap. If a gap is wider than that height, and all dominoes fall with a gap of that height, `to` is that
+ * height. The search in each direction takes 40 steps of increasing length, the first of which is 1/64,000 of
+ * the range, and then bisects. An interval of gaps narrower than a step can be missed. Calls progress, which
+ * may be NULL, for each gap. The statuses are those of dom_row_run.
  */
 enum dom_status dom_row_mend(const struct dom_row *row, const struct dom_compute *compute,
                              dom_progress *progress, void *context, struct dom_mend mends[DOM_MENDS],
@@ -310,8 +310,9 @@ struct dom_window {
     dom_real low;  /* the smallest value of the window, rounded to seven digits; NaN if no window was found */
     dom_real high; /* the largest value of the window */
     bool others;   /* true if the row also falls with some value outside the window */
-    /* How the row ends with a value just outside the window. DOM_ROW_FALLS if the window reaches the end of
-     * the range that is tried; also, as a placeholder, if the row does not fall with the current value. */
+    /* How the row ends with values just below and just above the window. DOM_ROW_FALLS if the window reaches
+     * the end of the range that is tried. If the row does not fall with the current value, DOM_ROW_FALLS has
+     * no meaning. */
     enum dom_row_end below, above;
 };
 
@@ -385,9 +386,10 @@ struct dom_wish {
 /* The row of a train that fulfils a wish. Unless `limit` is DOM_DESIGN_FITS, all members but `limit` and
  * `needs` are NaN or 0. */
 struct dom_design {
-    /* s, the gap of each domino divided by its height, is a multiple of 0.001; r is the growth */
+    /* s is the gap of each domino divided by its height, a multiple of 0.001; r is the growth */
     dom_real s, r;
-    size_t steps;     /* first r^steps = height: the row has steps + 1 dominoes */
+    /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
+    size_t steps;
     dom_real feet;    /* m, from the back of the first domino to the front of the last */
     dom_real length;  /* m, after the last domino has fallen: feet + height */
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
@@ -403,12 +405,12 @@ struct dom_design {
  * >= safety * barrier, in the endless train and at each domino of the row after the first. The largest growth
  * at which a train has this safety at any s gives the smallest number of dominoes. r is then reduced until
  * the last domino is exactly `height` tall, and s stays where that growth is largest, or as close to it as
- * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, with up to 30
- * dominoes more. train->s and train->r are not used. The search computes in double, and tries separations
- * that are multiples of 0.001. A separation at which a train or a row cannot be computed is skipped. If the
- * wish has an engine, the row must also fall in the engine, which is then tried only at separations that are
- * 0.1 apart. The safety is still computed by the model. The status is DOM_BAD_HEIGHT, DOM_BAD_SAFETY,
- * DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside its range.
+ * the hall and the start of the row allow. DOM_LEAST_LENGTH finds the shortest row instead, which may have up
+ * to 30 dominoes more. train->s and train->r are not used. The search computes in double, and tries
+ * separations that are multiples of 0.001. A separation at which a train or a row cannot be computed is
+ * skipped. If the wish has an engine, the row must also fall in the engine, which runs rows only at
+ * separations that are 0.1 apart. The safety is still computed by the model. The status is DOM_BAD_HEIGHT,
+ * DOM_BAD_SAFETY, DOM_BAD_HALL, DOM_BAD_G or DOM_BAD_PUSH if a member of the wish is outside its range.
  */
 enum dom_status dom_design_find(const struct dom_train *train, const struct dom_wish *wish,
                                 const struct dom_compute *compute, struct dom_design *design);
@@ -489,9 +491,9 @@ enum dom_status dom_placement_study(const struct dom_row *row, const struct dom_
                                     size_t *stops);
 
 /*
- * Does what dom_placement_study does, and also runs each row again without each kind of error, one kind at a
- * time; the random numbers of the other kinds stay the same. Writes to without[kind] how many rows fall
- * without errors of that kind. Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count
+ * Does what dom_placement_study does. Then runs the same rows again for each kind of error, without the
+ * errors of that kind but with the same random errors of all other kinds, and writes to without[kind] how
+ * many of these rows fall. Unless `stops` is NULL, it has room for (1 + DOM_ERROR_COUNT) * row->count
  * numbers: first the numbers that dom_placement_study writes, and then, for each kind, how many rows ended at
  * each domino but fall without errors of that kind.
  */
@@ -531,9 +533,9 @@ enum dom_status dom_placement_budget(const struct dom_row *row, const struct dom
  * Changes a row so that it falls as reliably as possible with the random errors of a placement, and writes
  * the changed dominoes to domino[0] ... domino[row->count - 1]. study[0] counts how many rows of the
  * placement fall before the changes, and study[1] how many fall after them. The search itself uses other
- * random rows, whose numbers follow those of the placement. If the given row is within the limits, the
- * result is the given row unless the search finds one of which more fall. Otherwise the result is the best
- * row found within the limits, even if fewer fall; if none was found, the result is the given row, and
+ * random rows, whose numbers follow those of the placement. If the given row is within the limits, the result
+ * is the given row unless the search finds a more reliable one. Otherwise the result is the best row found
+ * within the limits, even if it is less reliable; if none was found, the result is the given row, and
  * study[1].rows is 0. The same seed gives the same result, whatever placement->parallel is.
  *
  * The search runs the model in double. If the row has an engine, the engine runs only the rows that study[0]
