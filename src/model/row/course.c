@@ -1,35 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row that is run many times, each time with different sizes of a few neighbouring dominoes.
+ * A row that is run many times, each time with a change of a few neighbouring dominoes. The run without a
+ * change (the unchanged row) makes most of the work for the others unnecessary.
  *
  * The dominoes before the change fall as in the unchanged row, so a trial begins at the first head that can
- * be affected. A trial may also end early, because the effect of a change decreases from head to head. While
- * the geometry is that of the unchanged row, omegasq of the next head is gain omegasq + offset for every law
- * of motion here, since d omegasq / d omegasq(launch) depends on the geometry alone. Let D be the relative
- * deviation of omegasq from that of the unchanged row. At the next head the deviation becomes lambda D, with
- * lambda = gain omegasq / (omegasq of the next head), and lambda < 1 if a fall releases energy. The changed
- * dominoes still belong to the chain that leans on the head, and change the three numbers `need`, `gain` and
- * `offset` of that head. This change is measured at each head (`off`). It decays with the slopes of the
- * chain, so that the ratio of the changes at two successive heads gives the sum of all changes still to come.
+ * be affected. A trial may also end early, because the effect of a change decreases from head to head. Where
+ * the geometry is that of the unchanged row, the omegasq of the next head is gain omegasq + offset, because
+ * the equation of motion is linear in omegasq. Let D be the relative deviation of omegasq from its value in
+ * the unchanged row. At the next head this deviation is lambda D, with lambda = gain omegasq / (omegasq of
+ * the next head), and lambda < 1 if a fall releases energy. There is a second effect: the changed dominoes
+ * belong to the chains that lean on the next heads, and change the three numbers `need`, `gain` and `offset`
+ * of these heads. This change is computed at each head (`off`). It decays from head to head like a geometric
+ * series, so its values at two successive heads give an estimate of the sum of all further changes.
  *
  * A head keeps falling if omegasq >= need and no contact force is negative. At each tilt a contact force is
  * linear in omegasq, so the values of omegasq for which no force is negative form an interval. Two runs of
- * the head, one barely fast enough and one FAST times as fast, show how far that interval reaches. From the
- * end of the row backwards this gives the deviations (`below` and `above`) that do not change the verdict of
- * the unchanged row: half of what each head allows, divided by lambda if lambda > 1. Once the deviation and
- * the sum of the changes together are smaller, no later head can change the verdict, and the trial has the
- * verdict of the unchanged row. Otherwise the trial continues to the end of the row.
+ * the head, one barely fast enough and one with FAST times the omegasq, show how far this interval reaches.
+ * Working backwards from the end of the row, the program finds for each head how far omegasq may deviate
+ * (`below` and `above`) without any effect on the verdict: half of what the head itself allows, and no more
+ * than what the next head allows, divided by lambda if lambda > 1. As soon as D and the sum of the further
+ * changes together are smaller, the trial ends with the verdict of the unchanged row. Otherwise it continues
+ * to the end of the row.
  */
 #include "row/run.h"
 #include <stdlib.h>
 
-/* The state of the unchanged row when one head is hit, and how far a trial may deviate from this state. */
+/* A mark is the state of the unchanged row when one head is hit, and how far a trial may deviate from this
+ * state without any effect on the verdict. */
 struct mark {
-    real omegasq, inertia_ratio; /* as in struct run, at the moment when the head is hit */
+    real omegasq, inertia_ratio; /* values of the members of struct run when the head is hit */
     size_t moving;
     real need, gain, offset;
-    real below, above; /* relative deviations of omegasq that do not change the verdict */
-    /* the smallest contact force from this head on, relative to the weight of the pushed domino */
+    real below, above; /* by how much omegasq may deviate, as a fraction of omegasq */
+    /* the smallest contact force of this head and all later heads, relative to the weight of the pushed
+     * domino */
     real pushes;
     /* true if all dominoes from this head on fall; false if the row ends like the unchanged row */
     bool falls;
@@ -38,30 +42,31 @@ struct mark {
 struct course {
     struct row_request request;
     struct geometry *geometry;
-    size_t made; /* number of elements of `geometry` that are those of the unchanged row */
+    size_t made; /* the first `made` elements of `geometry` are those of the unchanged row */
     struct mark *mark;
-    size_t known; /* number of marks that have been found */
+    size_t known; /* number of marks that are filled in */
     struct dom_verdict verdict;
 };
 
-/* Factor by which omegasq is raised in the faster of the two runs that look for negative contact forces. */
+/* Two runs of a head look for negative contact forces. In the faster one, omegasq is multiplied by this
+ * factor. */
 #define FAST 1000
 
-/* A trial may end early if the changed dominoes can cause no further deviation above LEFT_MOST, nor above
- * LEFT_FORCE times the smallest contact force. With friction the limit is LEFT_MOST_LOCKING, which is tiny,
- * since no measure tells how close a row is to locking. */
+/* A trial may end early only if the sum of all further changes is below LEFT_MOST, and below LEFT_FORCE times
+ * the smallest contact force. With friction the first limit is LEFT_MOST_LOCKING instead. This limit is tiny,
+ * since no number tells how close a row is to locking. */
 #define LEFT_MOST         ((real)0.01)
 #define LEFT_FORCE        ((real)0.1)
 #define LEFT_MOST_LOCKING ((real)1e-6)
 
-/* A difference of less than NOISE times the tolerance counts as rounding noise. */
+/* A change of less than NOISE times the tolerance is taken for a rounding error. */
 #define NOISE 64
 
-/* Differences count as decaying if each difference is at most this fraction of the previous one. */
+/* The changes at successive heads count as decaying if each is at most this fraction of the previous one. */
 #define DECAYS ((real)0.9)
 
-/* Returns the smallest contact force while head k falls, if it began with `omegasq` instead of its own value.
- * Returns a negative number if the row then ends at this head. */
+/* Returns the smallest contact force during the fall of head k if its motion began with the given omegasq.
+ * Returns a negative number if the row would then end at this head. */
 static real least_force(const struct run *run, size_t k, real omegasq)
 {
     struct run other = *run;
@@ -72,8 +77,8 @@ static real least_force(const struct run *run, size_t k, real omegasq)
     return ends ? -1 : d.least_force;
 }
 
-/* Returns the mark of head k, given the state of the run when head k was hit (`before`) and when the next
- * head was hit (`after`). */
+/* Makes the mark of head k. `before` and `after` are the states of the run when head k was hit and when the
+ * next head was hit. */
 static struct mark mark_of(const struct run *before, const struct run *after, size_t k,
                            const struct descent *d)
 {
@@ -97,7 +102,8 @@ static struct mark mark_of(const struct run *before, const struct run *after, si
     return m;
 }
 
-/* Finds how far omegasq of a head that keeps falling may deviate, without regard to later heads. */
+/* Finds how far omegasq of head k may deviate so that head k still keeps falling, whatever happens to later
+ * heads. */
 static void mark_local(const struct run *before, size_t k, struct mark *m)
 {
     if (k == 0 && isnan(before->request->push))
@@ -110,7 +116,8 @@ static void mark_local(const struct run *before, size_t k, struct mark *m)
     m->pushes = fmin(m->pushes, fast >= 0 ? fast : m->pushes);
 }
 
-/* Limits the deviations of marks `from` to `to` - 1 to what the later marks allow. */
+/* Reduces the deviations that marks from ... to - 1 allow, so that they are also harmless for all later
+ * heads. */
 static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
 {
     for (size_t k = to; k-- > from;) {
@@ -125,8 +132,8 @@ static void marks_join(struct mark *mark, size_t from, size_t to, bool falls)
     }
 }
 
-/* Sets how far omegasq may deviate at mark m, where the row ends, so that the row still ends there in the
- * same way. */
+/* For the mark of the head at which the row ends: sets how far omegasq may deviate so that the row still ends
+ * there in the same way. */
 static void mark_end(struct mark *m, enum dom_row_end end)
 {
     /* whether a head reaches the next domino depends only on the sizes, not on omegasq */
@@ -135,8 +142,8 @@ static void mark_end(struct mark *m, enum dom_row_end end)
     m->above = reach ? (real)INFINITY : end == DOM_ROW_STOPS ? (m->need / m->omegasq - 1) / 2 : 0;
 }
 
-/* Returns true if the heads after k cannot change the verdict. On entry *off is the change of `need`, `gain`
- * and `offset` at the head before k, or NaN; on return it is the change at head k. */
+/* Returns true if no head after k can change the verdict. On entry, *off holds the relative change of `need`,
+ * `gain` and `offset` at the head before k, or NaN if it is unknown. On return, *off holds that at head k. */
 static bool settled(const struct course *course, size_t k, const struct run *before, const struct run *after,
                     const struct descent *d, real *off)
 {
@@ -155,14 +162,14 @@ static bool settled(const struct course *course, size_t k, const struct run *bef
     return left - by <= next->below && left + by <= next->above && left <= fmin(next->below, next->above);
 }
 
-/* Runs the row from head `from` on. Heads after `last` have the sizes of the unchanged row. Makes the marks
- * of those heads that no earlier run has reached. */
+/* Runs the row from head `from` on. All dominoes after domino `last` are those of the unchanged row. Also
+ * makes the marks of those heads that no earlier run has reached. */
 static enum dom_status course_run(struct course *c, size_t from, size_t last, struct dom_verdict *verdict)
 {
     const size_t count = c->request.count;
     struct run run = {.request = &c->request,
                       .geometry = c->geometry,
-                      .forces = c->known < count, /* a mark stores the smallest force */
+                      .forces = c->known < count, /* marks need the smallest force, not only its sign */
                       .verdict = {.end = DOM_ROW_FALLS, .spare = (dom_real)INFINITY}};
     real off = REAL_NAN;
     row_launch(&run);
@@ -248,7 +255,7 @@ KERNEL enum dom_status row_again(struct course *c, const struct dom_domino *domi
     c->request.domino = domino;
     for (size_t k = first; k <= last && status == DOM_OK; k++)
         status = row_domino_check(&c->request, k);
-    /* the row ends before it reaches a changed domino */
+    /* the unchanged row ends before the changed dominoes matter */
     if (c->verdict.end != DOM_ROW_FALLS && from >= c->verdict.domino)
         return status;
     for (; c->made < from && status == DOM_OK; c->made++)

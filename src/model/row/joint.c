@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A finite row as a chain, in which each domino has a size, a weight, a gap and a follower of its own. The
- * joint between a domino and its follower is described by the geometry of a train, with the numbers of these
- * two dominoes. As everywhere in the kernels, lengths and energies are relative to the domino itself. */
+/* Describes a finite row as a chain in which each domino has its own size, weight and gap. The joint between
+ * a domino and its follower is described by the geometry of a train whose r, s and d are those of these two
+ * dominoes. As everywhere in the kernels, the unit of length is the height of the domino itself, and the unit
+ * of energy is its m g h / 2. */
 #include "row/joint.h"
 #include "dynamics/walls.h"
 #include <string.h>
@@ -41,8 +42,8 @@ static void joint_shape(const struct row_request *row, size_t k, struct geometry
     geometry->leave = v < 2 ? (struct tilt){sqrt(v * (2 - v)), 1 - v, v} : (struct tilt){0, -1, 2};
 }
 
-/* Makes the joint between domino k and its follower k - 1, with bounds on the contributions of all followers
- * to a sum. */
+/* Fills in the geometry of the joint between domino k and its follower k - 1, including bounds that tell when
+ * a sum along the chain may end at domino k. */
 static void joint_make(const struct row_request *row, size_t k, const struct geometry *follower,
                        struct geometry *geometry)
 {
@@ -54,19 +55,20 @@ static void joint_make(const struct row_request *row, size_t k, const struct geo
     geometry->follower = follower;
     if (geometry->law->joint)
         geometry->law->joint(geometry, follower);
-    /* A sum along the chain that ends at this domino leaves out the terms of all dominoes before it. These
-     * are upper bounds on the omitted weights and moments of inertia, divided by the term of this domino. */
+    /* If a sum along the chain ends at domino k, it leaves out the terms of all dominoes behind domino k.
+     * `weights` and `moments` are upper bounds on the weights and the moments of inertia that are left out,
+     * divided by those of domino k. */
     real weights =
         geometry->weight * follower->reach / geometry->reach * (1 + follower->decay / (1 - follower->decay));
     real moments = geometry->inertia * (1 + follower->decay_J / (1 - follower->decay_J));
     if (geometry->lean < 0) {
-        /* While the domino leans backwards, the slope exceeds 1 by r L |x| / Y, and Y is at least as large as
-         * for an upright domino. */
+        /* While the domino leans backwards, the slope is 1 + r L |x| / Y, and Y is at least as large as for
+         * an upright domino. */
         real by = -geometry->rL * sin(geometry->lean) / sqrt(geometry->leave_at), most = 1 + 2 * by;
         weights = by < 1 ? weights * most : (real)INFINITY;
         moments = by < 1 ? moments * most * most : (real)INFINITY;
     }
-    /* If decay or decay_J is 1, a sum cannot leave out any domino. */
+    /* decay or decay_J is 1 if a sum must include all dominoes. */
     geometry->decay = weights < 1 / REAL_EPSILON ? weights / (1 + weights) : 1;
     geometry->decay_J = moments < 1 / REAL_EPSILON ? moments / (1 + moments) : 1;
 }
@@ -81,8 +83,7 @@ KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *
     return contact->X >= 0 && contact->arm > 0 && tilt_angle(*tilt) >= (real)row->domino[k].lean;
 }
 
-/* Does the same as row_end for a domino k that leans, or whose next domino leans, while the row still
- * stands. */
+/* Does the same as row_end if domino k or the next domino leans at the start. */
 static struct tilt lean_end(const struct row_request *row, size_t k)
 {
     const struct geometry self = {.lean = (real)row->domino[k].lean};
@@ -97,7 +98,7 @@ static struct tilt lean_end(const struct row_request *row, size_t k)
     return contact.arm > 0 ? geometry_rest(&self) : lies;
 }
 
-/* Returns the last tilt of domino k as a head. At this tilt the domino hits the next one, or lies on the
+/* Returns the tilt at which the motion of domino k as a head ends: it hits the next domino, or lies on the
  * floor. */
 static struct tilt row_end(const struct row_request *row, size_t k, const struct geometry *geometry)
 {
@@ -116,8 +117,8 @@ static dom_real row_radius(const struct row_request *row, size_t k)
     return rho != 0 && domino->radius > 0 ? domino->radius / domino->height : rho;
 }
 
-/* Turns on the effects of domino k. The walls of all boxes have the same thickness in m, which is a different
- * fraction of each height. The radius of the edges may differ from domino to domino. */
+/* Turns on the effects for domino k. The values of two effects differ from domino to domino: the thickness of
+ * the walls as a fraction of the height, and the radius of the edges. */
 static enum dom_status row_effects(const struct row_request *row, size_t k, struct geometry *geometry)
 {
     dom_real effect[DOM_DYNAMICS_COUNT];
@@ -153,7 +154,7 @@ KERNEL enum dom_status row_make(const struct row_request *request, size_t count,
     enum dom_status status = DOM_OK;
     for (size_t k = 0; k < count && status == DOM_OK; k++) {
         status = row_geometry(request, k, row);
-        if (status == DOM_OK && k == 0) /* all joints share the memory that is allocated here for the law */
+        if (status == DOM_OK && k == 0) /* all joints share the memory that dynamics_begin allocates */
             status = dynamics_begin(row);
     }
     return status;
@@ -191,13 +192,14 @@ static bool walls_room(const struct row_request *row, size_t k, const struct blo
     return !dynamics_on(walls) || walls_fit(self->d, (real)walls);
 }
 
-/* Returns true if a leaning domino stands without falling over either edge of its foot. */
+/* Returns true if a leaning domino stands, that is, does not fall over either edge of its foot. */
 static bool lean_stands(const struct row_request *row, const struct dom_domino *d)
 {
     return fabs((real)(d->lean + row->effect[DOM_EFFECT_slope])) < atan((real)(d->thickness / d->height));
 }
 
-/* The quantities computed from the sizes of a domino must also be in the range of the precision. */
+/* Not only the sizes of a domino, but also quantities that are computed from them must be in the range of the
+ * precision. */
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k)
 {
     const struct dom_domino *d = &row->domino[k];

@@ -1,43 +1,45 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes of a row: their checks, and the joints between them as the geometry of a chain. */
+/* Checks the dominoes of a row, and describes each contact between neighbours (a joint) by the geometry of a
+ * train. */
 #ifndef DOM_JOINT_H
 #define DOM_JOINT_H
 
 #include "dynamics/choose.h"
 
-/* A gap counts as reached if it is wider than the head is tall by at most this fraction, which allows for
- * rounding errors. In a row of a train with r = 1/s, these are the errors of r, of two powers, of four
- * products, and of both sizes when they are rounded to the precision. Each of these errors is half a unit or
- * one unit in the last place. */
+/* A head reaches the next domino if the gap is not wider than the head is tall. Because of rounding errors,
+ * the gap may exceed this limit by the fraction REACH_ROUNDED: if a row is part of a train with r = 1/s, the
+ * gap and the height come from r, two powers and four products, and are rounded to the precision of the
+ * kernel. Each of these steps has an error of half a unit or one unit in the last place. */
 #define REACH_ROUNDED (4 * REAL_EPSILON)
 
 /* One domino, in SI units. */
 struct block {
     real height, d, mass, tau; /* d = thickness / height */
-    real box;                  /* moment of inertia divided by that of a solid block */
-    real unit;                 /* m g h / 2 */
+    /* moment of inertia divided by that of a solid block of the same size and mass */
+    real box;
+    real unit; /* unit of energy, m g h / 2 */
 };
 
 KERNEL struct block block_of(const struct row_request *row, size_t k);
 
-/* row_check checks a whole row, and row_domino_check checks domino k alone. If a row has bad dominoes, *wrong
- * receives the number of the first bad domino, counted from 1. */
+/* row_check checks a whole row, and row_domino_check checks only domino k. If a domino is bad, row_check sets
+ * *wrong to the number of the first bad domino, counted from 1. */
 KERNEL enum dom_status row_check(const struct row_request *row, size_t *wrong);
 KERNEL enum dom_status row_domino_check(const struct row_request *row, size_t k);
 
-/* row_make makes the geometry of the first `count` dominoes of a row. It also allocates the memory of the law
- * of motion; free it with dynamics_end of row[0], even after a failure. row_geometry makes the geometry of
- * domino k alone, and needs the geometry of domino k - 1. */
+/* row_make fills in the geometry of the first `count` dominoes of a row. It also allocates memory for the
+ * equation of motion; call dynamics_end(&row[0]) afterwards, even after a failure. row_geometry fills in only
+ * row[k], from row[k - 1]. */
 KERNEL enum dom_status row_make(const struct row_request *request, size_t count, struct geometry *row);
 KERNEL enum dom_status row_geometry(const struct row_request *request, size_t k, struct geometry *row);
 
-/* Updates the geometry of a row in which only gaps have changed, and all dominoes are plumb and have sharp
+/* Updates the geometry of a row after a change of gaps alone. All dominoes must be plumb and have sharp
  * edges. */
 KERNEL void row_gaps(const struct row_request *request, struct geometry *row);
 
-/* Finds the contact of domino k with domino k + 1, which may lean, and the tilt of domino k at that contact.
- * Returns false if the contact is not that of an upper edge with the back face of the other domino, or if the
- * two dominoes touch before domino k moves. */
+/* Finds the contact of domino k with domino k + 1 if one of them leans, and the tilt of domino k at this
+ * contact. Returns false if it is not the upper edge of domino k that touches the back face of domino k + 1,
+ * or if the two dominoes touch before domino k moves. */
 KERNEL bool lean_touch(const struct row_request *row, size_t k, struct contact *contact, struct tilt *tilt);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The state of a row at given times. The motion of a head is divided into passages at the moments when a
- * domino detaches. In each passage, time is a Chebyshev series in the tilt of the head. This tilt determines
- * the tilts of all followers. A domino that has detached keeps the tilt that it had at that moment. */
+/* Finds the state of a row at given times. The motion of a head is divided into passages; a new passage
+ * begins whenever a domino detaches. In each passage, time is a Chebyshev series in the tilt of the head, and
+ * this tilt determines the tilts of all followers. A domino that has detached keeps its tilt. */
 #include "row/moments.h"
 #include "geometry/rounded.h"
 #include <stdlib.h>
@@ -21,8 +21,8 @@ KERNEL void watch_free(struct watch *w)
 
 /* ---- The state at a given tilt of the head ---- */
 
-/* Sets the tilts and the angular velocities of the moving dominoes from the tilt and the angular velocity of
- * the head, omega in rad/s. */
+/* Sets the tilts and the angular velocities of all moving dominoes, given the tilt theta and the angular
+ * velocity omega (in rad/s) of the head. */
 static enum dom_status watch_lean(struct watch *w, const struct segment *st, size_t head, real theta,
                                   real omega)
 {
@@ -37,8 +37,8 @@ static enum dom_status watch_lean(struct watch *w, const struct segment *st, siz
         w->omega[head - k.link.i] = k.link.slope * omega;
         if (k.link.i + 1 >= st->geometry.n)
             return DOM_OK;
-        /* the domino detaches at exactly this tilt, but because of a rounding error it has detached
-         * already */
+        /* the follower detaches at exactly this tilt, and because of a rounding error it counts as already
+         * detached */
         if (!k.link.leads) {
             st->geometry.law->touch(&k);
         }
@@ -65,15 +65,16 @@ static enum dom_status passage_lean(struct watch *w, const struct passage *s, re
 
 /* ---- From time to tilt ---- */
 
-/* Returns the scale of the tilts in a passage: the last tilt, unless the head leans backwards at first. */
+/* Returns the scale of the tilts in a passage: the last tilt, or the whole range of tilts if the head leans
+ * backwards at first. */
 static real passage_size(const struct passage *s)
 {
     return fmax(fabs(s->to), s->to - s->st.lo);
 }
 
-/* Near the tilt `to` at which the head comes to rest, the slowness grows like 1 / sqrt(to - theta). Therefore
- * the variable of integration is x, defined by theta = to - (to - lo) x^2: the time until the head rests is a
- * smooth function of x. */
+/* Near the tilt `to` at which the head comes to rest, the slowness 1/omega grows like 1 / sqrt(to - theta).
+ * The integral for the time therefore uses the variable x, with theta = to - (to - lo) x^2, because the time
+ * until the head rests is a smooth function of x. Returns the integrand at x. */
 static real slowness_to_rest(real x, void *context)
 {
     struct passage *s = context;
@@ -83,8 +84,8 @@ static real slowness_to_rest(real x, void *context)
     return s->st.status == DOM_OK ? 2 * size * u * s->span * sqrt(squared) : REAL_NAN;
 }
 
-/* Finds the series for the time in the passage, and the duration of the passage. `lasts` is the duration, or
- * NaN if it is not known yet. */
+/* Finds the series for the time, and sets s->lasts to the duration of the passage: to the argument `lasts` if
+ * this is known, that is, not NaN. */
 static enum dom_status passage_begin(struct passage *s, real lasts)
 {
     struct segment *st = &s->st;
@@ -115,8 +116,8 @@ static enum dom_status passage_begin(struct passage *s, real lasts)
 }
 
 /* Returns by how much the time from the beginning of the passage to the tilt `at` exceeds s->into. If the
- * passage ends at rest, `at` is instead the variable x, and the function uses the time from x until the head
- * rests. */
+ * passage ends at rest, `at` is the variable x of slowness_to_rest instead, and s->into is compared with the
+ * time from x until the head rests. */
 static real passage_over(real at, void *context)
 {
     struct passage *s = context;
@@ -131,7 +132,7 @@ static real passage_over(real at, void *context)
     return status == DOM_OK ? time - s->into : REAL_NAN;
 }
 
-/* Finds the tilt at the time `into` after the beginning of the passage, in tau. */
+/* Finds the tilt of the head at the time `into`, in tau since the beginning of the passage. */
 static enum dom_status passage_tilt(struct passage *s, real into, real *theta)
 {
     real x = 0;
@@ -164,8 +165,8 @@ KERNEL enum dom_status watch_passage(struct watch *w, const struct segment *st, 
         return DOM_NO_MARGIN;
     struct passage *s = &w->last;
     *s = (struct passage){.st = *st, .to = to, .rests = rests, .since = *since, .lasts = lasts, .head = head};
-    /* A passage in which no requested time falls costs nothing, except one that may turn out to be the last
-     * of the row. */
+    /* The series is not needed if no requested time falls in this passage. If the duration is unknown, it
+     * must be computed in any case, since the run ends with this passage. */
     bool inside = w->next < w->times && !((real)w->time[w->next] >= passage_end(s));
     enum dom_status status = inside || isnan(lasts) ? passage_begin(s, lasts) : DOM_OK;
     while (status == DOM_OK && !w->ended && w->next < w->times && (real)w->time[w->next] < passage_end(s)) {
@@ -204,26 +205,28 @@ KERNEL enum dom_status watch_rest(struct watch *w)
 
 /* ---- Before the first hit ---- */
 
-/* A single domino with rounded edges that falls from theta_u. */
+/* A single domino with rounded edges, which falls from theta_u. */
 struct tipping {
     const struct segment *st;
-    /* p = ln tan(phi / 4) at the hit on the next domino, and the time before that hit at which p is wanted */
+    /* p = ln tan(phi / 4) when the domino hits the next one, and the time before this hit for which p is
+     * sought */
     real end, left;
 };
 
-/* Returns phi, the angle beyond theta_u, for p = ln tan(phi / 4). */
+/* Returns the angle phi beyond theta_u, given p = ln tan(phi / 4). */
 static real tipping_phi(real p)
 {
     return 4 * atan(exp(p));
 }
 
-/* Returns tau omega / sin(phi / 2), a smooth function. */
+/* Returns tau omega / sin(phi / 2), which is a smooth function of phi. */
 static real tipping_rate(const struct segment *st, real phi)
 {
     const struct geometry *geometry = &st->geometry;
     const struct tilt u = tilt_half(geometry_half_u(geometry)),
                       at = tilt_make(sin(st->lo + phi), cos(st->lo + phi));
-    real energy = 2 * geometry_height(geometry, u); /* the released energy divided by sin^2(phi / 2) */
+    /* released energy divided by sin^2(phi / 2), here its limit for phi = 0 */
+    real energy = 2 * geometry_height(geometry, u);
     if (phi > cbrt(REAL_EPSILON))
         energy = (rounded_fall(geometry, at) - rounded_fall(geometry, u)) / (sin(phi / 2) * sin(phi / 2));
     return sqrt(energy / geometry_inertia(geometry, at));
@@ -234,7 +237,7 @@ static real tipping_slowness(real p, void *context)
     return 2 / tipping_rate(((const struct tipping *)context)->st, tipping_phi(p));
 }
 
-/* Returns by how much the time from p to the hit exceeds the requested time. */
+/* Returns by how much the time from p to the hit exceeds t->left. */
 static real tipping_over(real p, void *context)
 {
     const struct tipping *t = context;
@@ -244,20 +247,20 @@ static real tipping_over(real p, void *context)
     return solver == NUM_OK ? time - t->left : REAL_NAN;
 }
 
-/* Returns the angle beyond theta_u of a domino with rounded edges at the time `left` before it hits the next
- * one. */
+/* Returns the angle phi beyond theta_u at which a domino with rounded edges is when the time `left` remains
+ * until it hits the next domino. */
 static real tipping_at(const struct segment *st, real left)
 {
     struct tipping t = {st, log(tan((st->hi - st->lo) / 4)), left};
-    /* The moment of inertia is at least a quarter of that of a block with sharp edges, so p grows by at most
-     * sqrt(2 reach) per tau, and the search can begin at p = `first`. */
+    /* The moment of inertia is at least a quarter of that of a block with sharp edges. So p grows by at most
+     * sqrt(2 reach) per tau, and the p that is sought cannot be below `first`. */
     real first = t.end - left * sqrt(2 * st->geometry.reach), p = t.end;
     return num_root(tipping_over, &t, first, t.end, st->geometry.tol, &p) == NUM_OK ? tipping_phi(p)
                                                                                     : REAL_NAN;
 }
 
-/* At the angle phi beyond theta_u, a single domino with sharp edges and reach u has tau^2 omega^2 = 2 u
- * sin^2(phi / 2). So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
+/* For a single domino with sharp edges at the angle phi beyond theta_u, tau^2 omega^2 = 2 u sin^2(phi / 2),
+ * where u = sqrt(1 + d^2) is its reach. So tan(phi / 4) grows like exp(t sqrt(u / 2)). */
 KERNEL void watch_tip(struct watch *w, const struct segment *tip, real tau)
 {
     if (!w)

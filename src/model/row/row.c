@@ -4,15 +4,15 @@
  * chain as in a train, but each has its own size, weight and gap. Energies, the law of motion and the
  * collision are those of a train. There are two differences: no cycle repeats, so each head begins with the
  * energy that the previous head leaves to it, and a domino that detaches takes along all dominoes that lean
- * on it. As everywhere in the kernels, the units are those of the current head: its height, m g h / 2, and
- * tau.
+ * on it. As everywhere in the kernels, the units of length, energy and time are those of the current head:
+ * its height, m g h / 2, and tau.
  */
 #include "growth/margin.h"
 #include "row/steady.h"
 #include <stdlib.h>
 
-/* Finds the tilt at which the motion ends in this segment. If `used_up` is set, the kinetic energy does not
- * suffice to reach the end of the segment. Otherwise friction brakes or locks the motion. */
+/* Finds the tilt at which the motion ends inside the current segment. If `used_up` is true, it ends because
+ * the kinetic energy does not suffice. Otherwise friction brings the head to rest or locks it. */
 static enum dom_status descent_rest(struct descent *d, bool used_up)
 {
     bool braked = true;
@@ -52,8 +52,8 @@ static enum dom_status descent_move(struct descent *d, bool times, bool floor)
     return status != DOM_OK ? status : st->status;
 }
 
-/* Computes one segment and prepares the next. The segments after a stop have no motion, but they are needed
- * to find how much more energy the row would need to reach the end. */
+/* Computes one segment and prepares the next. If the head has stopped in an earlier segment, the segment is
+ * only computed to find how much more energy the head would have needed to reach the end. */
 static enum dom_status descent_segment(struct descent *d, real end, bool times, bool floor)
 {
     struct segment *st = &d->st, next;
@@ -67,15 +67,15 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
         status = watch_detach(d->watch, st, d->head, d->stay);
     if (status != DOM_OK || !(st->locks || st->lo < st->hi))
         return status;
-    /* The margin in terms of the energy at the launch, of which only a part reaches this tilt if there is
-     * friction. */
+    /* The margin is converted to an energy at the launch: with friction, only the fraction st->gain of a
+     * change in omegasq at the launch reaches this segment. */
     real margin = (st->start.omegasq - st->barrier.height / st->start.J) / st->gain * d->J0;
     bool used_up = margin < 0;
     if (margin < d->least_margin || st->locks) {
         d->least_margin = st->locks ? -(real)INFINITY : margin;
         d->theta_m = st->locks ? st->hi : st->barrier.theta_m;
     }
-    /* Prepare the next segment before the flow is cut at the tilt where the motion comes to rest. */
+    /* Prepare the next segment now, since descent_rest may shorten the current one. */
     if (!st->locks)
         status = segment_next(st, &next);
     if (status == DOM_OK && !over && (used_up || st->locks))
@@ -89,9 +89,9 @@ static enum dom_status descent_segment(struct descent *d, real end, bool times, 
     return status;
 }
 
-/* Finds the inertia of all moving dominoes when head k is hit. If the contact has no closed form, a pass
- * along the chain is what costs most. The inertia then follows from the inertia ratio of the collision
- * instead, unless friction has changed that ratio. */
+/* Finds the inertia J of all moving dominoes just after head k has been hit. If the contacts have no closed
+ * form, summing along the chain is expensive. J is then computed from the inertia ratio of the collision,
+ * unless there is friction, which changes this ratio. */
 static enum dom_status inertia_begin(const struct run *run, size_t k, struct tilt rest, real *J)
 {
     struct geometry geometry = run->geometry[k];
@@ -129,7 +129,7 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     real J = 0;
     enum dom_status status = inertia_begin(run, k, rest, &J);
     real kinetic = J * run->omegasq;
-    /* these values are final if the head touches the next domino from the start */
+    /* if the head touches the next domino from the start, there is no segment, and these values remain */
     d->J0 = d->st.start.J = J;
     d->st.summed = run->moving;
     d->st.start.kinetic = kinetic;
@@ -153,8 +153,8 @@ KERNEL enum dom_status row_descend(struct run *run, size_t k, struct descent *d,
     return DOM_OK;
 }
 
-/* Runs the first domino, which is tipped over its edge and let go. Its kinetic energy is the potential energy
- * that it has lost since it was let go (9; b5). */
+/* Runs the first domino if it is tipped over its edge and let go. Its kinetic energy is the potential energy
+ * that it loses (9; b5). */
 static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fall *fall)
 {
     const struct block block = block_of(run->request, 0);
@@ -175,7 +175,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     *d = (struct descent){.st = {.geometry = *geometry,
                                  .start = {.from = top, .J = geometry_inertia(geometry, top)},
                                  .gain = 1}};
-    d->st.geometry.dynamics = &energy_balance; /* no domino leans on the first one */
+    /* the first domino has no follower, so it falls without friction */
+    d->st.geometry.dynamics = &energy_balance;
     d->st.lo = theta_u;
     d->st.hi = tilt_angle(geometry->c);
     enum dom_status status =
@@ -189,7 +190,8 @@ static enum dom_status tip_run(struct run *run, struct descent *d, struct dom_fa
     return status;
 }
 
-/* Returns how the row ends if head k touches the next domino and one of the two leans. */
+/* Returns how the row ends at the contact of head k with the next domino, one of which leans, or
+ * DOM_ROW_FALLS if the row goes on. */
 static enum dom_row_end lean_ends(const struct row_request *row, size_t k)
 {
     struct contact contact;
@@ -230,7 +232,7 @@ KERNEL enum dom_status row_hit(struct run *run, size_t k, const struct geometry 
     return status;
 }
 
-/* Updates the verdict of the row after the run of one domino. */
+/* Updates the verdict on the row with the result for one domino. */
 static void verdict_add(struct dom_verdict *v, const struct dom_fall *fall, bool tipped)
 {
     dom_real spare = fall->barrier > 0 ? fall->margin / fall->barrier : (dom_real)INFINITY;
@@ -264,7 +266,8 @@ KERNEL void row_launch(struct run *run)
     run->moving = 1;
 }
 
-/* Runs head k, which has stopped, once more, with a little more energy than it needs. */
+/* Runs head k again after it has stopped, now with slightly more energy than it needs, so that the run can go
+ * on. */
 static enum dom_status carry_on(struct run *run, size_t k, size_t moving, struct descent *d)
 {
     const real more = 1 + (real)1e-4;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows with random sizes, of which only the verdict is needed. Most heads certainly keep falling: they have
- * more energy than the dominoes can take up by rising, and a bound shows that all contacts push. For such a
- * head, one pass down the chain gives the energy that is passed on. The pass needs the tilts when the head is
- * hit and the tilts when the head hits the next domino. The former are the final tilts of the previous head's
- * chain, so the pass computes only one new chain instead of two. If a bound does not suffice, or a domino
- * detaches, the head runs as in any other row (row_head).
+ * Computes only the verdict on rows with random errors, as fast as possible. For most heads, bounds show that
+ * the head keeps falling: its energy is larger than the barrier, and all contacts push. For such a head, one
+ * pass down the chain is enough to find the energy that the next head gets. This pass needs the tilts at two
+ * moments: when the head is hit, and when it hits the next domino. The tilts at the first moment are known
+ * from the pass for the previous head. If the bounds do not suffice, or if a domino detaches, the head is run
+ * as in any other row (row_head).
  */
 #include "row/run.h"
 #include "row/slide.h"
@@ -14,35 +14,36 @@
 struct random_row {
     struct row_request request;
     bool plain; /* true if the edges are sharp and the dominoes are plumb */
-    bool rolls; /* true if the edges are rounded, and there is friction */
-    /* True if there is friction. The row is then run roughly at first, and precisely only if the verdict is
-     * in doubt. */
+    bool rolls; /* true if the edges are rounded and there is friction */
+    /* True if there is friction. The row is then first run with a rough computation, and again with a precise
+     * one if its verdict is in doubt. */
     bool has_friction;
     bool rough, doubt;
     struct slide slide;
-    real off_at_end; /* the largest possible error of omegasq at the end of a head's motion */
+    real off_at_end; /* bound on the error in omegasq at the end of the current head's motion */
     struct block *block;
     struct geometry *geometry;
-    struct link *link;  /* dominoes `first` to `head` at the moment when domino `head` hits the next one */
-    size_t first, head; /* `head` is SIZE_MAX if no chain is stored */
-    /* The dynamics whose memory must be freed, or NULL if there is none. Rows drawn with and without friction
-     * have different dynamics. */
+    /* link[first] ... link[head] are the dominoes of the chain when domino `head` hits the next one */
+    struct link *link;
+    size_t first, head; /* `head` is SIZE_MAX if `link` holds no chain */
+    /* The dynamics whose dynamics_end must be called, or NULL if there is none. It may differ from the
+     * dynamics of the last row, because the friction of a row may be random, and may be 0. */
     const struct dynamics *begun;
 };
 
-/* The sums along a chain between two tilts of its head, in plain arithmetic without compensation of rounding
- * errors, since the sign of a margin needs few digits. H(theta) - H(0) is at most
- * rise theta - bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend). */
+/* Sums along a chain, for the motion of its head from one tilt to another. Rounding errors are not
+ * compensated, since few digits are enough for the sign of a margin. H(theta) - H(0) is at most rise theta -
+ * bend theta^2 / 2, so the barrier is at most rise^2 / (2 bend). */
 struct glide {
     real J, dH;
-    real rise;  /* dH/dtheta where the motion of the head begins */
-    real bend;  /* lower bound on -d2H/dtheta2, up to the tilt from which H decreases */
-    real t;     /* tangent of half the angle by which the current domino turns */
+    real rise;  /* dH/dtheta at the first tilt of the head */
+    real bend;  /* lower bound on -d2H/dtheta2, valid while H increases */
+    real t;     /* tan(angle / 2) for the angle by which the current domino turns */
     real curve; /* upper bound on -theta_i'' of the current domino */
-    bool rises; /* true if some follower rises at first */
+    bool rises; /* true if at least one follower gains height at first */
 };
 
-/* Adds one domino, which moves from the state b to the state a, to the sums. */
+/* Adds one domino to the sums. Its state is *b at the first tilt of the head, and *a at the last. */
 static void glide_add(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct geometry *self = a->geometry;
@@ -58,8 +59,8 @@ static void glide_add(struct glide *g, const struct link *a, const struct link *
     g->bend += a->weight * (slope * slope * height - fmax(fall, 0) * g->curve);
 }
 
-/* Passes the bound `curve` on to the next domino. From b to a, X and theta_1' decrease, and Y is smallest at
- * one of the two ends. */
+/* Computes the bound `curve` for the next domino. While the domino moves from state *b to state *a, X and
+ * theta_1' decrease, and Y is smallest in one of these two states. */
 static void glide_next(struct glide *g, const struct link *a, const struct link *b)
 {
     const struct contact *c = &b->contact;
@@ -68,23 +69,23 @@ static void glide_next(struct glide *g, const struct link *a, const struct link 
     g->curve = b->step * g->curve + a->geometry->rL * turned / (Y * Y) * b->slope * b->slope;
 }
 
-/* The energy must exceed the bound on the barrier by this factor, since the bound leaves out the tail of the
- * chain. */
+/* The energy must exceed the bound on the barrier by this factor, since the bound ignores the last dominoes
+ * of the chain. */
 #define GLIDE_ROOM ((real)1 + (real)1 / 64)
 
 /* Returns true if the kinetic energy certainly exceeds the barrier. */
 static bool glide_passes(const struct glide *g, const struct link *head, real kinetic)
 {
     const struct geometry *self = head->geometry;
-    /* If no follower rises, H decreases once the head is beyond theta_u. */
+    /* If no follower gains height, H decreases once the head is beyond theta_u. */
     const real height = geometry_height(self, standing),
                bend = g->bend + (g->rises ? fmin(height, geometry_height(self, head->tilt)) : height);
     const real rise = fmax(g->rise, 0);
     return bend > 0 && rise * rise * GLIDE_ROOM <= 2 * bend * kinetic;
 }
 
-/* Returns true when the dominoes after this one can be left out. `shrinks` is the ratio of t for the next
- * domino to t for this domino. */
+/* Returns true if the contributions of all dominoes after *a are negligible. `shrinks` is the ratio of g->t
+ * for the next domino to g->t for this domino. */
 static bool glide_done(struct glide *g, const struct link *a, real shrinks, real tol)
 {
     const struct geometry *self = a->geometry;
@@ -98,7 +99,8 @@ static bool glide_done(struct glide *g, const struct link *a, real shrinks, real
     return true;
 }
 
-/* Returns domino j, which leans on `leader`, at the moment when the head is hit. */
+/* Returns the state of domino j, which leans on `leader`, when the head is hit. It is taken from the stored
+ * chain if j >= known. */
 static struct link link_before(const struct random_row *s, size_t j, size_t known, const struct link *leader)
 {
     struct link k = *leader;
@@ -111,9 +113,8 @@ static struct link link_before(const struct random_row *s, size_t j, size_t know
     return k;
 }
 
-/* For rows with sharp edges and plumb dominoes: returns true if head k certainly keeps falling, and sets `at`
- * to the state in which it hits the next domino. The chain at that moment replaces the stored chain of the
- * previous head. */
+/* For rows with sharp edges and plumb dominoes: returns true if head k certainly keeps falling, and sets *at
+ * to the state in which it hits the next domino. Stores the chain of this moment in s->link. */
 static bool head_goes(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -145,13 +146,13 @@ static bool head_goes(struct random_row *s, const struct run *run, size_t k, str
         return glide_passes(&g, &s->link[k], kinetic);
     if (!s->rough)
         return false;
-    if (k + 1 == s->request.count && !g.rises) /* beyond theta_u all dominoes go down */
+    if (k + 1 == s->request.count && !g.rises) /* beyond theta_u, all dominoes only lose height */
         return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
                             run->omegasq);
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Does the same as head_goes for a row with rounded edges and friction, except that no chain is stored. */
+/* Does the same as head_goes for a row with rounded edges and friction, but stores no chain. */
 static bool head_rolls(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     const struct geometry *head = &s->geometry[k];
@@ -170,20 +171,20 @@ static bool head_rolls(struct random_row *s, const struct run *run, size_t k, st
         rises = rises || geometry_lift(b.link.geometry, b.link.tilt) > 0;
     }
     *at = (struct start){.from = head->c};
-    if (last && !rises) /* beyond theta_u all dominoes go down */
+    if (last && !rises) /* beyond theta_u, all dominoes only lose height */
         return slide_passes(&s->slide, head, fmin(half_of_tilt(head->c), geometry_half_u(head)),
                             run->omegasq);
     return slide_goes(&s->slide, head, run->omegasq, &at->omegasq, &s->off_at_end);
 }
 
-/* Returns true if one of the two functions above finds that head k certainly keeps falling. */
+/* Returns true if head_goes or head_rolls finds that head k certainly keeps falling. */
 static bool head_certain(struct random_row *s, const struct run *run, size_t k, struct start *at)
 {
     return run->omegasq > 0 &&
            (s->plain ? head_goes(s, run, k, at) : s->rolls && s->rough && head_rolls(s, run, k, at));
 }
 
-/* Lets head k hit the next domino, which takes over the relative error of omegasq. */
+/* Computes the collision of head k with the next domino. The relative error in omegasq does not change. */
 static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t k,
                                   const struct geometry *hitting, const struct start *at)
 {
@@ -192,12 +193,12 @@ static enum dom_status sample_hit(struct random_row *s, struct run *run, size_t 
     return status;
 }
 
-/* A rough run trusts the sign of a contact force only if the force, divided by the weight of the domino,
- * differs from 0 by more than this. */
+/* A rough run trusts the sign of a contact force only if the force is larger than this fraction of the weight
+ * of the pushed domino. */
 #define LEAST_CLEAR ((real)1 / 64)
 
-/* Runs head k as in any other row. The error of omegasq when the head is hit is at most s->slide.off.
- * s->doubt is set if this error may change the verdict. */
+/* Runs head k as in any other row. When the head is hit, the error in omegasq is at most s->slide.off. Sets
+ * s->doubt if this error may change the verdict. */
 static enum dom_status head_run(struct random_row *s, struct run *run, size_t k)
 {
     struct descent d;
@@ -239,7 +240,7 @@ static enum dom_status sample_falls(struct random_row *s, struct run *run)
     return status;
 }
 
-/* Sets the tolerance of a rough or of a precise run. */
+/* Sets the tolerance for a rough run or for a precise run. */
 static void sample_tol(struct random_row *s, bool rough)
 {
     s->rough = rough;
@@ -247,7 +248,8 @@ static void sample_tol(struct random_row *s, bool rough)
         s->geometry[k].tol = rough ? fmax((real)s->request.tol, SLIDE_TOL) : (real)s->request.tol;
 }
 
-/* Checks the row, makes its blocks and its geometry, and finds how it can be run. */
+/* Checks the row, fills in its blocks and its geometry, and determines which of the fast methods can be used.
+ */
 static enum dom_status sample_make(struct random_row *s)
 {
     size_t wrong;
@@ -293,7 +295,7 @@ KERNEL enum dom_status row_sample(const struct row_request *request, struct rand
     }
     if (status != DOM_OK)
         return status;
-    for (size_t k = 1; k < n; k++) /* all joints share the memory of the law */
+    for (size_t k = 1; k < n; k++) /* all joints share the memory that dynamics_begin allocated */
         s->geometry[k].flow = s->geometry[0].flow;
     num_rough_begin(&s->slide.flow);
     return DOM_OK;

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/slide.h"
 
-/* A verdict is certain if the margin is at least SLIDE_CLEAR times the estimated error, and more than the
- * fraction SLIDE_ROOM of the energy. */
+/* A verdict is certain if the margin exceeds both SLIDE_CLEAR times the estimated error and the fraction
+ * SLIDE_ROOM of the energy. */
 #define SLIDE_CLEAR 8
 #define SLIDE_ROOM  ((real)1 / 64)
 
-/* Number of tilts at which the required energy is computed, to find its maximum. */
+/* Number of tilts at which the required energy is sampled to find its maximum. */
 enum { SLIDE_PLACES = 12 };
 
-/* The sums of the equation of motion (friction.c), in plain arithmetic without compensation. */
+/* The sums A, B and C of the equation of motion (friction.c), without compensation of rounding errors. */
 struct slide_sums {
     real A, B, C;
-    real S, curve; /* S_i and theta_i'' of the current domino */
+    real S, curve; /* S_i and theta_i'' of the current domino i */
 };
 
-/* Adds one domino. Returns false when the dominoes after it can be left out. */
+/* Adds one domino to the sums. Returns false if the contributions of all further dominoes are negligible. */
 static bool slide_add(struct slide_sums *s, const struct link *k, real ratio, real tol)
 {
     const struct geometry *self = k->geometry;
@@ -53,7 +53,8 @@ static bool slide_sharp(const struct geometry *head, struct tilt tilt, struct sl
     return true;
 }
 
-/* Finds the equation of motion as a function of p = tan(theta / 2), which needs no trigonometry. */
+/* Finds the equation of motion as a function of p = tan(theta / 2). With this variable no trigonometric
+ * functions are needed. */
 static bool slide_rate(real p, void *context, struct num_rate *rate)
 {
     const struct geometry *head = ((const struct slide_context *)context)->head;
@@ -72,8 +73,8 @@ static bool slide_rate(real p, void *context, struct num_rate *rate)
     return found;
 }
 
-/* Returns the omegasq that the head needs to pass every tilt. This is the maximum of -v, where v is
- * num_rough_v; it is found from samples and from a parabola through every three neighbouring samples. */
+/* Returns the omegasq that the head needs to pass every tilt. This is the maximum of -num_rough_v, which is
+ * found from samples and from parabolas through three neighbouring samples. */
 static real slide_need(const struct num_rough *flow)
 {
     real most = 0, last = 0, self = 0;

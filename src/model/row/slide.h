@@ -1,32 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rough computation of the motion of heads with friction. Eight evaluations of the equation of motion give
- * the motion of a head to a few digits, with an estimate of the error. Most verdicts need no more. */
+/* A rough computation of the motion of a head with friction. From eight evaluations of the equation of motion
+ * it finds the motion to a few digits, and an estimate of the error. Most verdicts need no more. */
 #ifndef DOM_SLIDE_H
 #define DOM_SLIDE_H
 
 #include "geometry/chain.h"
 
-/* The tolerance of the sums in rough motions. */
+/* The relative tolerance of sums along the chain in a rough computation. */
 #define SLIDE_TOL ((real)1e-6)
 
 struct slide {
     struct num_rough flow;
-    real off; /* the largest possible error of omegasq of the current head */
+    real off; /* bound on the error in the omegasq of the current head */
 };
 
-/* Returns the relative error of omegasq that the tolerance of the sums causes. */
+/* Returns the relative error in omegasq that is caused by the tolerance of the sums. */
 KERNEL real slide_error(const struct geometry *head);
 
 /* Returns true if the head certainly reaches the tilt 2 atan hi. All dominoes must be plumb, and all contacts
  * must push. */
 KERNEL bool slide_passes(struct slide *s, const struct geometry *head, real hi, real omegasq);
 
-/* Finds omegasq at the end of the motion of the head, and the possible error of omegasq. All dominoes must be
- * plumb, and all contacts must push. Returns false if the head may come to rest before the end. */
+/* Sets *after to omegasq at the end of the head's motion, and *after_off to a bound on the error in *after.
+ * All dominoes must be plumb, and all contacts must push. Returns false if the head may come to rest before
+ * the end. */
 KERNEL bool slide_goes(struct slide *s, const struct geometry *head, real omegasq, real *after,
                        real *after_off);
 
-/* Returns true if the sign of the margin is certain in spite of the error of omegasq. */
+/* Returns true if the margin is so far from 0 that its sign is certain, although omegasq has an error. */
 KERNEL bool slide_sure(const struct slide *s, real omegasq, real margin, real kinetic);
 
 #endif

@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "row/steady.h"
 
-/* A head can repeat the motion of the previous one only if the number of equal dominoes up to the head
- * exceeds the longest pass by at least this number. */
+/* A head can repeat the motion of the previous head only if all dominoes that matter are equal: the number of
+ * equal dominoes behind the head must exceed the length of the longest pass along a chain by at least this
+ * number. */
 enum { STEADY_MORE = 2 };
 
-/* If a row ends with equal dominoes, the geometry of this many of them is made before the run. */
+/* If the dominoes at the end of a row are all equal, the geometry of this many of them is filled in before
+ * the run. */
 enum { STEADY_FIRST = 256 };
 
-/* The largest change of omegasq that all later heads together may cause, as a fraction of the tolerance. */
+/* A motion counts as repeated if omegasq would change over all later heads together by at most this fraction
+ * of the tolerance. */
 #define STEADY_SHARE ((real)1 / 64)
 
 /* Returns true if domino k has the same size, mass, gap and lean as the domino before it. */
