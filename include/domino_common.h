@@ -51,7 +51,7 @@ extern "C" {
     X(NO_FUEL, "the fuel P is not positive: a cycle releases no energy")                                     \
     X(STOPS, "the train stops: its kinetic energy after the collision is below the barrier")                 \
     X(LOCKS,                                                                                                 \
-      "friction locks the train: a contact force passes on the wrong side of a hinge and turns no domino")   \
+      "friction locks the train: the contact force on a domino passes on the wrong side of its hinge")       \
     X(NO_STAND,                                                                                              \
       "no domino can stand upright on this slope: the tangent of its angle must be below d - 2 rho")         \
     X(NO_ROOM, "the walls are thicker than half of a domino")                                                \

@@ -155,8 +155,7 @@ struct dom_row {
     bool floor; /* true to find the friction that the floor needs */
     /* The engine that simulates the row instead of this library; may be NULL. */
     const struct dom_engine *engine;
-    /* m: only dominoes taller than this have walls, and all others are solid. 0 if all dominoes have walls.
-     */
+    /* m, the height above which dominoes have walls; all others are solid. 0 if all dominoes have walls. */
     dom_real boxes_above;
 };
 
@@ -169,7 +168,8 @@ struct dom_row dom_row_default(void);
 struct dom_fall {
     size_t domino; /* number of the domino, from 1 */
     dom_real time; /* s, the time of the hit, since the push or, without a push, since the first hit */
-    /* s, from the hit until the domino hits the next one or lies on the floor; NaN if it does neither */
+    /* s, the time from the hit until the domino hits the next one or lies on the floor; NaN if it does
+     * neither */
     dom_real duration;
     dom_real omega;   /* rad/s, the angular velocity of the domino just after the hit */
     dom_real kinetic; /* J, the kinetic energy of all moving dominoes just after the hit */
@@ -229,7 +229,7 @@ struct dom_engine {
 
 /* The state of a row at one moment. */
 struct dom_moment {
-    dom_real time;                /* s, as in struct dom_fall */
+    dom_real time;                /* the time in s, counted as in struct dom_fall */
     size_t head;                  /* number of the last domino that was hit, from 1 */
     size_t moving;                /* the number of dominoes that move, the head included */
     const dom_real *tilt, *omega; /* rad and rad/s, with domino 1 at index 0; valid only during the visit */
@@ -357,8 +357,9 @@ struct dom_limits {
     /* A domino that is x times as large has x^(q - 1) times the mass, as in struct dom_train. If the row has
      * walls, the masses follow from the walls instead. */
     dom_real q;
-    dom_real hall; /* m, the space for the row with its last domino lying; may be infinite */
-    /* For dom_row_improve: kg, the mass of the heaviest domino that changes; may be infinite. */
+    /* m, the length of the hall, into which the row must fit with its last domino lying; may be infinite */
+    dom_real hall;
+    /* For dom_row_improve: kg, the largest mass that a changed domino may have; may be infinite. */
     dom_real heaviest;
     /* m, the grid: all sizes and gaps that change are multiples of this length; 0 if there is no grid */
     dom_real grid;
@@ -373,8 +374,10 @@ struct dom_limits {
 /* The row that a builder wants. */
 struct dom_wish {
     dom_real first, height; /* m, the heights of the first and of the last domino; height > first */
-    dom_real safety;  /* > 1, the kinetic energy of each cycle divided by the energy that the cycle needs */
-    dom_real hall;    /* m, > height, the space for the row with its last domino lying; may be infinite */
+    dom_real safety; /* the kinetic energy of each cycle divided by the energy that the cycle needs; > 1 */
+    /* m, > height, the length of the hall, into which the row must fit with its last domino lying; may be
+     * infinite */
+    dom_real hall;
     dom_real g, push; /* as in struct dom_row */
     enum dom_least least;
     const struct dom_engine *engine; /* the row must also fall in this engine; may be NULL */
@@ -390,8 +393,8 @@ struct dom_design {
     dom_real s, r;
     /* the number of steps from one domino to the next: first r^steps = height, with steps + 1 dominoes */
     size_t steps;
-    dom_real feet;    /* m, from the back of the first domino to the front of the last */
-    dom_real length;  /* m, after the last domino has fallen: feet + height */
+    dom_real feet;    /* m, the distance from the back of the first domino to the front of the last */
+    dom_real length;  /* m, the length after the last domino has fallen: feet + height */
     dom_real seconds; /* as in struct dom_verdict, computed by the engine of the wish if there is one */
     dom_real train;   /* kinetic / barrier of the endless train */
     dom_real row;     /* the smallest kinetic / barrier of a domino of the row, except the first */
@@ -447,7 +450,7 @@ enum dom_status dom_design_dominoes(const struct dom_train *train, const struct 
 
 /* A random error. */
 struct dom_error {
-    /* >= 0: the standard deviation of a normal distribution, or the limit of a uniform distribution. */
+    /* The standard deviation of a normal distribution, or the limit of a uniform distribution; >= 0. */
     dom_real size;
     bool uniform; /* true for a uniform distribution: all errors from -size to size are equally likely */
 };

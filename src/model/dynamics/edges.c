@@ -12,8 +12,8 @@ KERNEL enum dom_status edges_apply(struct geometry *geometry, real value)
 {
     enum dom_status status = rounded_make(geometry, value);
     const struct rounded *of = &geometry->rounded;
-    /* The condition of slope.c, but for the flat part of the foot: the centre of the block must be above
-     * it. */
+    /* As in slope.c, upright dominoes must be stable, but with rounded edges the centre of the block must be
+     * above the flat part of the foot. */
     bool stands = geometry->g.along == 0 ||
                   (fabs(geometry->g.along) < of->wide * geometry->g.down && geometry->h.y > 0);
     return status == DOM_OK && !stands ? DOM_NO_STAND : status;

@@ -126,7 +126,7 @@ KERNEL enum dom_status flow_solve(const struct geometry *geometry)
     if (status == DOM_OK)
         status = flow_collision(&fine, flow);
     /* All sums over one piece must include the same dominoes, but rounding can put the tilt at which a domino
-     * detaches inside the piece. So count the dominoes instead. */
+     * detaches inside the piece. So the number of dominoes is fixed for each piece. */
     const bool counted = moving != CHAIN_ENDLESS;
     fine.detaches = fine.detaches && !counted;
     struct flow_context c = {.geometry = &fine};
@@ -144,8 +144,8 @@ static real flow_end(const struct flow *flow, real lo)
 }
 
 /*
- * Solves the motion up to the tilt, correct to the tolerance, at which A vanishes and friction locks the
- * motion. Each step solves half of the distance to a tilt that is known to be locked. Panels become short
+ * Solves the motion up to the tilt at which A vanishes and friction locks the motion, to within the
+ * tolerance. Each step solves half of the distance to a tilt that is known to be locked. Panels become short
  * there, since 2 B / A has a pole.
  */
 static enum dom_status flow_to_lock(const struct geometry *fine, real tol, real lo, real locked, real *hi)

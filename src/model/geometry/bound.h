@@ -34,7 +34,7 @@ KERNEL real bound_energy_change(const struct geometry *geometry, struct tilt a, 
                                 real angle_b, real t, real t_error);
 
 /* Returns an error bound on tan((A - B)/2), where A is the angle of the follower of a, and B the angle of the
- * follower of b. t is the same tangent for a and b themselves, with the error bound t_error
+ * follower of b. t is the corresponding tangent for a and b themselves, and t_error is its error bound
  * (energy_change_between). */
 KERNEL real bound_half_turn(const struct link *a, const struct link *b, const struct bound *bound_a,
                             const struct bound *bound_b, real t, real t_error);

@@ -10,7 +10,7 @@
 #include "geometry/law.h"
 #include "numerics/numerics.h"
 
-/* Finds the sums of struct contact_law's `change` between two tilts of the head. */
+/* Finds the sums of `change` in struct contact_law between two tilts of the head. */
 KERNEL enum dom_status chain_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                     enum pass pass, struct sums *sums, struct sums *error);
 
@@ -38,8 +38,8 @@ enum { CHAIN_EDGES = 3 };
 KERNEL enum dom_status chain_edges(const struct geometry *geometry, real end, real edge[CHAIN_EDGES],
                                    int *edges, size_t *moving);
 
-/* Returns the status of a search: `self`, the status of the function that was evaluated, unless it is DOM_OK,
- * and otherwise the status of the solver. */
+/* Returns `self`, the status of the function that a search has evaluated. If `self` is DOM_OK, returns the
+ * status of the solver instead. */
 static inline enum dom_status model_status(enum dom_status self, enum num_status solver)
 {
     static const enum dom_status of[] = {

@@ -53,7 +53,7 @@ KERNEL real geometry_error_head(struct tilt head)
     return tilt_error(head, 4);
 }
 
-/* tan theta_u = h.x / h.y, and both components are exact on a level floor */
+/* On a level floor, h.x and h.y are exact, and so is theta_u = atan(h.x / h.y). */
 KERNEL real geometry_error_u(const struct geometry *geometry)
 {
     real reach = geometry->reach;
@@ -66,7 +66,7 @@ KERNEL real geometry_error_f(const struct geometry *geometry)
     return geometry->detaches ? tilt_error(geometry->f, 12) : tilt_error(geometry->inf, 6);
 }
 
-/* The computed quantity is 1 - cos theta_leave, whose derivative is sin theta_leave. */
+/* The computed quantity is 1 - cos theta_leave. Its error is divided by its derivative, sin theta_leave. */
 KERNEL real geometry_error_leave(const struct geometry *geometry)
 {
     return geometry->leave.x > 0

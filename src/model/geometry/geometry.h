@@ -99,7 +99,7 @@ struct geometry {
     } h;
     /* r^-q theta_1'(theta_inf), the limit of the ratio of successive terms of H1 */
     real decay;
-    /* the tail of J is estimated with at least this ratio of successive terms */
+    /* in estimates of the tail of J, successive terms are taken to have at least this ratio */
     real decay_J;
     struct tilt c;     /* theta_c (2; a2) */
     struct tilt inf;   /* theta_inf (40; A16) */
@@ -263,7 +263,7 @@ KERNEL_LOOP struct tilt tilt_follower(struct tilt t, struct contact contact)
 }
 
 /* Returns the follower's tilt if the leader leans backwards. The sine of the follower may then be negative.
- * The formula used here, x' = Y x + X y, finds its sign, whereas tilt_follower would lose it. */
+ * The formula x' = Y x + X y keeps the sign, which tilt_follower would lose. */
 KERNEL struct tilt tilt_follower_back(struct tilt t, struct contact contact)
 {
     return tilt_make(contact.Y * t.x + contact.X * t.y, contact.Y * t.y - contact.X * t.x);

@@ -25,8 +25,8 @@ static void rounded_add_H1(struct sum_state *a, const struct link *k)
     series_add(&a->H1, k->weight * k->slope * geometry_lift(k->geometry, k->tilt));
 }
 
-/* Returns true when the tail of H1 can be left out. For J, passes use done_J, which is written for sharp
- * edges. It is safe because rounding the edges never increases the inertia of a domino. */
+/* Returns true when the tail of H1 can be left out. For the tail of J, passes use done_J. Although it is
+ * written for sharp edges, it is safe, because rounding the edges never increases the inertia of a domino. */
 static bool rolling_done_H1(struct sum_state *a, const struct link *k, real tol)
 {
     const struct geometry *geometry = k->geometry;
@@ -215,7 +215,7 @@ KERNEL bool rounded_pushes(const struct walk *a, const struct walk *b)
     return rolling_pushes(a, b, ROLLING_HALVINGS);
 }
 
-/* energy_change_between for rounded edges. No error bounds are known. */
+/* Does for rounded edges what energy_change_between does for sharp edges, but finds no error bounds. */
 KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct tilt from, struct tilt head,
                                       real t, enum pass pass, struct sums *sums, struct sums *error)
 {

@@ -83,9 +83,9 @@ KERNEL_LOOP real turn_solve(real l, real c, real G, real *sine, real *cosine)
 }
 
 /*
- * Returns the solution u of l sin u + c u = G for u near pi/2, where G is given by E = l + c pi/2 - G. The
- * difference e = pi/2 - u obeys l (1 - cos e) + c e = E, in which nothing cancels. turn_solve would lose the
- * digits of cos u here. Returns NaN if there is no solution.
+ * Returns the solution u of l sin u + c u = G for u near pi/2, from E = l + c pi/2 - G. The difference e =
+ * pi/2 - u obeys l (1 - cos e) + c e = E, in which nothing cancels, whereas turn_solve would lose the digits
+ * of cos u. Returns NaN if there is no solution.
  */
 static real turn_near_reach(real l, real c, real E, real *sine, real *cosine)
 {
@@ -354,8 +354,7 @@ static void rounded_joint(struct geometry *geometry, const struct geometry *foll
     geometry->leave = leaves ? tilt_of(theta) : (struct tilt){0, -1, 2};
 }
 
-/* The context of led_by, whose root is the tilt of a leader with the given tilt `follower` of its
- * follower. */
+/* The context of led_by. A root of led_by is the tilt of a leader whose follower has the tilt `follower`. */
 struct led {
     const struct geometry *geometry;
     real follower;

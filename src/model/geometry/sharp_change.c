@@ -67,8 +67,8 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
 }
 
 /*
- * Returns true if a and b lean so nearly at theta_inf that the terms omitted from the far series do not
- * matter. The series can then replace all further dominoes of the pass.
+ * Returns true if the tilts of a and b are so close to theta_inf that the terms omitted from the far series
+ * do not matter. The series can then replace all further dominoes of the pass.
  */
 KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
                           const struct link *a, const struct link *b, real t)

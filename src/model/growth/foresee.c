@@ -79,7 +79,7 @@ static real root_next(const struct root_search *s, const struct margin_context *
         return root_inside(s, r * exp(at[2].value / s->slope));
     bool high = f<-1 + ROOT_FLAT, low = f> 1 - ROOT_FLAT;
     if (s->known == 1 && !high && !low)
-        /* margin_share is tanh(ln(K / B) / 2) */
+        /* margin_share is tanh(ln(K / B) / 2), so f gives ln(K / B) */
         next = r * exp((f > 0 ? log1p(2 * f / (1 - f)) : -log1p(-2 * f / (1 + f))) / 2 / margin_falls(c, r));
     if (s->known > 1)
         next = root_line(&at[1], &at[2]);

@@ -178,8 +178,8 @@ static struct margin margin_as(struct margin_context *c, real r, enum margin_how
     }
     c->how = MARGIN_SURE;
     /*
-     * The margin is the difference of two nearly equal numbers, and must itself have the relative tolerance,
-     * so that the verdict does not depend on the tolerance. Therefore refine the tolerance as in
+     * The margin is the difference of two nearly equal numbers, and must itself be correct to the relative
+     * tolerance, so that the verdict does not depend on the tolerance. Therefore refine the tolerance as in
      * barrier_verdict. If the arithmetic does not allow a finer tolerance, the last result stands.
      */
     real reached = tol_wanted, fine;

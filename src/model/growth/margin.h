@@ -65,7 +65,7 @@ KERNEL struct margin_context margin_of_train(const struct request *train);
 KERNEL struct margin_context margin_of_pair(const struct request *train);
 
 /* Returns the margin at r to the tolerance of the train, or NaN after an error. The context is a struct
- * margin_context, whose status is set. */
+ * margin_context, which receives the status. */
 KERNEL real margin_at(real r, void *context);
 
 /* Returns the kinetic energy and the barrier at r, both to the tolerance tol. */

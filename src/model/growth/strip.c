@@ -87,8 +87,8 @@ static real strip_advance(const struct geometry *lo, const struct geometry *hi, 
     return by / sqrt((hi->short_of + hi->rL * v) * (1 + X));
 }
 
-/* Returns a lower bound on the derivative of which strip_advance returns an upper bound: its value at lo, at
- * the largest tilt of the leader. */
+/* strip_advance returns an upper bound on a derivative, and this function a lower bound: the derivative at
+ * lo, at the largest tilt of the leader. */
 static real strip_least_advance(const struct geometry *lo, bool in_r, struct tilt leader)
 {
     real v = lo->detaches ? fmin(leader.v, lo->leave.v) : leader.v, X = lo->rs - lo->rL * v;
@@ -121,8 +121,8 @@ static void strip_follower(const struct geometry *lo, const struct geometry *hi,
     if (g_lo >= 0) {
         real h = lo->h.y - strip_fall(lo, at->lo);
         s->drops += weight * moves * fmax(h * u - ages * g_lo, 0);
-        /* h of the next domino is less by the integral of g over the angle between the two, which is asin X
-         * >= X */
+        /* h of the next domino is lower by the integral of g over the angle asin X >= X between the two
+         * dominoes */
         s->ages += (real)i * least_weight * g_lo * fmax(lo->rs - lo->rL * at->hi.v, 0);
     } else {
         /* g(0) u(theta) - g(0) u(0) <= |g(0)| (u(0) - u(theta)) */
@@ -320,7 +320,7 @@ KERNEL enum dom_status strip_walk(const struct geometry *lo, const struct geomet
             return DOM_OK;
         }
         bool ends = a.ended && b.ended;
-        /* Rounding errors can stop the computed tilts before they reach theta_inf. The second number in this
+        /* Rounding errors can keep the computed tilts from reaching theta_inf. The second number in this
          * maximum allows for that. */
         real small = fmax(tol * (fabs(least) + most * divisor), 64 * REAL_EPSILON * a.weight);
         bool done = settled && fmax(after ? rest : 0, rest_hi) <= small &&

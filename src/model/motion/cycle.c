@@ -155,8 +155,8 @@ static enum dom_status duration_of(struct cycle *cycle, real tol, real *duration
     struct segment *st = &cycle->segment;
     if (cycle_stops(cycle))
         return DOM_STOPS;
-    /* The kinetic energy and the barrier each have a few rounding errors, which are divided by the margin and
-     * limit the accuracy of the duration. */
+    /* The rounding errors of the kinetic energy and of the barrier, divided by the margin, limit the accuracy
+     * of the duration. */
     real noise = 8 * REAL_EPSILON * st->start.kinetic / (st->start.kinetic - st->barrier.height);
     if (!(noise < (real)0.125))
         return DOM_NO_MARGIN;

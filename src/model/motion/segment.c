@@ -17,8 +17,9 @@ KERNEL enum dom_status segment_cut(struct segment *st, size_t *stay)
             return status;
         struct walk k = geometry->law->begin(geometry, head);
         const struct link *link = &k.link;
-        /* Dominoes whose motion is below the rounding errors are not searched. This condition is dropped once
-         * a domino that detaches has been found, because the dominoes after it do not move at that tilt. */
+        /* The search ends at a domino whose motion is below the rounding errors. Once a domino that detaches
+         * has been found, the search goes on past such dominoes, because the dominoes after the one that
+         * detaches do not move at that tilt. */
         bool last = false, all = *stay < geometry->n;
         while (!last && ((*stay < geometry->n && link->i < *stay) || link->tilt.x < 0 ||
                          link->tilt.v < link->geometry->leave.v)) {
@@ -48,8 +49,8 @@ KERNEL enum dom_status segment_begin(struct segment *st)
     struct sums at = {.J = start->J};
     enum dom_status status =
         st->summed == st->geometry.n ? DOM_OK : st->geometry.law->sum(&st->geometry, start->from, &at);
-    /* A domino that detaches carries no kinetic energy away. So if a domino detaches at once (r s = 1), which
-     * makes J smaller, omegasq is multiplied by the same factor by which J is divided. */
+    /* A domino that detaches carries no kinetic energy away. So if a domino detaches at once (r s = 1), J
+     * becomes smaller, and omegasq becomes larger in proportion. */
     real kept = at.J > 0 && start->J > 0 ? start->J / at.J : 1;
     start->omegasq *= kept;
     st->gain *= kept;

@@ -148,7 +148,7 @@ static enum num_status span_integral(struct span *s, span_level *next, int level
  * computed from its distance to the nearer end of the interval, so that the distance keeps all its digits. */
 static real node_pair(struct span *s, real t, real *weight)
 {
-    real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* e^(-2 u), u = pi/2 sinh t */
+    real grow = exp(t), q = exp(-PI / 2 * (grow - 1 / grow)); /* q is e^(-2 u), where u = pi/2 sinh t */
     real from_end = s->half * 2 * q / (1 + q);
     *weight = PI / 4 * (grow + 1 / grow) * 4 * q / ((1 + q) * (1 + q));
     /* A node that rounds to the end of the interval still counts: there may be a peak at that end. */
