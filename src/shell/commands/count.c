@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command count: how many dominoes it takes to topple one of a given height. */
-#include "commands/start.h"
+#include "commands/row_start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Commands that find how much dominoes can grow from one to the next: rmax, pair, best and curve. */
-#include "commands/start.h"
+#include "commands/row_start.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 #include "parallel/points.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command prove, which computes rigorous bounds on an answer. */
-#include "commands/start.h"
+#include "commands/row_start.h"
 #include "commands/tables.h"
 #include "domino_proof.h"
 #include "language/quad.h"

@@ -65,7 +65,7 @@ void errors_off(struct scene *scene)
         effect_put(scene, error_effect(k), EFFECT_OFF, NULL);
 }
 
-const char *errors_text(const struct domq_error error[DOM_ERROR_COUNT], char text[ERRORS_TEXT])
+const char *errors_text(const struct domq_error *error, char text[ERRORS_TEXT])
 {
     text[0] = '\0';
     for (int k = 0, n = 0; k < DOM_ERROR_COUNT; k++)

@@ -26,8 +26,9 @@ bool errors_check(const struct scene *scene, struct problem *problem);
 /* Turns all errors off in a copy of a scene. The copy must borrow its row from the original. */
 void errors_off(struct scene *scene);
 
-/* Describes the errors in words, with their exact sizes, for example "gap 0.003 m, friction 0.05 uniform". */
+/* Describes the errors of an array of DOM_ERROR_COUNT elements in words, with their exact sizes, for example
+ * "gap 0.003 m, friction 0.05 uniform". */
 enum { ERRORS_TEXT = 1024 };
-const char *errors_text(const struct domq_error error[DOM_ERROR_COUNT], char text[ERRORS_TEXT]);
+const char *errors_text(const struct domq_error *error, char text[ERRORS_TEXT]);
 
 #endif

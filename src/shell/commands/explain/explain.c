@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command explain: where a number comes from. */
 #include "commands/explain/derivation.h"
-#include "commands/explain/recipe.h"
+#include "commands/explain/paper.h"
 #include "commands/rows/falling.h"
 #include "commands/tables.h"
 #include "interpreter/question.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command paper, which recomputes numbers and figures of the paper, and compares them with the printed
  * values. */
-#include "commands/explain/recipe.h"
+#include "commands/explain/paper.h"
 #include "language/quad.h"
 
 const struct column paper_columns[] = {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The command recipe, which carries out the paper's steps to find the largest growth and compares the results
  * with those of the program. */
-#include "commands/explain/recipe.h"
+#include "commands/explain/paper.h"
 #include "commands/tables.h"
 #include "language/quad.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands recipe and paper, which compare the paper with this program. */
-#ifndef SHELL_RECIPE_H
-#define SHELL_RECIPE_H
+#ifndef SHELL_PAPER_H
+#define SHELL_PAPER_H
 
 #include "interpreter/command.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "commands/start.h"
+#include "commands/row_start.h"
 #include "language/quad.h"
 #include <stdlib.h>
 

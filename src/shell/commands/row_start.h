@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finds whether a row of a train's dominoes starts from its first domino, which stands at rest. A train that
  * already moves may have a larger growth than a row that has to be started. */
-#ifndef SHELL_START_H
-#define SHELL_START_H
+#ifndef SHELL_ROW_START_H
+#define SHELL_ROW_START_H
 
 #include "commands/rows/falling.h"
 
