@@ -8,8 +8,8 @@
 
 #define ENGINE_EFFECTS(X) X(feet) X(bounce)
 
-/* The errors of a random row that have a separate effect, such as error_place. The errors of gaps and heights
- * belong to the effect 'placement'. */
+/* The kinds of random error that have their own effect, such as error_place. Random errors of gaps and
+ * heights belong to the effect 'placement'. */
 #define ERROR_EFFECTS(X) X(place) X(thickness) X(mass) X(lean) X(radius) X(friction) X(slope) X(floor) X(push)
 
 enum {

@@ -32,8 +32,8 @@ const struct domq_effect engine_effect_bounce = {
     .adds = "dominoes that bounce off each other",
     .help = "After a collision two dominoes separate with E times the speed with which they met. With E = 0, "
             "as in the paper, they stay together, and with E = 1 no energy is lost. A rigid-body engine, "
-            "Chipmunk 7, runs the row. Dominoes that bounce hit each other again and again, more and more "
-            "softly, until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
+            "Chipmunk 7, runs the row. Dominoes that bounce collide again and again, more and more softly, "
+            "until they stay together: up to E = 0.2 the largest growth changes by less than 0.2 %.",
     .source = "Chipmunk 7, a rigid-body engine; Newton's law of restitution",
     .plan = "rigid-body engine, with steps halved until the results no longer change",
     .argument = {{.name = "E",
@@ -77,7 +77,7 @@ const char *effect_usage_write(int name, char usage[EFFECT_USAGE])
     return usage;
 }
 
-/* Example commands for some effects. effect_example builds the examples of the other effects. */
+/* Example commands for some effects. For the other effects, effect_example makes up the commands. */
 static const char *const examples[EFFECT_COUNT] = {
     [DOM_EFFECT_friction] = "set q hollow; effect friction 0.2; rmax 0.4; effect friction off",
     [DOM_EFFECT_edges] = "set q hollow; effect edges 0.01; rmax 0.2; effect edges off",
@@ -104,7 +104,7 @@ const char *effect_example(int name, char example[EFFECT_EXAMPLE])
             text_add(example, EFFECT_EXAMPLE, "effect %s on; ", effect_at(k)->name);
     text_add(example, EFFECT_EXAMPLE, "effect %s on; %s", e->name,
              !is_error ? "scene"
-             /* fewer rows, because the engine takes a thousand times as long as the model */
+             /* the engine takes a thousand times as long as the model, so only 5 rows are run */
              : e->needs >> EFFECT_feet & 1 ? "placement 5"
                                            : "placement 500");
     return example;

@@ -12,7 +12,7 @@ const char *effect_file(const struct scene *scene, int name)
     return name == DOM_EFFECT_row && scene->listed.domino ? scene->listed.path : NULL;
 }
 
-/* Returns true if argument i and all later ones may be left out, because they have their usual values. */
+/* Returns true if argument i and all arguments after it are optional and have their usual values. */
 static bool usual_from(const struct domq_effect *e, const struct effect_state *state, int i)
 {
     bool usual = i > 0;
@@ -44,7 +44,7 @@ static bool needs(int name, int other)
     return effect_at(name)->needs >> other & 1;
 }
 
-/* Lists the effects that are on and need the row, as in ", with push and placement". */
+/* Writes a list of the effects that are on and need the row, such as ", with push and placement". */
 static void row_needed(const struct scene *scene, char *text, size_t size)
 {
     text[0] = '\0';
@@ -79,8 +79,8 @@ static bool row_read(const struct scene *scene, const char *name, const struct m
     if (good && *csv->unused)
         means_note(means, "%s:%ld: ignored columns: %s; recognized columns: %s", csv->path, csv->head.at.line,
                    csv->unused, csv->kind->names);
-    /* 'save' may write a script in another directory, and so needs the absolute path. A pipe has no absolute
-     * path, so the name that the user typed is kept. */
+    /* The absolute path is stored, because 'save' may write the path into a script in another directory. For
+     * a pipe, which has no absolute path, the name that the user typed is stored. */
     row->path = good ? realpath(csv->path, NULL) : NULL;
     if (good && !row->path) {
         row->path = csv->path;

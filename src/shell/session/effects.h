@@ -13,15 +13,15 @@ enum { EFFECT_SETTING = 256 }; /* room for the longest file name and a NUL byte 
 #define effect_setting(scene, name) effect_setting_write(scene, name, (char[EFFECT_SETTING]){""})
 const char *effect_setting_write(const struct scene *scene, int name, char setting[EFFECT_SETTING]);
 
-/* Returns the path of the file that the user gave instead of the effect's first value, or NULL if there is no
- * such file. */
+/* Returns the path of the file that the user gave instead of the effect's first value, or NULL if the user
+ * gave no file. */
 const char *effect_file(const struct scene *scene, int name);
 
 /*
- * Completes the list of values of an effect. `value` holds the `given` values that the user typed; the first
- * of them may be EFFECT_OFF or EFFECT_ON. Stores these values in `all`, with the usual values in place of
- * those that the user left out. Sets *problem and returns false if a missing value has no usual value, or if
- * the effect is turned off while another effect needs it.
+ * Completes the values of an effect. `value` holds the `given` values that the user typed, the first of which
+ * may be EFFECT_OFF or EFFECT_ON. Copies these values to `all`, and adds the usual values of those that the
+ * user left out. Sets *problem and returns false if a value that is not optional is missing, or if the effect
+ * cannot be turned off because another effect needs it.
  */
 bool effect_complete(const struct scene *scene, int name, const domq_real *value, int given,
                      domq_real all[DOM_EFFECT_ARGUMENTS], struct problem *problem);
@@ -29,30 +29,30 @@ bool effect_complete(const struct scene *scene, int name, const domq_real *value
 /*
  * Sets the first value of an effect to `value`, which may be EFFECT_OFF, and its other values to `others`. If
  * `others` is NULL, an effect that is on keeps its other values, and an effect that is off gets the usual
- * values. The scene must be a copy that borrows the memory of its row from the original, because this
- * function does not free the row that it replaces.
+ * values. The scene must be a copy that does not own the memory of its row, because this function replaces
+ * the row without freeing it.
  */
 void effect_put(struct scene *scene, int name, domq_real value, const domq_real *others);
 
-/* Returns true if all effects that effect `name` needs are on, and if effect `name` can be combined with the
- * parameter 'fuel'. Otherwise reports the problem. */
+/* Reports a problem and returns false if effect `name` needs another effect that is off, or cannot be
+ * combined with the parameter 'fuel'. */
 bool effect_needs(const struct scene *scene, int name, struct problem *problem);
 
 /*
- * Returns true if 'save' can write the name of the row's file into a script. Otherwise reports the problem:
- * the name contains a control character such as a newline, after which the script would read the rest of the
- * name as another command.
+ * Returns true if 'save' can write the name of the row's file into a script. Reports a problem if the name
+ * contains a control character. After a newline, for example, the rest of the name would be another command
+ * of the script.
  */
 bool effects_savable(const struct scene *scene, struct problem *problem);
 
-/* Writes the commands that restore an effect. `folder` is the directory of the script to which the commands
- * are written, or NULL. For the effect 'row', the commands also restore the measurements that 'change' has
- * changed. */
+/* Writes the commands that give an effect its current values. `folder` is the directory of the script to
+ * which the commands are written, or NULL. For the effect 'row', also writes the commands that make the
+ * changes of single dominoes again. */
 void effect_save(const struct scene *scene, int name, const char *folder, FILE *out);
 
 /* Turns on the effect 'row' with the dominoes of a file. On failure, turns off the earlier row, if there is
- * one, and says so in the message. Otherwise later commands would silently compute answers for the earlier
- * row. */
+ * one, because later commands would silently compute answers for it. The message then says that the earlier
+ * row is off. */
 bool scene_row_load(struct scene *scene, const char *name, const struct means *means,
                     struct problem *problem);
 

@@ -25,8 +25,9 @@ const char *scene_engine_why(const struct scene *scene)
 
 /* ---- Conversion between the rows and units of the library and those of the engine ---- */
 
-/* The units in which the engine computes: the height and the mass of the first domino, and the unit of time
- * in which g is 1. With these units, rounding errors do not depend on the size of the row. */
+/* The engine's unit of length is the height h of the first domino, its unit of mass is the mass of the first
+ * domino, and its unit of time is sqrt(h/g). In these units, rounding errors do not depend on the size of the
+ * row. */
 struct unit {
     double length, mass, time;
 };
@@ -37,21 +38,21 @@ static struct unit unit_of(const struct domq_row *row)
     return (struct unit){h, (double)row->domino[0].mass, sqrt(h / (double)row->g)};
 }
 
-/* Returns the moment of inertia of a hollow domino about its centre, divided by that of a solid block.
- * Returns 0 for a solid domino. */
+/* Returns the moment of inertia of a hollow domino about its centre, divided by that of a solid block of the
+ * same mass. Returns 0 for a solid domino. */
 static double box_inertia(const struct domq_row *row, const struct domq_domino *d)
 {
     struct domq_box box;
     if (row->walls == 0 || d->height <= row->boxes_above ||
         domq_box_find(d->height, d->thickness, d->height / 2, row->walls, &box) != DOM_OK)
         return 0;
-    /* box.inertia is this ratio for the moments about the lower edge. The parallel axis theorem converts it
-     * to the ratio for the moments about the centre. */
+    /* box.inertia is the ratio of the moments about the lower edge. By the parallel axis theorem, the ratio
+     * of the moments about the centre is 4 box.inertia - 3. */
     return 4 * (double)box.inertia - 3;
 }
 
-/* Converts a row to the engine's units. The caller frees *box, which may be NULL. Returns DOM_BAD_HEIGHT
- * unless all sizes and masses are finite and positive; gaps may be 0. */
+/* Converts a row to the engine's units. The caller frees *boxes, even after a failure. Returns DOM_BAD_HEIGHT
+ * if a height, thickness or mass is not finite and positive, or if a gap is infinite or negative. */
 static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
                                    struct engine_box **boxes)
 {
@@ -152,7 +153,7 @@ static void verdict_fill(const struct engine_fall *fall, const struct domq_row *
                                      .spare = DOMQ_NAN};
 }
 
-/* The function through which the library runs a row in the engine; see struct dom_engine. */
+/* Runs a row in the engine. The library calls this function through struct dom_engine. */
 static enum dom_status run_row(const struct domq_row *row, const struct domq_compute *compute, bool times,
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)
@@ -209,12 +210,12 @@ enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq
 
 struct watch {
     struct unit unit;
-    /* the engine's time, in the engine's units, at which the caller's clock starts */
+    /* the engine's time, in the engine's units, at which the visitor's time is 0 */
     double zero;
     const domq_real *times;  /* the times in s that have not been visited yet */
-    size_t left;             /* the number of elements of `times` */
+    size_t left;             /* the number of elements left in `times` */
     domq_real *tilt, *omega; /* the tilts and angular velocities of the dominoes after the last step */
-    /* after the last step: the distances in m that the feet have slid, and the time in s */
+    /* the distances in m that the feet have slid until the last step, and the time of this step in s */
     double *feet, time;
     size_t head;
     domq_moment_visit *visit;
@@ -222,7 +223,7 @@ struct watch {
     bool more; /* the visitor wants to see more times */
 };
 
-/* Reports the state after the last step to the visitor, as the state at `time`. */
+/* Passes the state after the last step to the visitor, as the state at the time `time`. */
 static void watch_visit(struct watch *w, double time)
 {
     const struct domq_moment moment = {.time = (domq_real)time,
@@ -235,7 +236,8 @@ static void watch_visit(struct watch *w, double time)
     w->left--;
 }
 
-/* The engine calls this function after each step. The steps are so short that no interpolation is needed. */
+/* The engine calls this function after each step. The steps are so short that the visitor gets the state
+ * after the step for all times within the step. */
 static bool watch_step(const struct engine_moment *m, void *context)
 {
     struct watch *w = context;
@@ -273,7 +275,7 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
     w.omega = w.tilt + row->count;
     memset(feet, 0, row->count * sizeof *feet);
     enum dom_status status = run_once(row, compute, &settled->grain, watch_step, &w);
-    /* Once the motion has ended, every later time has the same state. */
+    /* After the end of the motion, the state no longer changes. */
     while (status == DOM_OK && w.more && w.left > 0)
         watch_visit(&w, w.time);
     free(w.tilt);
@@ -306,11 +308,10 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
     if (!effects_check(scene, problem))
         return false;
     if (count > ENGINE_MOST)
-        return problem_error(
-            problem,
-            "a row of %zu dominoes is too long for the rigid-body engine, which runs it because %s; it "
-            "takes up to %d, for example 'effect row 20'",
-            count, why, ENGINE_MOST);
+        return problem_error(problem,
+                             "a row of %zu dominoes is too long for the rigid-body engine, which runs it "
+                             "because %s; the maximum is %d, for example 'effect row 20'",
+                             count, why, ENGINE_MOST);
     const enum engine_status loaded = engine_load();
     if (loaded == ENGINE_NO_MEMORY)
         return problem_status(problem, scene, DOM_NO_MEMORY);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs rows in the rigid-body engine if an effect that the model lacks is on, or after 'set method engine'.
- * The library's searches and studies of such rows also call the engine, through struct dom_engine. */
+/* Runs rows in the rigid-body engine. The engine is used if an effect that the model lacks is on, or after
+ * 'set method engine'. The library's searches and studies then call the engine, too, through struct
+ * dom_engine. */
 #ifndef SHELL_ENGINE_H
 #define SHELL_ENGINE_H
 
@@ -10,17 +11,17 @@
 /* The values of the parameter 'method'. */
 enum { METHOD_MODEL, METHOD_ENGINE };
 
-/* Results of one run of the engine that the library does not need. */
+/* Results of a run of the engine that commands show, but that the library does not need. */
 struct engine_report {
-    /* in m, s and kg; the caller provides the array, with one element for each domino */
+    /* the hits in m, s and kg; the caller provides an array with one element for each domino */
     struct engine_hit *hit;
     struct engine_settled settled; /* in the engine's units */
 };
 
 struct scene_engine {
     struct domq_engine engine; /* engine.own points to this struct */
-    struct engine_row effects; /* the engine's settings for the effects that the library lacks */
-    /* each run fills in this report; NULL if no report is wanted, as in studies */
+    struct engine_row effects; /* the settings of the effects that only the engine has */
+    /* the report that each run fills in; NULL if no report is needed, as in studies */
     struct engine_report *report;
 };
 
@@ -39,9 +40,9 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
 enum dom_status scene_engine_rough(const struct domq_row *row, const struct domq_compute *compute);
 
 /*
- * Does the same as domq_row_watch, but in the engine, with the step size that an earlier run stored in the
- * report. Before each visit, sets feet[k] to the distance in m that the foot of domino k, counted from 0, has
- * slid.
+ * Like domq_row_watch, but runs the row in the engine, with the step size that an earlier run has stored in
+ * the report. Before each call of `visit`, sets feet[k] to the distance in m that the foot of domino k,
+ * counted from 0, has slid.
  */
 enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq_compute *compute,
                                    const domq_real *times, size_t count, domq_moment_visit *visit,

@@ -5,7 +5,7 @@
 #include "session/engine.h"
 #include <float.h>
 
-/* The floating-point type of quad precision, as the description of the parameter 'precision' names it. */
+/* The floating-point type of quad precision, for the description of the parameter 'precision'. */
 #if defined DOMQ_REAL_FLOAT128
 #define QUAD_TYPE "__float128, 113 bits"
 #elif LDBL_MANT_DIG == 113
@@ -20,7 +20,7 @@ static const char s_help[] = "The free distance between a domino and the one bef
                              "height. A length, as in 'set s 2 cm', is divided by h.";
 static const char r_help[] = "A train is an endless row in which the height, the thickness and the gap of "
                              "each domino are r times those of the one before. 'rmax' finds the largest r at "
-                             "which a train keeps falling, and 'effect row N' makes a row that ends.";
+                             "which a train keeps falling, and 'effect row N' makes a finite row.";
 static const char d_help[] = "The thickness is the size of a domino along the row, and d is the thickness "
                              "divided by the height. A length, as in 'set d 7 mm', is divided by h.";
 static const char q_help[] =
@@ -37,7 +37,7 @@ static const char precision_help[] =
     "digits, and rounded to this precision when they are used: in quad, 7/48 has 34 digits. If the parameter "
     "tol has its default, tol changes with the precision. 'set digits 33' shows all digits that quad gives.";
 static const char errors_help[] =
-    "Each number is followed by +/- and a bound of its error. The bound includes all rounding errors of the "
+    "Each number is followed by +/- and a bound on its error. The bound includes all rounding errors of the "
     "computation, the terms that are left out because of tol, and the digits that are not printed. While "
     "errors are on, the parameter 'digits' has no effect. In csv and json the bound has a column or key of "
     "its own, named KEY_error. The values of 'print' have no bounds.";
@@ -81,7 +81,7 @@ static void precision_before(struct state *state, domq_real precision)
         compute->tol == old->tol_default ? new->tol_default : quad_larger(compute->tol, new->tol_floor);
 }
 
-/* Additional members in the entries of parameters that the library lists. */
+/* Additional members for the entries of parameters that come from the library's lists. */
 #define MORE_s .synonyms = "gap separation spacing distance apart", .help = s_help,
 #define MORE_r .synonyms = "growth factor ratio size larger train", .help = r_help,
 #define MORE_d .synonyms = "thickness thin thick depth width", .help = d_help,
@@ -92,7 +92,7 @@ static void precision_before(struct state *state, domq_real precision)
 #define MORE_h   .synonyms = "height size tall scale",
 #define MORE_g   .synonyms = "gravity acceleration weight moon planet",
 
-/* The formats in the order of their numbers, for the parameter 'output'. */
+/* The numbers of the output formats, and the words for them that the parameter 'output' takes. */
 #define FORMAT_NUMBER(name) FORMAT_##name,
 #define FORMAT_WORD(name)   {#name, FORMAT_##name},
 enum { FORMATS(FORMAT_NUMBER) };
@@ -100,7 +100,7 @@ enum { FORMATS(FORMAT_NUMBER) };
 /* clang-format off */
 #define WORD_LIST(...) (const struct word[]){__VA_ARGS__, {NULL, 0}}
 #define SWITCH WORD_LIST({"off", 0}, {"on", 1})
-/* The first members of an entry: the offset of the value in the state, and its description. */
+/* The first members of an entry: the name, and the offset and description of the value. */
 #define ENTRY(name_, member, unit_, meaning_, ...) \
     .name = name_, .offset = offsetof(struct state, member), \
     .value = (const struct domq_effect_argument[]){{.name = name_, .unit = unit_, .meaning = meaning_, __VA_ARGS__}}
@@ -156,7 +156,7 @@ const struct parameter session_parameters[] = {
     {ENTRY("angle", settings.style.angle, "", "unit of angles, both in input and in answers", .usual = ANGLE_RAD),
      .synonyms = "degrees radians",
      .words = WORD_LIST({"rad", ANGLE_RAD}, {"deg", ANGLE_DEG}), .words_only = true, .setting = true},
-    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by a bound of its error", .usual = 0),
+    {ENTRY("errors", settings.style.errors, "", "whether each number is followed by a bound on its error", .usual = 0),
      .synonyms = "accuracy uncertainty precision bounds",
      .words = SWITCH, .words_only = true, .setting = true, .help = errors_help},
     {ENTRY("timing", settings.timing, "", "whether each answer ends with the time that it took", .usual = 0),

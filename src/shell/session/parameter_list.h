@@ -17,26 +17,27 @@ struct word {
 
 struct parameter {
     const char *name;
-    /* Describes the parameter's value, whose default is the member `usual`. For an effect, this is an array
-     * that describes all values of the effect. */
+    /* The description of the parameter's value, including the default, `usual`. For an effect, an array with
+     * a description of each value. */
     const struct domq_effect_argument *value;
-    const char *help;     /* the text of 'help'; may be NULL */
-    const char *synonyms; /* words that people may use instead, separated by blanks; may be NULL */
-    /* NULL unless the parameter is an effect. For an effect, `help` and `synonyms` above are NULL, because
-     * the description of the effect contains them. */
+    const char *help;     /* the text that 'help' shows; may be NULL */
+    const char *synonyms; /* other words for the parameter, separated by blanks; may be NULL */
+    /* The description of the effect, or NULL if the parameter is not an effect. The help and the synonyms of
+     * an effect are in this description, and the two members above are NULL. */
     const struct domq_effect *effect;
     int which;                /* the number of the effect, if the parameter is an effect */
     const struct word *words; /* words for some of the values; may be NULL */
-    /* the parameter takes only these words, and its value is stored as an unsigned */
+    /* the value must be one of `words`, and is stored as an unsigned */
     bool words_only;
     /* The parameter is a setting of the calculator. 'reset' does not change it unless its name is given. */
     bool setting;
-    bool of_precision; /* the default and the lowest value depend on the precision, as for tol */
-    const char *moves; /* the name of another parameter that may change when this one is set; may be NULL */
+    bool of_precision; /* the default and the lower bound depend on the precision, as those of tol do */
+    const char *moves; /* another parameter that may change when this parameter is set; may be NULL */
     size_t offset;     /* the offset of the value in struct state; not used for effects */
 
     /* Hooks; each may be NULL. */
-    /* Sets *problem and returns false if a value is in the range but cannot be combined with the state. */
+    /* Checks whether a value in the range can be combined with the values of other parameters. If not, sets
+     * *problem and returns false. */
     bool (*check)(const struct state *state, domq_real value, struct problem *problem);
     /* Changes other members of the state before the value is stored. */
     void (*before)(struct state *state, domq_real value);

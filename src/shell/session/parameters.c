@@ -102,7 +102,8 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
                              : p->value->usual;
 }
 
-/* Returns the lower bound on value number i of a parameter, at the precision of the state. */
+/* Returns the lower bound on value number i of a parameter. The lower bound on tol depends on the precision.
+ */
 static domq_real parameter_lowest(const struct state *state, const struct parameter *p, int i)
 {
     return p->of_precision ? domq_arithmetic(state->scene.compute.precision)->tol_floor : p->value[i].lowest;
@@ -154,7 +155,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     struct state next = *state;
     domq_real all[DOM_EFFECT_ARGUMENTS];
     if (p->effect && given > 0 && value[0] == EFFECT_ON && state->scene.effect[p->which].on)
-        return true; /* the effect is already on and keeps its values */
+        return true; /* 'effect NAME on' does not change an effect that is already on */
     if (p->effect && !effect_complete(&state->scene, p->which, value, given, all, problem))
         return false;
     const struct assigned assigned = {p, p->effect ? all[0] : value[0], p->effect ? all + 1 : NULL};
@@ -166,7 +167,7 @@ bool parameter_set(struct state *state, const struct parameter *p, const domq_re
     return true;
 }
 
-/* Returns the rank of a parameter. parameter_in_order lists the parameters by increasing rank. */
+/* Returns the rank of a parameter. Parameters with a lower rank are restored first. */
 static int rank(const struct state *state, const struct parameter *p)
 {
     /* Effects that are on come after all other parameters. Among the effects that are off, those that need
@@ -210,7 +211,7 @@ const char *parameter_word(const struct parameter *p, domq_real value)
 const char *parameter_range_write(const struct state *state, const struct parameter *p, int i,
                                   char text[PARAMETER_RANGE])
 {
-    int digits = p->value[i].whole ? 15 : 6; /* every digit of a whole number is shown */
+    int digits = p->value[i].whole ? 15 : 6; /* whole numbers are written with all their digits */
     text[0] = '\0';
     if (!p->words_only)
         text_add(text, PARAMETER_RANGE, "%.*g .. %.*g", digits, (double)parameter_lowest(state, p, i), digits,
@@ -223,7 +224,8 @@ const char *parameter_range_write(const struct state *state, const struct parame
 const char *parameter_text(const struct parameter *p, domq_real value, int digits, char text[WIDE_TEXT])
 {
     const char *word = parameter_is_number(p) ? NULL : parameter_word(p, value);
-    digits = p->value->whole && digits < 15 ? 15 : digits; /* every digit of a whole number is shown */
+    /* whole numbers are written with all their digits */
+    digits = p->value->whole && digits < 15 ? 15 : digits;
     return word                    ? word
            : digits >= WIDE_DIGITS ? quad_exact(value, WIDE_DIGITS, text)
                                    : quad_write(value, digits < 15 ? digits : 15, text);
@@ -237,8 +239,8 @@ bool parameter_check(const struct state *state, const struct parameter *p, int i
     const struct domq_arithmetic *arithmetic = domq_arithmetic(state->scene.compute.precision);
     domq_real lowest = parameter_lowest(state, p, i);
     bool broken = of->whole && value != quad(floor)(value);
-    /* A lower bound such as 1e-15 cannot be stored exactly as a double, so both the decimal number and the
-     * nearest double are accepted. */
+    /* A lower bound such as 1e-15 has no exact double, so the nearest double is accepted even if it is below
+     * the bound. */
     if (!broken && (value >= lowest || (p->of_precision && (double)value >= (double)lowest)) &&
         value <= of->highest)
         return true;
@@ -264,7 +266,7 @@ struct answer_style state_style(const struct state *state)
     int bits = domq_arithmetic(state->scene.compute.precision)->bits;
     style.format = formats[style.output];
     style.precision = state->scene.compute.precision;
-    style.all_digits = 2 + bits * 30103 / 100000; /* that is, ceil(1 + bits log10(2)) */
+    style.all_digits = 2 + bits * 30103 / 100000; /* this is ceil(1 + bits log10(2)) */
     style.tol = (double)state->scene.compute.tol;
     style.digits = quad_smaller(style.digits, style.all_digits);
     return style;

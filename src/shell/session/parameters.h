@@ -18,20 +18,20 @@ const char *parameter_offered(const void *parameter, int k);
 /* Returns the parameter with this name, or NULL. */
 const struct parameter *parameter_find(const char *name);
 
-/* Returns the parameter whose first and most common synonym is the word. If there is no such parameter, and
- * `any` is true, returns the parameter in whose list of synonyms the word comes earliest. Otherwise returns
- * NULL. */
+/* Returns the parameter whose first synonym, the most common one, is the word. If there is none and `any` is
+ * true, returns the parameter that has the word earliest in its list of synonyms. Otherwise returns NULL. */
 const struct parameter *parameter_by_synonym(const char *word, bool any);
 
-/* Like names_find. If the word is a synonym of a parameter or effect in the list, the message suggests that
- * name. */
+/* Like names_find, but if the word is a synonym of a parameter or effect in the list, the message suggests
+ * this parameter or effect. */
 int parameter_search(names_list *list, const char *what, const char *word, char message[NAMES_MESSAGE]);
 
 /* Returns the description of value number i of a parameter, counted from 0, or NULL after the last value.
  * Only effects have more than one value. */
 const struct domq_effect_argument *parameter_value(const struct parameter *parameter, int i);
 
-/* Three descriptions of a parameter. The meaning is a short phrase. The help and the synonyms may be NULL. */
+/* Three descriptions of a parameter: a short phrase, the text that 'help' shows, and a list of synonyms. The
+ * text and the list may be NULL. */
 const char *parameter_meaning(const struct parameter *parameter);
 const char *parameter_help(const struct parameter *parameter);
 const char *parameter_synonyms(const struct parameter *parameter);
@@ -67,39 +67,39 @@ domq_real parameter_fallback(const struct state *state, const struct parameter *
 bool parameter_check(const struct state *state, const struct parameter *parameter, int i, domq_real value,
                      struct problem *problem);
 
-/* A parameter and its new value, which may be EFFECT_OFF. */
+/* A parameter and its new value. An effect may have the value EFFECT_OFF. */
 struct assigned {
     const struct parameter *parameter;
     domq_real value;
-    const domq_real *others; /* the other values of an effect, or NULL: see effect_put */
+    const domq_real *others; /* the other values of an effect, or NULL, as in effect_put */
 };
 enum { ASSIGNED_MAX = 8 };
 
 /*
- * Sets parameters in a copy of a state. The copy borrows the memory of the original, and must not be
- * closed. Parameters whose values are words, such as the precision, are set first, because the range of tol
- * depends on the precision. Sets *problem and returns false if a value is out of its range, if an effect
- * needs another effect that is off, or if values exclude each other.
+ * Sets parameters in a copy of a state. The copy shares the memory of the original, and must not be closed.
+ * Parameters whose values are words, such as the precision, are set first, because the range of tol depends
+ * on the precision. Sets *problem and returns false if a value is out of range, if an effect needs another
+ * effect that is off, or if two values exclude each other.
  */
 bool state_assign(struct state *state, const struct assigned *assigned, int count, struct problem *problem);
 
-/* Sets a parameter to the first `given` elements of `value`, in a state that owns its memory. Only effects
- * take more than one value. Returns false with a problem, and changes nothing, if a value cannot be set. */
+/* Sets a parameter to the first `given` elements of `value`, of which only effects take more than one. The
+ * state must own its memory. If a value cannot be set, sets *problem, changes nothing and returns false. */
 bool parameter_set(struct state *state, const struct parameter *parameter, const domq_real *value, int given,
                    struct problem *problem);
 
 /*
- * Lists the parameters, with NULL after the last one, in an order in which 'set' and 'effect' can restore the
- * state. If one effect needs another, the dependent effect is turned off before the other, and turned on
- * after it. tol comes after the precision.
+ * Returns parameter k, counted from 0, or NULL after the last parameter. The order is one in which 'set' and
+ * 'effect' can restore the state: an effect that needs another effect is turned off before it and turned on
+ * after it, and tol is set after the precision.
  */
 const struct parameter *parameter_in_order(const struct state *state, int k);
 
-/* Writes the commands that restore a parameter. For `folder`, see effect_save. */
+/* Writes the commands that set a parameter to its current value. For `folder`, see effect_save. */
 void parameter_save(const struct state *state, const struct parameter *parameter, const char *folder,
                     FILE *out);
 
-/* Returns the style of answers, with the members that follow from the precision and tol of the state. */
+/* Returns the style of answers. Sets the members that depend on the precision and tol, too. */
 struct answer_style state_style(const struct state *state);
 
 #endif

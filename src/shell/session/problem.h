@@ -8,16 +8,16 @@
 
 enum problem_kind {
     PROBLEM_NONE,
-    PROBLEM_WRONG,     /* the line is wrong, whatever values the parameters have */
-    PROBLEM_NO_ANSWER, /* there is no answer with these values; a sweep continues with its next point */
+    PROBLEM_WRONG,     /* the line is wrong for any values of the parameters */
+    PROBLEM_NO_ANSWER, /* there is no answer for the current values; a sweep continues with its next point */
 };
 
 enum { PROBLEM_TEXT = 1024 };
 
 struct problem {
     enum problem_kind kind;
-    int column;          /* the column of the error in the line, from 1; 0 stands for the whole line */
-    int place;           /* the column that problem_report copies to `column` */
+    int column; /* the column of the error in the line, counted from 1; 0 stands for the whole line */
+    int place;  /* the column of the next problem, which problem_report copies to `column` */
     const char *command; /* the name of the command; may be NULL */
     char text[PROBLEM_TEXT];
 };
@@ -28,7 +28,7 @@ static inline void problem_begin(struct problem *problem, const char *command)
     problem->kind = PROBLEM_NONE;
     problem->column = problem->place = 0;
     problem->command = command;
-    /* One byte is enough. Clearing the whole array would take longer than a short command. */
+    /* Only one byte is cleared, because clearing the whole array would take longer than a short command. */
     problem->text[0] = '\0';
 }
 

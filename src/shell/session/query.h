@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The input of a command: a state, the command's arguments, the last answer, and the means of computing. */
+/* The input of a command: the state, the command's arguments, the last answer, and the circumstances of the
+ * run. */
 #ifndef SHELL_QUERY_H
 #define SHELL_QUERY_H
 
@@ -9,18 +10,19 @@
 struct command;
 struct arguments;
 
-/* The part of a sweep or study that the option --shard requests, counted from 1. Without --shard, `parts` is
- * 0. */
+/* The argument of the option --shard: only part number `part`, counted from 1, of a sweep or study is
+ * computed. Without --shard, `parts` is 0. */
 struct shard {
     size_t part, parts;
 };
 
-/* The circumstances in which a command runs, which do not change the numbers in its answer. */
+/* The circumstances in which a command runs. The numbers that the command computes do not depend on them. */
 struct means {
     struct shard shard;
-    bool safe;          /* commands may not touch files */
+    bool safe;          /* commands must not read or write files */
     bool sourced;       /* the command comes from a file that 'source' runs */
-    const char *script; /* the path of the script, to find files in its directory; NULL at the prompt */
+    const char *script; /* the path of the running script, whose directory is searched for files; NULL at the
+                           prompt */
     /* Shows a note to the user at once. May be NULL. */
     void (*note)(void *context, const char *text);
     void *context; /* for `note` */
@@ -40,23 +42,24 @@ enum { ANSWER_CELLS = 16 };
 
 /* The last answer, for 'ans' in expressions. */
 struct ans {
-    const struct command *command; /* the command of the last answer; NULL if there has been none */
+    const struct command *command; /* the command that gave the answer; NULL if there is no answer */
     struct cell cells[ANSWER_CELLS];
     bool printed; /* the last answer was the value of an expression, which is stored in `value` */
     struct quantity value;
 };
 
-/* How far the commands that step through the motion of the train have come. `theta` is the tilt that they
- * have reached, at an event or between two events of a cycle. */
+/* The progress of 'step', 'back' and 'goto' through the motion of the train. `theta` is the tilt that has
+ * been reached, at an event or between two events of a cycle. */
 struct walk {
-    struct domq_train train; /* the train of the walk; when the scene's train changes, a new walk begins */
-    struct domq_compute compute; /* the options of the walk, with a smaller tolerance than the session's */
+    /* a copy of the scene's train; when the scene's train changes, a new walk begins */
+    struct domq_train train;
+    struct domq_compute compute; /* the session's options, but with a smaller tolerance */
     domq_real tol;               /* the session's tolerance when the walk began */
     struct domq_event events[DOM_EVENTS_MAX];
     int count; /* the number of events; 0 if no walk has begun */
-    int event; /* the index of the last event that the walk has passed */
+    int event; /* the index of the last event that has been reached or passed */
     domq_real theta;
-    int cycle;               /* the number of the cycle, from 1 */
+    int cycle;               /* the number of the current cycle, counted from 1 */
     enum dom_status verdict; /* DOM_OK or DOM_STOPS */
 };
 
@@ -66,13 +69,13 @@ struct query {
     const struct arguments *given;
     const struct ans *ans;
     const struct means *means;
-    struct walk *walk;  /* the session's walk through the motion of the train */
+    struct walk *walk;  /* the progress through the motion of the train */
     struct state *next; /* the state that the command may change; NULL if changes are not kept */
 };
 
-/* query_options returns the options for computations of the library, which request error bounds if the
- * settings do. query_compute returns a pointer to these options, which live until the end of the block that
- * contains the call. */
+/* query_options returns the options for computations of the library. They request error bounds after 'set
+ * errors on'. query_compute returns a pointer to a copy of these options that lives until the end of the
+ * block that contains the call. */
 static inline struct domq_compute query_options(const struct query *query)
 {
     struct domq_compute compute = query->scene->compute;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Descriptions of the errors of random rows. The errors of gaps and heights are not here, because they belong
- * to the effect 'placement'. To add an error, add it to DOM_ERRORS, its name to ERROR_EFFECTS, its
- * description to this file, and the code that applies it to a row to src/model/planning/draw.c.
+ * Descriptions of the effects that give rows random errors. Random errors of gaps and heights belong to the
+ * effect 'placement', and so are not in this file. To add a kind of random error, add it to DOM_ERRORS and
+ * ERROR_EFFECTS, describe it in this file, and apply it to a row in src/model/planning/draw.c.
  */
 #include "session/effect_kinds.h"
 
@@ -12,7 +12,7 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 #define PLAN          "many rows, verdicts only, on all processors"
 #define NEEDS(effect) (1U << (effect))
 
-/* Initialises the arguments that all errors have. */
+/* Initialises the arguments, which are the same for all kinds of random error. */
 #define SIZED(unit_, meaning_, highest_, usual_)                                                             \
     .source = SOURCE, .plan = PLAN,                                                                          \
     .argument = {{.name = "SIZE",                                                                            \
@@ -34,11 +34,12 @@ static const char *const distributions[] = {"normal", "uniform", NULL};
 const struct domq_effect error_effect_place = {
     .name = "error_place",
     .synonyms = "position tape",
-    .adds = "random errors of the places of dominoes",
-    .help = "Each domino is off its place by a separate random error, which does not move the dominoes after "
-            "it, as if all places had been measured with a tape. In 'effect placement', an error of a gap "
-            "moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
-    SIZED("m", "error of each place", 1e9, 0.001),
+    .adds = "random errors of the positions of dominoes",
+    .help =
+        "Each domino is off its position by a separate random error, which does not move the dominoes after "
+        "it, as if all positions had been measured with a tape. In 'effect placement', an error of a gap "
+        "moves all dominoes after it. Dominoes that would overlap are moved until they touch.",
+    SIZED("m", "error of each position", 1e9, 0.001),
 };
 
 const struct domq_effect error_effect_thickness = {

@@ -52,7 +52,7 @@ bool errors_check(const struct scene *scene, struct problem *problem)
     if (scene_has_engine(scene))
         return problem_error(problem,
                              "'effect error_lean' cannot be combined with the rigid-body engine, which runs "
-                             "this row because %s; turn that off, or enter 'effect error_lean off'",
+                             "this row because %s; first enter 'effect error_lean off'",
                              scene_engine_why(scene));
     return scene->train.rho == 0 ||
            problem_error(problem, "'effect error_lean' cannot be combined with rounded edges; first enter "

@@ -11,8 +11,8 @@ bool scene_has_masses(const struct scene *scene)
     return scene_mass(scene) > 0 || (scene->listed.domino && scene->listed.has_masses);
 }
 
-/* Scales masses of which only the ratios are known. If the session knows the mass of the first domino, the
- * first domino gets this mass. Otherwise, m g h / 2 of the first domino becomes 1. */
+/* Scales masses of which only the ratios are known. The first domino gets the mass that follows from the
+ * parameters 'mass' and 'density'. If neither is set, m g h / 2 of the first domino becomes 1. */
 static void row_weigh(const struct scene *scene, struct domq_domino *domino, size_t count)
 {
     domq_real mass = scene_block_mass(scene, domino[0].height, domino[0].thickness);
@@ -38,7 +38,7 @@ void scene_row_fill(const struct scene *scene, struct domq_domino *domino, size_
     if (!listed->domino || !listed->has_masses)
         row_weigh(scene, domino, count);
     row_changes_apply(scene, domino, count);
-    /* if a change has affected the first domino, its m g h / 2 must be made 1 again */
+    /* a change may have affected the first domino, whose m g h / 2 must be 1 */
     if (listed->changes > 0 && !scene_has_masses(scene))
         row_weigh(scene, domino, count);
 }
@@ -124,7 +124,7 @@ static bool row_stands(const struct scene *scene, const struct domq_row *row, st
     return true;
 }
 
-/* The relative tolerance of searches that run the engine. */
+/* The smallest relative tolerance of searches that run the engine. */
 #define ENGINE_TOL ((domq_real)1 / 10000)
 
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem)
@@ -147,9 +147,9 @@ bool scene_row_make(const struct scene *scene, struct scene_row *row, struct pro
 /* A value typed without a unit is probably a mistake if it is at least this many times the current value. */
 #define SLIP_OF_UNIT 50
 
-/* Returns true if a new value that was typed without a unit, and is therefore in m or kg, is plausible: a
- * user who types 25 means 25 mm and not 25 m. A gap is plausible if it does not exceed the height of the
- * taller of the two dominoes beside the gap. Otherwise reports the problem. */
+/* Checks a new value that was typed without a unit, and so is in m or kg. A user who types 25 for a height
+ * probably means 25 mm and not 25 m. A gap is plausible unless it is larger than the taller of the two
+ * dominoes beside it. If the value is not plausible, reports the problem and returns false. */
 static bool bare_likely(const struct domq_domino *row, size_t k, enum row_measure measure, domq_real now,
                         domq_real value, struct problem *problem)
 {
@@ -180,14 +180,15 @@ domq_real scene_row_measure(const struct scene *scene, const struct domq_domino 
                                                               : *row_measure_at(&copy, measure);
 }
 
-/* Returns the angle at which a domino leans if its top is `off` m from plumb. */
+/* Returns the lean angle of a domino whose top is `off` m from plumb. */
 static domq_real lean_angle(domq_real off, domq_real height)
 {
     return quad(fabs)(off) < height ? quad(asin)(off / height) : (off < 0 ? -1 : 1) * QUAD_PI / 2;
 }
 
-/* Changes one measurement of domino k of a row, counted from 0, and stores the change in *kept, in the form
- * of struct listed_row. On failure, sets *problem and returns false. */
+/* Computes the new value of one measurement of domino k, counted from 0, and stores it in *kept, in the form
+ * in which listed_row.change holds it. Sets *problem and returns false if the domino cannot have this value.
+ */
 static bool domino_change(const struct scene *scene, const struct row_change *change,
                           const struct scene_row *row, size_t k, domq_real *kept, struct problem *problem)
 {
@@ -218,8 +219,8 @@ static bool domino_change(const struct scene *scene, const struct row_change *ch
            problem_no_answer(problem, "domino %zu: %s", k + 1, message);
 }
 
-/* Returns true if the row has all dominoes that are in the ranges and, if gaps change, a gap before each of
- * these dominoes. Otherwise reports the problem. */
+/* Reports a problem and returns false if a domino of the ranges does not exist, or if `measure` is a gap and
+ * the domino has no gap before it. */
 static bool ranges_check(const struct row_range *range, int ranges, enum row_measure measure, size_t count,
                          struct problem *problem)
 {
@@ -255,7 +256,7 @@ static bool row_change(struct scene *scene, const struct scene_row *row, const s
     struct listed_row before = scene->listed;
     next.saved = false;
     scene->listed = next;
-    good = good && scene_row_list(scene, &changed, problem); /* checks that the walls still fit */
+    good = good && scene_row_list(scene, &changed, problem); /* this also checks that the walls still fit */
     if (good)
         free(changed.domino);
     else

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes the dominoes of the scene's row, and changes their measurements. */
+/* Makes the row of a scene, and changes the measurements of its dominoes. */
 #ifndef SHELL_ROW_H
 #define SHELL_ROW_H
 
@@ -11,20 +11,19 @@ struct scene_row {
     struct domq_row row;
     struct domq_compute compute;
     struct domq_domino *domino;
-    struct engine_report report; /* what the engine found, for commands that request it */
+    struct engine_report report; /* additional results of the engine, for the commands that show them */
     /* `row.engine` may point to this member, so the struct must not be copied. */
     struct scene_engine engine;
 };
 
 /*
- * Makes the row, and prepares it to be run by the model or, if the scene uses it, by the rigid-body
- * engine. Sets *problem and returns false if there is no row, no memory or no engine, or if a domino would
- * fall over by itself.
+ * Makes the row, and prepares it for a run in the model or in the rigid-body engine. Sets *problem and
+ * returns false if there is no row, no memory or no engine, or if a domino would fall over by itself.
  */
 bool scene_row_make(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
-/* Makes the row only to list its dominoes: unlike scene_row_make, this function does not check that the row
- * can be run. */
+/* Makes the row for a list of its dominoes. Unlike scene_row_make, this function does not check whether the
+ * row can be run. */
 bool scene_row_list(const struct scene *scene, struct scene_row *row, struct problem *problem);
 
 /* Fills in the first `count` dominoes of the row, with their masses and with the measurements that 'change'
@@ -40,15 +39,15 @@ domq_real *scene_row_widths(const struct scene *scene, size_t count);
  * m g h / 2 of the first domino. */
 bool scene_has_masses(const struct scene *scene);
 
-/* Returns a measurement of a domino in m or kg. A lean is given as the distance of the top from plumb. If the
- * domino has no radius of its own, its radius is that of 'effect edges'. */
+/* Returns a measurement of a domino in m or kg. A lean is returned as the distance of the top from plumb. A
+ * domino without a radius of its own has the radius of 'effect edges'. */
 domq_real scene_row_measure(const struct scene *scene, const struct domq_domino *domino,
                             enum row_measure measure);
 
 /*
- * Changes one measurement of the dominoes in some ranges. A domino whose height or thickness changes keeps
- * its density. Replacing the row discards the changes. Returns false with a problem, and changes nothing, if
- * there is no such domino, or if a domino cannot have the new measurement.
+ * Changes one measurement of all dominoes in the given ranges. A domino whose height or thickness changes
+ * keeps its density. The changes are lost when the row is replaced. If a domino does not exist, or cannot
+ * have the new measurement, sets *problem, changes nothing and returns false.
  */
 bool scene_row_change(struct scene *scene, const struct row_change *change, const struct row_range *range,
                       int ranges, struct problem *problem);

@@ -30,9 +30,9 @@ static domq_real changed(const struct listed_row *row, size_t k, enum row_measur
     return k < row->changes ? *row_measure_at(&row->change[k], measure) : DOMQ_NAN;
 }
 
-/* Changes a height or a thickness. The domino keeps its width, and the mass is proportional to the volume. If
- * the walls were part of the mass before, that volume is the volume of the wood, because the change may make
- * a box of a solid domino, or the reverse. */
+/* Sets *size, which is the height or the thickness of the domino, to a new value, and scales the mass with
+ * the volume. The width does not change. If the mass was computed from the walls, it is scaled with the
+ * volume of the wood, because the change may turn a solid domino into a box, or a box into a solid domino. */
 static void size_change(const struct scene *scene, domq_real width, struct domq_domino *d, domq_real *size,
                         domq_real value)
 {
@@ -103,8 +103,7 @@ void row_changes_save(const struct listed_row *row, FILE *out)
             domq_real value = changed(row, k, m);
             if (isnan(value))
                 continue;
-            /* A lean may have a sign. Without the '=', the command would read such a number as an amount to
-             * add. */
+            /* Without the '=', 'change' would add a number that has a sign, and a lean may be negative. */
             fprintf(out, "change %zu %s %s%s %s\n", k + 1, row_measure_names(NULL, (int)m),
                     m == MEASURE_LEAN ? "= " : "",
                     quad_exact(m == MEASURE_MASS ? 100 * value : value, WIDE_DIGITS, number),

@@ -15,20 +15,20 @@ struct row_range {
 struct row_change {
     enum row_measure measure;
     enum { CHANGE_TO, CHANGE_BY, CHANGE_TIMES } how; /* replace the measurement, add to it, or multiply it */
-    domq_real value;                                 /* in m or kg, or a factor */
-    bool is_angle; /* for a lean: the value is an angle in rad, not the distance of the top from plumb */
-    bool is_bare;  /* the value was typed without a unit */
+    domq_real value; /* the new value or the difference in m or kg, or a factor */
+    bool is_angle;   /* the value of a lean is an angle in rad, and not the distance of the top from plumb */
+    bool is_bare;    /* the value was typed without a unit */
 };
 
-/* Returns a pointer to the member of a domino that holds a measurement. In the array `change` of struct
- * listed_row, the same member holds the change of the measurement. */
+/* Returns a pointer to the member of a domino that holds a measurement. For an element of listed_row.change,
+ * returns a pointer to the change of the measurement. */
 domq_real *row_measure_at(struct domq_domino *domino, enum row_measure measure);
 
-/* Applies all changes to the first `count` dominoes of the row. */
+/* Applies the stored changes to the first `count` dominoes of the row. */
 void row_changes_apply(const struct scene *scene, struct domq_domino *domino, size_t count);
 
-/* Allocates the array of changes for a row of `count` dominoes, if there is none yet. Returns false if memory
- * runs out. */
+/* Allocates the array of changes for a row of `count` dominoes, unless the row already has one. Returns false
+ * if memory runs out. */
 bool row_changes_open(struct listed_row *row, size_t count);
 
 /* Returns the number of measurements that have been changed. */
@@ -36,7 +36,7 @@ size_t row_changes_count(const struct listed_row *row);
 
 bool row_changes_equal(const struct listed_row *a, const struct listed_row *b);
 
-/* Writes the commands that restore the changes. */
+/* Writes 'change' commands that make the stored changes again when a script runs them. */
 void row_changes_save(const struct listed_row *row, FILE *out);
 
 /* A names_list (see names.h) of the measurements that can change. */

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Looks for a file in the directory of the running script. Returns the path of the file, or a copy of `name`
+/* Looks for a file in the directory of the running script. Returns the path of this file, or a copy of `name`
  * if there is no such file. Returns NULL if memory runs out. The caller frees the path. */
 static char *path_beside(const struct means *means, const char *name)
 {
@@ -64,7 +64,7 @@ enum { DENSITY = ROW_MEASURES, WIDTH, RELATIVE, DOMINO, KINDS };
 #define WEIGHT "write a number in the unit of the first line, as in "
 #define PLAIN  "", "none", "", "write a plain number: "
 
-/* The range of masses is that of single precision. */
+/* The limits of a mass are about those of float, the lowest precision. */
 static const struct csv_column columns[KINDS] = {
     [MEASURE_HEIGHT] = {"height", "length", CSV_REQUIRED, LENGTH, 1e-9, 1e9, "1e-9 .. 1e9 m"},
     [MEASURE_THICKNESS] = {"thickness", "depth,thick", CSV_REQUIRED, LENGTH, CSV_ABOVE_0, 1e11,
@@ -152,8 +152,8 @@ static bool row_keep(struct csv_table *csv, domq_real slope, struct listed_row *
     return true;
 }
 
-/* Reads all rows. Writes the cells of the columns that do not describe dominoes to `others`, with a NUL byte
- * after each line. Returns false after a problem. */
+/* Reads all dominoes. Writes the unused columns to `others`, with a NUL byte after each line. Returns false
+ * if there is a problem. */
 static bool rows_read(struct csv_table *csv, domq_real slope, struct listed_row *rows, FILE *others)
 {
     if (csv->column[MEASURE_MASS] && csv->column[DENSITY])

@@ -19,7 +19,7 @@ struct csv_table *csv_named(const struct scene *scene, const struct means *means
 bool csv_end(struct csv_table *csv, struct problem *problem);
 
 /*
- * A measured row of dominoes:
+ * A csv file that describes a measured row of dominoes looks like this:
  *
  *     # the hall, first try
  *     height (mm), thickness (mm), gap (mm), mass (g)
@@ -27,26 +27,27 @@ bool csv_end(struct csv_table *csv, struct problem *problem);
  *     5.2 cm, 52/6, 22, 12.5
  *
  * Masses may be missing, or may be given by densities and widths: the mass of a block is the product of its
- * density, height, thickness and width. The default width is half the height, and the default density is 1. A
- * column of relative masses is used if there is neither mass nor density. A lean says how far the top of a
- * domino is off plumb when the domino is set up; a backward lean is negative. The column "domino" is ignored,
- * and all other columns are kept as text.
+ * density, height, thickness and width. The default width is half the height, and the default density is 1.
+ * The column "relative" gives relative masses, and is used if there is neither mass nor density. A lean is
+ * the distance by which the top of a standing domino is off plumb; a backward lean is negative. The column
+ * "domino" is ignored, and all other columns are kept as text.
  */
-/* Describes the columns of such a file. The first columns are those of enum row_measure, in the same
+/* The columns that the file of a row may have. The first columns are those of enum row_measure, in the same
  * order. */
 extern const struct csv_kind rowfile_kind;
 
-/* Checks that the measurements of a domino fit together on a floor with this slope in radians. Returns
- * ROW_MEASURES if they do. Otherwise returns the measurement that is wrong, and writes a message. */
+/* Checks whether a domino can have all its measurements at once, and does not fall over by itself on a slope
+ * of `slope` radians. If so, returns ROW_MEASURES. Otherwise returns the measurement that is wrong, and
+ * writes a message. */
 enum { MISFIT_MESSAGE = LEAN_MESSAGE };
 enum row_measure domino_misfit(const struct domq_domino *domino, domq_real slope,
                                char message[MISFIT_MESSAGE]);
 
 /*
  * Reads all dominoes of a table. The gap of the first domino is 0. If the table gives no masses in kg, masses
- * are relative, like those of solid blocks of density 1. No domino may lean so far that it falls over on a
- * floor with this slope in radians. Returns false with a problem in the table, and then *rows is empty. Free
- * *rows with listed_free.
+ * are relative, like those of solid blocks of density 1. No domino may lean so far that it falls over by
+ * itself on a slope of `slope` radians. On failure, stores the problem in the table, leaves *rows empty and
+ * returns false. Free *rows with listed_free.
  */
 bool rowfile_read(struct csv_table *csv, domq_real slope, struct listed_row *rows);
 

@@ -67,7 +67,7 @@ void effects_apply(struct scene *scene)
     DOM_DYNAMICS(APPLY)
 #undef APPLY
     if (scene_boxes_above(scene) > 0)
-        scene->train.walls = 0; /* an endless train has no height above which dominoes could be boxes */
+        scene->train.walls = 0; /* an endless train has either only boxes or only solid dominoes */
 }
 
 void effects_reset(struct scene *scene)
@@ -130,7 +130,7 @@ bool problem_status(struct problem *problem, const struct scene *scene, enum dom
     if (status == DOM_OK)
         return true;
     problem->place = 0;
-    /* These statuses can occur with any values of the parameters. */
+    /* These failures do not depend on the values of the parameters, so a sweep must not continue. */
     if (status == DOM_INTERRUPTED || status == DOM_NO_MEMORY)
         return problem_error(problem, "%s", dom_status_text(status));
     if (status == DOM_NO_ROUND && t->rho > t->d / 2)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The scene is everything that determines the numbers of an answer. The state consists of the scene, the
+ * The scene is everything on which the numbers in an answer depend. The state consists of the scene, the
  * settings, and the variables defined by 'let'; 'undo', 'save' and 'diff' work on states. parameter_list.c
  * lists the parameters, which are members of the state.
  */
@@ -29,30 +29,31 @@ enum row_measure {
     ROW_MEASURES
 };
 
-/* The dominoes of a row that was read from a file, and, whether or not the row is from a file, the dimensions
- * that 'change' has changed. */
+/* The dominoes of a row that was read from a file, and the changes that 'change' has made to single dominoes.
+ * A row that does not come from a file can have changes, too. */
 struct listed_row {
     struct domq_domino *domino; /* NULL if the row does not come from a file */
     size_t count;
-    bool has_masses;   /* the masses are in kg; otherwise only their ratios matter */
+    bool has_masses;   /* the masses are in kg; if false, only the ratios of the masses are known */
     bool from_volumes; /* the masses follow from the volumes, and not from a column of the file */
     domq_real *width;  /* the widths in m; NULL if the row does not come from a file */
     char *path;
-    /* The columns of the file that are not used, as csv: first a line with their names, then a line for each
-     * row. Each cell begins with a comma, and each line ends with a NUL byte. */
+    /* The unused columns of the file as csv: first a line with their names, then a line for each domino. Each
+     * cell begins with a comma, and each line ends with a NUL byte. */
     char *others;
-    /* For each domino of the row, the measurements that have been changed, with NaN for the others. NULL if
-     * nothing has been changed. A mass is stored as a factor, because 'change' changes the density of a
-     * domino. */
+    /* The changed measurements of each domino. Measurements that have not been changed are NaN. A changed
+     * mass is stored as a factor, because the mass also changes with the size of the domino. NULL if nothing
+     * has been changed. */
     struct domq_domino *change;
-    size_t changes;  /* the number of elements of `change` */
-    bool saved;      /* the changes have been written to a file */
-    size_t *holders; /* the reference count of the memory that was read from the file; NULL without a file */
+    size_t changes; /* the number of elements of `change` */
+    bool saved;     /* the changes have been saved to a file */
+    /* the reference count of `domino`, `width`, `path` and `others`; NULL if these are NULL */
+    size_t *holders;
 };
 
 struct scene {
     struct domq_train train;
-    /* the options of the library; query_options adds the one that requests error bounds */
+    /* the library's options, except for the error bounds, which query_options requests */
     struct domq_compute compute;
     struct domq_scale scale;
     domq_real mass;    /* the mass of the first domino in kg; 0 if it is not known */
@@ -67,9 +68,9 @@ struct scene {
 /* Parameters that affect the form of answers or the speed of computation, but not the numbers. */
 struct settings {
     struct answer_style style; /* only `output`, `header`, `digits`, `angle` and `errors` are set; state_style
-                                  fills in the others */
+                                  sets the other members */
     unsigned timing, hints;
-    domq_real threads; /* 0 means one thread for each processor */
+    domq_real threads; /* the number of threads; 0 means one thread for each processor */
 };
 
 struct state {
@@ -91,21 +92,22 @@ void effects_reset(struct scene *scene);
 /* Copies the values of effects into the train of the scene. */
 void effects_apply(struct scene *scene);
 
-/* Returns true if 'change' has changed dominoes, and the changes have not been saved to a file. */
+/* Returns true if dominoes of the row have been changed since the row was last saved. */
 static inline bool row_unsaved(const struct scene *scene)
 {
     return scene->listed.changes > 0 && !scene->listed.saved;
 }
 
-/* Copies a row. The copy shares what was read from the file. Returns false if memory runs out. */
+/* Copies a row. Memory that was read from a file is shared, and its reference count is increased. Returns
+ * false if memory runs out. */
 bool listed_share(struct listed_row *to, const struct listed_row *from);
 void listed_free(struct listed_row *row);
 
 /* Returns the thickness of the walls of boxes in m, or 0 if all dominoes are solid. */
 domq_real scene_walls(const struct scene *scene);
 
-/* Returns the height in m above which the dominoes of a row are boxes, or 0 if all dominoes have walls or
- * none has. */
+/* Returns the height in m above which the dominoes of a row are boxes. Returns 0 if either all dominoes are
+ * boxes or all are solid. */
 domq_real scene_boxes_above(const struct scene *scene);
 
 /* Returns the fraction of a domino's volume that its walls fill, which is 1 for a solid domino. Lengths are
@@ -119,17 +121,17 @@ domq_real scene_block_mass(const struct scene *scene, domq_real height, domq_rea
 /* Returns the mass in kg of the first domino of the train, or 0 if neither mass nor density is known. */
 domq_real scene_mass(const struct scene *scene);
 
-/* Returns true if a leaning domino with sharp edges does not fall over on a slope of `alpha` radians.
- * Otherwise writes a message that says how far the domino can lean, and returns false. */
+/* Returns true if a leaning domino with sharp edges does not fall over by itself on a slope of `alpha`
+ * radians. Otherwise returns false, and writes a message about how far the domino can lean. */
 enum { LEAN_MESSAGE = 400 };
 bool lean_stands(const struct domq_domino *domino, domq_real alpha, char message[LEAN_MESSAGE]);
 
-/* Reports that the walls do not fit into domino k, which has this thickness in m. If k is 0, the message is
- * about a domino of the train. Returns false. */
+/* Reports that the walls do not fit into domino k, whose thickness in m is given. k = 0 stands for a domino
+ * of the train. Returns false. */
 bool problem_no_room(struct problem *problem, const struct scene *scene, size_t k, domq_real thickness);
 
-/* Reports that domino k, or any domino of the train if k is 0, cannot stand upright, since the slope is
- * steeper than the limit in radians. Returns false. */
+/* Reports that domino k cannot stand upright, because the slope is steeper than `limit` radians. k = 0 stands
+ * for any domino of the train. Returns false. */
 bool problem_no_stand(struct problem *problem, const struct scene *scene, size_t k, domq_real limit);
 
 /* Returns true if the status is DOM_OK. Reports any other status of the library as a problem, and returns

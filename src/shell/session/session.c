@@ -59,7 +59,7 @@ bool session_stops(const struct session *session, long errors)
 /* A copy of the typed line above a caret is indented by this many columns. */
 enum { CARET_INDENT = 2 };
 
-/* Returns true if the typed line has no control characters, which a pasted line may have. */
+/* Returns true if the typed line has no control characters. A pasted line may have some. */
 static bool typed_is_plain(const struct session *session)
 {
     char *typed = strndup(session->typed.text, (size_t)session->typed.length);
@@ -78,7 +78,7 @@ static void session_caret(const struct session *session, int column)
     bool above = session->typed.is_last && width > 0;
     if (!above && (session->typed.columns + CARET_INDENT >= width || !typed_is_plain(session)))
         return;
-    if (above) /* the terminal has wrapped a line that is longer than `width` */
+    if (above) /* the terminal wraps a line that is longer than `width` */
         at = (at - 1) % width + 1;
     if (!above)
         fprintf(session->output->messages, "%*s%.*s\n", CARET_INDENT, "", session->typed.length,
@@ -86,8 +86,8 @@ static void session_caret(const struct session *session, int column)
     fprintf(session->output->messages, "%*s\n", above ? at : column + CARET_INDENT, "^");
 }
 
-/* Writes an error into the output of a script, among its answers, if the output format can represent
- * errors. */
+/* Writes an error of a script to the output, between the answers, if the output format can represent errors.
+ */
 static void session_tell(struct session *session, const struct problem *problem)
 {
     const struct format *format = formats[session->state.settings.style.output];

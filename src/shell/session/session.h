@@ -20,7 +20,7 @@ struct session {
     struct output standard;
 
     struct source {
-        const char *name; /* the name of the script, for messages; NULL at the prompt */
+        const char *name; /* the name of the running script, for messages; NULL at the prompt */
         FILE *stream;     /* the stream of the script, for 'lesson'; NULL at the prompt and for -e */
         long line;        /* the number of the current line in the script */
         int depth;        /* how deeply 'source' commands are nested */
@@ -35,12 +35,12 @@ struct session {
     } typed;
 
     const char *command; /* the name of the command that is running, for notes */
-    /* The flag that the handler of SIGINT sets, if SIGINT ends only the running command and not the script.
-     * Otherwise NULL. */
+    /* If SIGINT ends only the running command and not the script, points to the flag that the signal handler
+     * sets. Otherwise NULL. */
     volatile sig_atomic_t *resumes;
-    bool bail; /* the first error ends the session, as with --bail */
+    bool bail; /* the first error ends the session (option --bail) */
     bool quit;
-    bool wrote; /* the last command wrote rows of an answer */
+    bool wrote; /* the last command wrote an answer that has rows */
     long errors;
 };
 
@@ -49,11 +49,12 @@ void session_init(struct session *session, FILE *out);
 
 void session_close(struct session *session);
 
-/* Returns the format of the next answer. If the answer goes to a file whose name implies a format, returns
- * that format, and otherwise the format chosen with 'set output'. */
+/* Returns the format of the next answer: the format that the name of the output file implies, or else the
+ * format chosen with 'set output'. */
 const struct format *session_answers(const struct session *session);
 
-/* Returns a query about the session's state. The caller sets the members `given` and `next`. */
+/* Returns a query for a command that runs in the session's state. The caller sets the members `given` and
+ * `next`. */
 struct query session_query(struct session *session);
 
 /* Writes an error message with its position to stderr, and increments session->errors. */

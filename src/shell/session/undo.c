@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* the maximum number of steps, and of dominoes and changed dominoes in all steps together */
+/* The maximum number of steps, and the maximum number of dominoes that all steps hold together, where each
+ * change of a domino counts as another domino. */
 enum { STEPS = 100, HELD_MOST = 4000000 };
 
 /*

@@ -12,14 +12,14 @@ struct undo;
  * command. Returns NULL if memory runs out; the command then cannot be undone. */
 struct state *undo_begin(const struct state *state);
 
-/* If a command has changed the state, adds a step to the history. `before` is the copy that undo_begin made
- * before the command, and this function takes ownership of the copy. `text` is the command. *undo is NULL for
- * an empty history. */
+/* If a command has changed the state, adds a step to the history. Takes ownership of `before`, the copy that
+ * undo_begin made before the command. `text` is the command, and `length` its length. *undo is NULL if there
+ * is no history yet. */
 void undo_keep(struct undo **undo, const struct state *state, struct state *before, const char *text,
                size_t length);
 
-/* Goes one step back, or forward if `back` is false. Returns the text of the command that was undone or
- * redone, or NULL if there is no such step. */
+/* Undoes the last command, or redoes the next command if `back` is false. Returns the text of this command,
+ * or NULL if there is nothing to undo or redo. */
 const char *undo_step(struct undo *undo, struct state *state, bool back);
 
 void undo_free(struct undo *undo);
