@@ -165,16 +165,18 @@ static bool falls_above_u(const struct geometry *geometry)
 /*
  * Returns true if it is proved that H is concave up to theta_u, and so has a single top. The proof: up to
  * theta_u, h'' of the head is at most -h.y, and -h' of a follower is at most h.y. By (12; b8) and (14; b10),
- * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 >= sqrt(1 -
- * r^2 s^2). Therefore no theta_i'' is below -i r L / sqrt(1 - r^2 s^2), and the followers, all of which lose
- * height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i is w / (1 -
- * w)^2. A follower that has detached reduces the concavity by less.
+ * theta_{i+1}'' is theta_1' theta_i'' minus at most r L y_i / Y_i theta_i'^2, where Y_i >= Y_0 = cos theta_c.
+ * With rounded edges (r L + (r + 1) rho) / l takes the place of r L y_i, as the second derivative in
+ * rolling_here shows. Therefore no theta_i'' is below -i r L / cos theta_c, and the followers, all of which
+ * lose height, reduce the concavity by at most the sum of r^(-q i) times that bound. The sum of i w^i is w /
+ * (1 - w)^2. A follower that has detached reduces the concavity by less.
  */
 KERNEL bool barrier_single(const struct geometry *geometry)
 {
-    real apart = 1 - geometry->weight;
-    return geometry->law->closed_form && falls_above_u(geometry) &&
-           geometry->rL * geometry->weight < apart * apart * sqrt(geometry->leave_at);
+    const struct rounded *of = &geometry->rounded;
+    const real apart = 1 - geometry->weight, bends = (geometry->rL + (geometry->r + 1) * of->rho) / of->tall;
+    return of->roll == 0 && falls_above_u(geometry) &&
+           bends * geometry->weight < apart * apart * geometry->c.y;
 }
 
 /*

@@ -5,35 +5,26 @@
  * that
  *
  *     H(z) = h(z) + r^-q H(f(z)),
- *     J(z) / (1 + z^2)^2 = (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
+ *     J(z) / (1 + z^2)^2 = i(z) (1 + z^2)^-2 + r^-(q+1) f'(z)^2 J(f(z)) / (1 + f^2)^2.
  *
  * Each coefficient of H and J follows from the coefficients before it.
  */
 #include "geometry/far.h"
 #include "geometry/law.h"
 
-/* Finds the coefficients of f = (z - p) / (1 + z p), where p = tan(asin(X) / 2) = X / (1 + Y) and X = 2 r L z
- * (sin theta_inf - z cos theta_inf) / (1 + z^2). */
-static void far_follower(const struct geometry *geometry, int order, real *f)
+/* Finds the coefficients of f = (z - p) / (1 + z p), where p = tan((theta_1 - theta) / 2). Returns 1 - f'(0),
+ * which is small where s is small. */
+static real far_follower(const struct geometry *geometry, int order, real *f)
 {
-    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2], p[FAR_ORDER + 2];
-    const real rL = geometry->rL;
-    for (int k = 1; k <= order; k++) {
-        X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
-        real square = 0, half = X[k]; /* Y^2 = 1 - X^2, p (1 + Y) = X */
-        for (int j = 1; j < k; j++) {
-            square += X[j] * X[k - j] + Y[j] * Y[k - j];
-            half -= p[j] * Y[k - j];
-        }
-        Y[k] = -square / 2;
-        p[k] = half / 2;
-    }
+    real p[FAR_ORDER + 2];
+    geometry->law->turns(geometry, order, p);
     f[0] = 0;
     for (int k = 1; k <= order; k++) {
         f[k] = k == 1 ? 1 - p[k] : -p[k];
         for (int j = 1; j + 1 < k; j++)
             f[k] -= f[j] * p[k - 1 - j];
     }
+    return p[1];
 }
 
 /* Returns a factor that gives an upper bound on the omitted terms when it is multiplied by (z /
@@ -70,7 +61,7 @@ static real far_radius(const struct geometry *geometry)
  * or 0 if no series saves time. */
 static int far_order(const struct geometry *geometry, real passes)
 {
-    real slope = 1 - geometry->rL * geometry->inf.x, fades = log(geometry->rq),
+    real slope = geometry->decay * geometry->rq, fades = log(geometry->rq),
          closer = slope > REAL_EPSILON ? -log(slope) : 64, digits = -log(geometry->tol / 8);
     real least = digits / (fades + closer);
     int best = 0;
@@ -98,29 +89,48 @@ static void far_multiply(real *p, const real *f, int first, int last)
     p[first] = 0;
 }
 
+/* Finds the contributions of the first domino alone to the coefficients of H and J. */
+static void far_own(const struct geometry *geometry, int n, real *H, real *J)
+{
+    const struct rounded *of = &geometry->rounded;
+    const struct tilt t = geometry->inf;
+    /* i (1 + z^2) is a polynomial. */
+    const real i[] = {geometry_inertia(geometry, t), -2 * geometry_inertia_slope(geometry, t),
+                      2 * of->i.c - geometry_inertia(geometry, t)};
+    /* Without a foot that rolls, h is a cos u + b sin u with u = 2 atan z. As a series in z, it begins with
+     * a + 2 b z - 2 a z^2. */
+    real sign = 1;
+    H[0] = 0;
+    for (int k = 1; k <= n; k++)
+        H[k] = k == 1   ? -2 * geometry_height_slope(geometry, t)
+               : k == 2 ? -2 * geometry_height(geometry, t)
+                        : -H[k - 2];
+    for (int k = 0; k <= n; k++)
+        J[k] = 0;
+    for (int k = 0; k <= n; k += 2, sign = -sign) {
+        const real cube = sign * (real)((k / 2 + 1) * (k / 2 + 2) / 2); /* coefficient of (1 + z^2)^-3 */
+        for (int j = 0; j < 3 && k + j <= n; j++)
+            J[k + j] += cube * i[j];
+        if (k < n)
+            H[k + 1] -= sign * of->roll * 2 / (real)(k + 1);
+    }
+}
+
 KERNEL void far_make(struct geometry *geometry, real passes)
 {
     struct far *far = &geometry->far;
     far->order = 0;
-    if (geometry->detaches || !geometry->law->closed_form || geometry->inf.y <= 0)
+    if (geometry->detaches || geometry->inf.y <= 0)
         return;
     const int n = far->order = far_order(geometry, passes);
     if (n == 0)
         return;
-    const real w = geometry->weight, m = geometry->inertia, off = geometry->rL * geometry->inf.x,
-               slope = 1 - off;
     real f[FAR_ORDER + 2], df[FAR_ORDER + 2], power[FAR_ORDER + 2], squares[FAR_ORDER + 2];
     real *const H = far->H, *const J = far->J;
-    far_follower(geometry, n + 1, f);
+    const real w = geometry->weight, m = geometry->inertia, off = far_follower(geometry, n + 1, f),
+               slope = 1 - off;
     far->radius = far_radius(geometry);
-    /* h is a cos u + b sin u with u = 2 atan z. As a series in z, it begins with a + 2 b z - 2 a z^2. */
-    H[0] = 0;
-    for (int k = 1; k <= n; k++)
-        H[k] = k == 1   ? -2 * geometry_height_slope(geometry, geometry->inf)
-               : k == 2 ? -2 * geometry_height(geometry, geometry->inf)
-                        : -H[k - 2];
-    for (int k = 0, size = 1; k <= n; k++, size += k % 2 ? 0 : 1)
-        J[k] = k % 2 ? 0 : (real)(size % 2 ? size : -size);
+    far_own(geometry, n, H, J);
     for (int k = 0; k <= n; k++) {
         power[k] = f[k];
         df[k] = (real)(k + 1) * f[k + 1];

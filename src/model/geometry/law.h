@@ -53,8 +53,7 @@ enum pass {
 
 struct contact_law {
     /* True if the follower's tilt is given by a formula in its leader's tilt, without iteration. Error
-     * bounds, the series of the far tail, the bounds for strips of growths and the shortcuts for random rows
-     * exist only in this case. */
+     * bounds, the bounds for strips of growths and the shortcuts for random rows exist only in this case. */
     bool closed_form;
     /* The limit for the number of dominoes that one search visits in all its passes. It corresponds to about
      * a second of work in double precision. */
@@ -85,6 +84,10 @@ struct contact_law {
     /* Returns tau_1^2 omega_1c^2 = h(theta_u) - h(theta_c) (9; b5) without cancellation, or 0 if domino 1 has
      * not tipped over. */
     real (*push)(const struct geometry *geometry);
+
+    /* Finds the coefficients p[1], p[2], ... p[order] of tan((theta_1 - theta) / 2) as a power series in the
+     * variable z of far.h. */
+    void (*turns)(const struct geometry *geometry, int order, real *p);
 
     /* ---- A walk down a chain, domino by domino ---- */
 

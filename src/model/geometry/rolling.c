@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The passes down a chain of dominoes with rounded edges (rounded.h). No error bounds are known for them. */
+#include "geometry/far.h"
 #include "geometry/rounded.h"
 
 KERNEL void rounded_count(const struct geometry *geometry)
@@ -225,11 +226,18 @@ KERNEL enum dom_status rounded_change(const struct geometry *geometry, struct ti
     struct walk a = rounded_begin(geometry, head), b = rounded_begin(geometry, from);
     struct apart apart = apart_by(t);
     real H2 = 0;
+    const bool closes =
+        geometry->far.order > 0 && !geometry->follower && geometry->n == CHAIN_ENDLESS && !pushes;
     for (;;) {
         const struct link *link = &a.link;
         enum dom_status status = chain_watch(geometry, link->i);
         if (status != DOM_OK)
             return status;
+        if (closes && far_near(geometry, &state, link, &b.link, apart.t)) {
+            const struct far_point rest = far_add(geometry, &state, link, &b.link, apart.t);
+            H2 += far_H2(link, a.second_derivative, &rest);
+            break;
+        }
         rounded_add_J(&state, link);
         rounded_add_H1(&state, link);
         series_add(&state.dH, link->weight * rolling_rise(link->geometry, link->tilt, b.link.tilt, apart));

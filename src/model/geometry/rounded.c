@@ -399,6 +399,37 @@ static real rounded_push(const struct geometry *geometry)
            geometry_inertia(geometry, geometry->c);
 }
 
+/* ---- The far tail ---- */
+
+static void rounded_turns(const struct geometry *geometry, int order, real *p)
+{
+    const struct rounded *of = &geometry->rounded;
+    const real x = geometry->inf.x, y = geometry->inf.y, more = of->rho - of->rho_1;
+    /* The series of cos theta and theta, of the turn, and of the sine and cosine of the turn. */
+    real C[FAR_ORDER + 2] = {y}, theta[FAR_ORDER + 2] = {tilt_angle(geometry->inf)};
+    real turn[FAR_ORDER + 2], sine[FAR_ORDER + 2], cosine[FAR_ORDER + 2] = {1};
+    for (int k = 1; k <= order; k++) {
+        const real two = k / 2 % 2 ? -2 : 2, S = two * (k % 2 ? -y : x);
+        C[k] = two * (k % 2 ? x : y);
+        theta[k] = k % 2 ? -two / (real)k : 0;
+        /* G is the right side of the contact equation. From here on, all terms of the equation that do not
+         * contain turn[k] are collected in G. */
+        real G = geometry->L * C[k] - more * (C[k] + S - theta[0] * C[k] - theta[k] * y), sines = 0,
+             cosines = 0, half = 0;
+        for (int j = 1; j < k; j++) {
+            G += more * theta[j] * C[k - j] - of->rho_1 * turn[j] * C[k - j];
+            sines += (real)j * turn[j] * cosine[k - j];
+            cosines += (real)j * turn[j] * sine[k - j];
+            half += p[j] * cosine[k - j];
+        }
+        sines /= (real)k;
+        turn[k] = (G - of->tall_1 * sines) / (of->tall_1 + of->rho_1 * y);
+        sine[k] = turn[k] + sines;
+        cosine[k] = -cosines / (real)k;
+        p[k] = (sine[k] - half) / 2; /* p (1 + cos delta) = sin delta */
+    }
+}
+
 static const struct contact_law rounded_edges = {
     .work_most = 7000000,
     .set = rounded_set,
@@ -408,6 +439,7 @@ static const struct contact_law rounded_edges = {
     .paper_fuel = rounded_paper_fuel,
     .tips_at = rounded_tips_at,
     .push = rounded_push,
+    .turns = rounded_turns,
     .begin = rounded_begin,
     .next = rounded_next,
     .touch = rounded_touch,

@@ -79,6 +79,23 @@ static real sharp_push(const struct geometry *geometry)
     return sine > 0 ? geometry->reach * sine * sine / (1 + cosine) : 0;
 }
 
+static void sharp_turns(const struct geometry *geometry, int order, real *p)
+{
+    /* p = tan(asin(X) / 2) = X / (1 + Y), where X = 2 r L z (sin theta_inf - z cos theta_inf) / (1 + z^2). */
+    real X[FAR_ORDER + 2], Y[FAR_ORDER + 2];
+    const real rL = geometry->rL;
+    for (int k = 1; k <= order; k++) {
+        X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
+        real square = 0, half = X[k]; /* Y^2 = 1 - X^2, p (1 + Y) = X */
+        for (int j = 1; j < k; j++) {
+            square += X[j] * X[k - j] + Y[j] * Y[k - j];
+            half -= p[j] * Y[k - j];
+        }
+        Y[k] = -square / 2;
+        p[k] = half / 2;
+    }
+}
+
 /* ---- The chain ---- */
 
 static struct walk sharp_begin(const struct geometry *geometry, struct tilt head)
@@ -217,6 +234,7 @@ static const struct contact_law sharp_edges = {
     .paper_fuel = sharp_paper_fuel,
     .tips_at = sharp_tips_at,
     .push = sharp_push,
+    .turns = sharp_turns,
     .begin = sharp_begin,
     .next = sharp_next,
     .touch = sharp_touch,

@@ -66,51 +66,11 @@ static real leaving_half_turn(const struct geometry *geometry, const struct link
     return t * F / (1 + t * t * G);
 }
 
-/*
- * Returns true if the tilts of a and b are so close to theta_inf that the terms omitted from the far series
- * do not matter. The series can then replace all further dominoes of the pass.
- */
-KERNEL_LOOP bool far_near(const struct geometry *geometry, const struct sum_state *state,
-                          const struct link *a, const struct link *b, real t)
-{
-    const struct far *far = &geometry->far;
-    real share = far_share(far, far_off(geometry, b->tilt)), H = a->weight * t;
-    if (!far_done(&state->dH, -H * far->H[1], H * far->rest_H * share, geometry->tol))
-        return false;
-    /* The test so far estimates the tail by the first term of its series. Test again with the whole series,
-     * because the tail may cancel the sum. */
-    real tail = a->weight * far_difference(far, far_off(geometry, a->tilt), far_off(geometry, b->tilt), t);
-    if (!far_done(&state->dH, tail, H * far->rest_H * share, geometry->tol))
-        return false;
-    share = far_share(far, far_off(geometry, a->tilt));
-    real H1 = a->weight * a->slope / 2, J = a->inertia * a->slope * a->slope;
-    return far_done(&state->H1, -H1 * far->H[1], H1 * far->rest_H * share, geometry->tol) &&
-           far_done(&state->J, J * far->J[0], J * far->rest_J * share, geometry->tol);
-}
-
-static struct far_point far_add(const struct geometry *geometry, struct sum_state *state,
-                                const struct link *a, const struct link *b, real t)
-{
-    const struct far *far = &geometry->far;
-    real z_a = far_off(geometry, a->tilt), z_b = far_off(geometry, b->tilt);
-    struct far_point H = far_H(far, z_a);
-    series_add(&state->dH, a->weight * far_difference(far, z_a, z_b, t));
-    series_add(&state->H1, a->weight * a->slope * H.first);
-    series_add(&state->J, a->inertia * a->slope * a->slope * far_J(far, z_a).value);
-    return H;
-}
-
-/* These two functions return terms of H2: the term of one domino, or the terms of that domino and of all
- * dominoes behind it. second_derivative is theta'' of the domino. */
+/* Returns the term of H2 of one domino. second_derivative is theta'' of this domino. */
 KERNEL_LOOP real second_derivative_H2(const struct link *k, real second_derivative)
 {
     return k->weight * (second_derivative * geometry_height_slope(k->geometry, k->tilt) -
                         k->slope * k->slope * geometry_height(k->geometry, k->tilt));
-}
-
-static real far_H2(const struct link *k, real second_derivative, const struct far_point *H)
-{
-    return k->weight * (second_derivative * H->first + k->slope * k->slope * H->second);
 }
 
 /* Adds one pair of dominoes to the sums. */
