@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which dominoes of a row are boxes with walls, and which are solid. */
+/* Tells which dominoes of a row are boxes with walls, and which are solid. */
 #ifndef DOM_BOXES_H
 #define DOM_BOXES_H
 
@@ -11,8 +11,8 @@ static inline dom_real walls_of(const struct dom_row *row, dom_real height)
     return height > row->boxes_above ? row->walls : 0;
 }
 
-/* A domino of the height `before` is to stay solid if it is solid, and to stay a box if it is a box. Returns
- * the height nearest to `height` that this allows. */
+/* A domino of the height `before` gets a new height. Returns the value nearest to `height` with which a solid
+ * domino stays solid, and a box stays a box. */
 static inline dom_real height_of_kind(const struct dom_row *row, dom_real before, dom_real height)
 {
     const dom_real most = row->boxes_above, least = most * (1 + (dom_real)1 / 1000000);

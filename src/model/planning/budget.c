@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds how large the random errors may be so that a row still falls with a given probability. */
+/* Finds how large random errors may be if a row must fall with a given probability. */
 #include "planning/draw.h"
 #include "planning/interval.h"
 #include <math.h>
@@ -10,22 +10,23 @@ struct budget {
     const struct dom_row *row;
     const struct dom_compute *compute;
     const struct dom_placement *placement;
-    enum dom_error_of kind; /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds */
-    double widest;          /* the largest sigma that is tried */
-    /* the tightest known bounds on sigma: enough rows fall at `lo`, and too few fall at `hi` */
+    /* the kind of error whose size is sought, or DOM_ERROR_COUNT for all kinds together */
+    enum dom_error_of kind;
+    double widest; /* the largest sigma that is tried */
+    /* the tightest known bounds on sigma: enough rows fall if sigma is `lo`, but too few if sigma is `hi` */
     double lo, hi;
-    /* true while the search is for sigma itself, not for an end of its confidence interval */
+    /* true during the search for sigma itself, false for the ends of its confidence interval */
     bool of_answer;
-    /* A cache of the last results. The searches for the ends of the confidence interval need many of these
-     * results again. */
+    /* A cache of the latest results. Many of them are needed again to find the ends of the confidence
+     * interval. */
     struct {
         double sigma, share;
     } seen[BUDGET_SEEN];
     int answers;
 };
 
-/* Finds the fraction of the rows that fall. Every sigma uses the same random numbers, so that two studies
- * differ only in the size of the errors. */
+/* Finds the fraction of the rows that fall with a given sigma. The random numbers are the same for every
+ * sigma, so that two studies differ only in the size of their errors. */
 static enum dom_status fall_share(struct budget *b, double sigma, double *share)
 {
     for (int i = 0; i < b->answers && i < BUDGET_SEEN; i++)
@@ -49,18 +50,18 @@ static enum dom_status fall_share(struct budget *b, double sigma, double *share)
     return status;
 }
 
-/* Records the bounds on sigma that are known so far, in case the search is interrupted. */
+/* Records the bounds on sigma that are known so far. They are reported if the search is interrupted. */
 static void known(struct budget *b, double lo, double hi)
 {
     b->lo = b->of_answer ? lo : b->lo;
     b->hi = b->of_answer ? hi : b->hi;
 }
 
-/* Finds sigma with a relative tolerance of 1e-3. At `lo`, the share of the rows that fall is at least the
- * requested share; at `hi` it is smaller. */
+/* Finds the sigma with which the requested share of the rows falls, by bisection with a relative tolerance of
+ * 1e-3. With sigma = lo at least this share falls, with sigma = hi a smaller one. */
 static enum dom_status sigma_between(struct budget *b, double share, double lo, double hi, double *sigma)
 {
-    const double none = 1e-9 * hi; /* an error this small is negligible in a real row */
+    const double none = 1e-9 * hi; /* errors this small are negligible in a real row */
     while (hi - lo > 1e-3 * hi && hi > none) {
         double at = 0.5 * (lo + hi), falls;
         enum dom_status status = fall_share(b, at, &falls);
@@ -74,8 +75,8 @@ static enum dom_status sigma_between(struct budget *b, double share, double lo, 
     return DOM_OK;
 }
 
-/* Finds the largest sigma at which the requested share of the rows falls, by doubling and then by bisection.
- * *sigma is infinite if enough rows fall even at the largest sigma that is tried. */
+/* Finds the largest sigma with which the requested share of the rows falls, by doubling and then by
+ * bisection. Sets *sigma to infinity if enough rows fall even with the largest sigma that is tried. */
 static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
 {
     double lo = 0, falls = 1;
@@ -93,7 +94,8 @@ static enum dom_status sigma_at(struct budget *b, double share, double *sigma)
     }
 }
 
-/* Returns the largest sigma that is tried for one kind of error, as dom_placement_budget states. */
+/* Returns the largest sigma that is tried for a kind of error. The limits are described at
+ * dom_placement_budget. */
 static double size_most(const struct dom_row *row, enum dom_error_of kind)
 {
     double widest = 0;

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Designs a row: given the heights of the first and the last domino, finds a separation, a growth and a
- * number of dominoes with which every cycle has `safety` times the energy that it needs. The search runs the
- * same computations as the public functions, so that a designed row gets the same verdict as one that a user
- * enters.
+ * number of dominoes. In the designed row, every cycle has at least `safety` times the energy that it needs.
+ * The search uses the same computations as the public functions, so these give the same verdict on a designed
+ * row.
  */
 #include "planning/planner.h"
 #include <string.h>
 
-/* The search tries rows with up to MORE dominoes in addition to the smallest number that may suffice. The
- * search for the shortest row ends after LONGER successive rows that are not shorter than the best one, or
- * after LONGER_IN_ENGINE such rows if an engine runs each row. */
+/* The search begins with the smallest number of dominoes that may suffice, and tries up to MORE additional
+ * ones. The search for the shortest row ends after LONGER successive numbers of dominoes without a shorter
+ * row, or after LONGER_IN_ENGINE if an engine runs each row. */
 enum { MORE = 30, LONGER = 8, LONGER_IN_ENGINE = 2 };
 
 static bool train_enough(struct planner *p, struct choice c)
@@ -25,7 +25,7 @@ static bool enough(struct planner *p, struct choice c)
 }
 
 /* Returns true if the row has the required safety in the model, and all its dominoes also fall in the engine.
- * A row that the engine cannot decide counts as one that does not fall. */
+ * If the engine cannot decide whether they fall, they count as not falling. */
 static bool enough_in_engine(struct planner *p, struct choice c)
 {
     struct dom_verdict verdict = {.end = DOM_ROW_STOPS};
@@ -58,9 +58,8 @@ static dom_real safe_growth(struct planner *p, dom_real s)
     return lo;
 }
 
-/* Finds the separation on the grid that allows the largest growth with the required safety, first in coarse
- * steps and then in steps that are halved again and again. Returns the growth at that separation, or 0 if no
- * train is safe enough. */
+/* Finds the separation that allows the largest growth with the required safety. The search tries coarse steps
+ * first, and then steps that are halved repeatedly. Returns this growth, or 0 if no train is safe enough. */
 static dom_real separation_find(struct planner *p, int *best)
 {
     dom_real most = 0;
@@ -85,8 +84,8 @@ static dom_real separation_find(struct planner *p, int *best)
 
 typedef bool choice_test(struct planner *p, struct choice c);
 
-/* Returns the index of the separation nearest to k with which the row passes the test, or 0 if none does. The
- * search moves away from k in both directions in multiples of `step`, and never above `most`. */
+/* Searches for the separation nearest to k/GRID with which the row passes the test, from k in both directions
+ * in multiples of `step`, and never above `most`. Returns it in units of 1/GRID, or 0 if none is found. */
 static int nearest(struct planner *p, size_t steps, int k, int most, int step, choice_test *test)
 {
     int from = k < most ? k : most;
@@ -99,8 +98,8 @@ static int nearest(struct planner *p, size_t steps, int k, int most, int step, c
     return 0;
 }
 
-/* Starting from the separation `good`, at which the row must have the required safety, returns the smallest
- * separation down to which the row keeps this safety. */
+/* With the separation `good`, the row must have the required safety. Returns the smallest separation down to
+ * which the row keeps this safety. Separations are in units of 1/GRID. */
 static int closest(struct planner *p, size_t steps, int good)
 {
     int bad = good;
@@ -116,20 +115,21 @@ static int closest(struct planner *p, size_t steps, int good)
     return good;
 }
 
-/* Steps of the search for a separation, in units of 1/GRID. An engine takes as long for one row as the model
- * takes for hundreds of rows. */
+/* Step size of the search for a separation, in units of 1/GRID. It is larger with an engine, which takes as
+ * long for one row as the model takes for hundreds. */
 enum { STEP = 10, STEP_OF_ENGINE = 100 };
 
 /* ---- The number of dominoes ---- */
 
-/* Returns the next number of steps to try. With an engine, the increments grow, since every row takes
- * long. */
+/* Returns the next number of steps (dominoes minus 1) to try. With an engine, the increments grow, since
+ * every row takes long. */
 static size_t steps_next(const struct planner *p, size_t fewest, size_t n)
 {
     return n + 1 + (p->wish->engine ? (n - fewest) / 4 : 0);
 }
 
-/* Finds the shortest row with at least `fewest` steps. Returns false if no row has the required safety. */
+/* Finds the shortest row that has the required safety and at least `fewest` steps. Returns false if none is
+ * found. */
 static bool shortest(struct planner *p, size_t fewest, int k, struct choice *best)
 {
     dom_real length = (dom_real)INFINITY, engine_seconds = DOM_NAN;
@@ -161,7 +161,7 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
 {
     for (size_t n = fewest; n <= fewest + MORE && p->status == DOM_OK; n = steps_next(p, fewest, n)) {
         int most = widest(p, n, p->wish->hall);
-        if (most <= 0) /* a row with more dominoes does not fit either */
+        if (most <= 0) /* a row with more dominoes would not fit either */
             return false;
         *best = (struct choice){nearest(p, n, k, most, STEP, enough), n};
         if (best->k > 0 && p->wish->engine)
@@ -173,7 +173,7 @@ static bool fewest_that_fits(struct planner *p, size_t fewest, int k, struct cho
 }
 
 /* Returns the weakest push with which the row has the required safety, with a relative tolerance of 1e-4.
- * Returns NaN if no push was found. */
+ * Returns NaN if no push is found. */
 static dom_real push_enough(struct planner *p, struct choice c)
 {
     dom_real hi = isnan(p->wish->push) ? sqrt(p->wish->g / p->wish->first) / 16 : p->wish->push, lo = 0;
@@ -190,8 +190,8 @@ static dom_real push_enough(struct planner *p, struct choice c)
     return hi;
 }
 
-/* Returns the largest ratio of kinetic energy to barrier that a train of any separation and growth can have.
- * A train of equal dominoes (r = 1) has this largest ratio. */
+/* Returns the largest ratio of kinetic energy to barrier that any train can have. Only the separation is
+ * varied, since the ratio is largest for equal dominoes (r = 1). */
 static dom_real safety_most(struct planner *p)
 {
     dom_real most = 0;
@@ -258,7 +258,7 @@ enum dom_status dom_design_find(const struct dom_train *train, const struct dom_
 
 /* ---- A row with a given number of dominoes ---- */
 
-/* A choice_test: returns true if the row falls and fits into the hall. */
+/* A choice_test that returns true if the row falls and fits into the hall. */
 static bool falls_in_hall(struct planner *p, struct choice c)
 {
     return row_ratio(p, c, p->wish->push, false) > 1 && row_feet(p, c) + p->wish->height <= p->wish->hall;
@@ -279,7 +279,7 @@ enum dom_status dom_design_steps(const struct dom_train *train, const struct dom
         p.status = DOM_BAD_COUNT;
     falls.safety = 1 + (dom_real)1 / 1000;
     if (p.status == DOM_OK && separation_find(&p, &k) == 0) {
-        p.wish = &falls; /* no train has the required safety */
+        p.wish = &falls; /* no train has the required safety, so be content with a train that just falls */
         (void)separation_find(&p, &k);
     }
     p.wish = &falls;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random errors of a row. Each kind of error has separate random numbers, which depend only on the seed, on
- * the kind and on the number of the row. So if a row is run without one kind of error, its other errors stay
- * the same.
+ * Draws the random errors of a row. Each kind of error has its own random numbers, which depend only on the
+ * seed, the kind and the number of the row. So if one kind of error is left out, the errors of other kinds
+ * stay the same.
  */
 #include "planning/draw.h"
 #include "planning/boxes.h"
@@ -14,11 +14,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No error makes a size smaller than this fraction of the size without the error. */
+/* No error makes a size smaller than this fraction of the original size. */
 #define LEAST_SHARE ((dom_real)0.01)
 
-/* Slopes, leans, radii and thicknesses stay inside their limits by at least this factor, which exceeds the
- * rounding error of a float. */
+/* The limits of slopes, leans, radii and thicknesses are tightened by this factor, so that they still hold if
+ * the values are rounded to float. */
 #define INSIDE (1 - (dom_real)1e-6)
 
 enum dom_status draw_begin(struct draw *draw, const struct dom_row *row)
@@ -36,8 +36,8 @@ void draw_end(struct draw *draw)
     free(draw->domino);
 }
 
-/* Returns the i-th of the seeds that are derived from `seed`. Its bits are mixed with splitmix64 (Steele et
- * al., 2014), since the consecutive values of a plain counter would give similar random numbers. */
+/* Returns number i of the seeds that are derived from `seed`. The bits are mixed as in splitmix64 (Steele et
+ * al., 2014), because a plain counter would give similar random numbers for successive i. */
 static unsigned long long seed_of(unsigned long long seed, size_t i)
 {
     unsigned long long z = seed * 0x9e3779b97f4a7c15ULL + i * 0xbf58476d1ce4e5b9ULL + 0x94d049bb133111ebULL;
@@ -46,7 +46,7 @@ static unsigned long long seed_of(unsigned long long seed, size_t i)
     return z ^ (z >> 31);
 }
 
-/* Seeds the generators for one kind of error in row number i. */
+/* Seeds both generators for one kind of error in row number i. */
 static void kind_begin(const struct draw *draw, const struct dom_placement *p, size_t i, int kind)
 {
     unsigned long long seed = seed_of(p->seed, i);
@@ -57,8 +57,8 @@ static void kind_begin(const struct draw *draw, const struct dom_placement *p, s
 }
 
 /*
- * Returns the next random error. The error combines the numbers of two generators, because a generator of GSL
- * takes a seed of 32 bits, and with only one generator some of a million rows would have the same seed.
+ * Returns the next random error. It combines the numbers of two generators, because GSL's generators have
+ * seeds of only 32 bits: with one generator, some of a million rows would have the same seed.
  */
 static dom_real error_next(const struct draw *draw, const struct dom_error *error)
 {
@@ -71,7 +71,7 @@ static dom_real error_next(const struct draw *draw, const struct dom_error *erro
     return error->size * (dom_real)(normal * M_SQRT1_2);
 }
 
-/* Returns the next random factor by which a size is multiplied. */
+/* Returns a random factor by which a size is multiplied. */
 static dom_real factor_next(const struct draw *draw, const struct dom_error *error)
 {
     return fmax(1 + error_next(draw, error), LEAST_SHARE);
@@ -83,8 +83,8 @@ static dom_real radius_of(const struct dom_row *row, const struct dom_domino *d)
     return row->rho == 0 ? 0 : d->radius > 0 ? d->radius : row->rho * d->height;
 }
 
-/* Changes a size or the mass of a domino by one kind of error, but only so far that walls and rounded edges
- * still fit into the domino. */
+/* Applies a random error to one of the sizes or to the mass of a domino. The error is limited so that walls
+ * and rounded edges still fit into the domino. */
 static void size_draw(const struct draw *draw, const struct dom_row *row, enum dom_error_of kind,
                       const struct dom_error *error, struct dom_domino *d)
 {
@@ -111,11 +111,11 @@ static void size_draw(const struct draw *draw, const struct dom_row *row, enum d
     }
 }
 
-/* Moves each domino without moving the dominoes after it. A domino that would overlap the previous one is
- * placed so that the two touch. */
+/* Applies a random error to the position of each domino, which does not move the dominoes after it. A domino
+ * that would overlap the previous one is placed so that the two touch. */
 static void places_draw(const struct draw *draw, const struct dom_error *error, size_t count)
 {
-    dom_real before = 0; /* how far the previous domino has moved */
+    dom_real before = 0; /* distance by which the previous domino has moved */
     for (size_t k = 1; k < count; k++) {
         const dom_real by = error_next(draw, error), gap = draw->domino[k].gap + by - before;
         draw->domino[k].gap = fmax(gap, 0);
@@ -132,7 +132,7 @@ static void gaps_draw(const struct draw *draw, const struct dom_error *error, si
     }
 }
 
-/* Draws the leans, and limits each of them to the range in which the domino stands. */
+/* Applies a random error to the lean of each domino, but keeps it in the range in which the domino stands. */
 static void leans_draw(const struct draw *draw, const struct dom_error *error)
 {
     for (size_t k = 0; k < draw->row.count; k++) {
@@ -155,7 +155,7 @@ dom_real row_steepest(const struct dom_row *row)
     return steepest;
 }
 
-/* Draws the error of a value that is the same for the whole row, such as the slope. */
+/* Applies a random error to a value that all dominoes share, such as the slope. */
 static void common_draw(struct draw *draw, enum dom_error_of kind, const struct dom_error *error)
 {
     struct dom_row *row = &draw->row;
@@ -189,7 +189,7 @@ static void kind_draw(struct draw *draw, enum dom_error_of kind, const struct do
 void draw_row(struct draw *draw, const struct dom_row *row, const struct dom_placement *p, size_t i,
               unsigned off)
 {
-    /* Leans come last, since their limits depend on the sizes and on the slope. */
+    /* Leans are drawn last, since their limits depend on the sizes and on the slope. */
     static const enum dom_error_of order[] = {DOM_ERROR_gap,       DOM_ERROR_place, DOM_ERROR_height,
                                               DOM_ERROR_thickness, DOM_ERROR_mass,  DOM_ERROR_radius,
                                               DOM_ERROR_friction,  DOM_ERROR_slope, DOM_ERROR_floor,

@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the row that falls most reliably under random errors. The search minimizes the smoothed fraction of
- * random rows that do not fall (chance.h). Each margin is smoothed over a multiple of its standard deviation.
- * At first the multiple is 1: the fraction is then about as large as if all errors were sqrt(2) times as
- * large, and rows that are far from failing contribute, too. Later levels of the search have more rows and
- * less smoothing. If all margins were smoothed over the same width, the large dominoes, which hardly notice
- * errors of a few mm, would keep as much energy to spare as the small ones, which need it. All steps use the
- * same random rows. Other random rows decide whether a result is kept.
+ * Finds the row that falls most reliably in spite of random errors. The search minimizes the smoothed
+ * fraction of random rows that do not fall (chance.h). The width of the smoothing of each margin is a
+ * multiple of the standard deviation of this margin. At first the multiple is 1: the smoothing then has the
+ * effect of errors that are sqrt(2) times as large, and even rows that are unlikely to stop contribute. Later
+ * levels of the search use more rows and less smoothing. The widths differ because large dominoes are hardly
+ * affected by errors of a few mm. With equal widths, the search would give them as much spare energy as the
+ * small dominoes, which need it. All steps of the search use the same random rows. Other random rows decide
+ * whether a result is kept.
  *
- * The minimizer is BFGS from GSL. SLSQP from NLopt was slightly better in an earlier version of this search:
- * 7.2 % of the rows of eleven dominoes failed instead of 7.6 %, with as many runs. But Debian has NLopt only
- * as a shared library. Loading it takes 190,000 instructions, and the whole program starts in 440,000.
+ * The minimizer is BFGS from GSL. In an earlier version of this search, SLSQP from NLopt was slightly better
+ * with the same number of runs: of rows of eleven dominoes, 7.2 % did not fall, instead of 7.6 %. But Debian
+ * provides NLopt only as a shared library. Loading it would take 190,000 instructions, while the whole
+ * program starts in 440,000.
  */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
@@ -28,8 +30,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The levels of the search: how many rows it runs, the width of the smoothing in standard deviations of each
- * margin, and how often the function and its gradient may be evaluated. */
+/* The levels of the search. `rows` is the number of random rows, `width` is the width of the smoothing in
+ * standard deviations of the margin, and `values` is how often the function and its gradient may be
+ * evaluated. */
 static const struct level {
     size_t rows;
     double width;
@@ -37,17 +40,17 @@ static const struct level {
 } levels[] = {{256, 1, 15}, {512, 0.5, 15}, {1024, 0.25, 15}, {2048, 0.15, 8}};
 enum { LEVELS = sizeof levels / sizeof *levels };
 
-/* A result is checked after this many evaluations. */
+/* The best variables so far are checked with other random rows after every CHECK evaluations. */
 enum { CHECK = 8 };
 
-/* If the standard deviation of a margin is smaller than this, it is replaced by this value. */
+/* A standard deviation of a margin that is smaller than this value is replaced by this value. */
 #define SCATTER_LEAST 0.03
 
-/* The tolerance with which margins are computed. */
+/* The relative tolerance for computing margins. */
 #define MARGIN_TOL ((dom_real)1e-5)
 
-/* The length of the minimizer's first step, in logarithms of gaps and heights, and the accuracy of its line
- * searches, as recommended in the manual of GSL. */
+/* The length of the minimizer's first step, and the accuracy of its line searches as recommended in GSL's
+ * manual. The variables are logarithms of relative gaps and of growths. */
 #define FIRST_STEP 0.02
 #define LINE_TOL   0.1
 
@@ -56,19 +59,19 @@ struct search {
     struct chance chance;
     const struct dom_compute *compute;
     const struct dom_placement *placement; /* the rows that decide */
-    /* the width of the smoothing of each margin, on this level */
+    /* the width of the smoothing for each margin on the current level */
     double *width;
-    /* memory for a trial and for a check, and the best row so far */
+    /* the dominoes of the row that is evaluated, of a varied row, and of the best row so far */
     struct dom_domino *domino, *candidate, *best;
     double *by_gap, *by_size;
-    double *margin;       /* the margins of each row of a level */
-    double *sorted;       /* the values of one margin in all rows, in ascending order */
-    gsl_vector *lowest_x; /* where the function had its lowest value on this level */
+    double *margin;       /* the margins of all random rows */
+    double *sorted;       /* the values of one margin in all random rows, in ascending order */
+    gsl_vector *lowest_x; /* the variables with the lowest value of the function on the current level */
     double lowest;
-    size_t left;             /* the number of evaluations that are left at this level */
-    double fails;            /* the smoothed fraction of the rows that fail, for the best row so far */
-    struct dom_study *study; /* two studies: of the row as given, and of the best row so far */
-    bool given_allowed;      /* true if the row as given is within the limits */
+    size_t left;             /* the number of evaluations that are left on the current level */
+    double fails;            /* the smoothed fraction for the best row so far */
+    struct dom_study *study; /* two studies: of the original row, and of the best row so far */
+    bool given_allowed;      /* true if the original row is within the limits */
     bool is_allowed;         /* true if the best row so far is within the limits */
     enum dom_status status;
     dom_progress *progress;
@@ -84,8 +87,8 @@ static size_t values_all(void)
     return all;
 }
 
-/* Returns the number of rows on a level: at most about twice the number of rows that decide whether a result
- * is kept. */
+/* Returns the number of random rows on a level. It is at most about twice the number of rows that decide
+ * whether a result is kept. */
 static size_t rows_of(const struct dom_placement *placement, const struct level *level)
 {
     const size_t most = 2 * placement->rows + 2;
@@ -99,9 +102,9 @@ static void level_set(struct search *s, const struct level *level)
 
 /* ---- The function that is minimized ---- */
 
-/* Returns the logarithm of the odds that a row does not fall, and sets its gradient unless `gradient` is
- * NULL. Unlike the probability, the logarithm still has a slope where almost all rows fall, or almost none.
- * When no evaluations are left, the result is infinite, which ends a line search. */
+/* Returns ln(p / (1 - p)), where p is the smoothed fraction of the rows that do not fall, and sets its
+ * gradient unless `gradient` is NULL. Unlike p, this logarithm still has a slope where almost all rows fall,
+ * or almost none. When no evaluations are left, the result is infinite, which ends a line search. */
 static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
 {
     double fails;
@@ -120,8 +123,7 @@ static double odds(const gsl_vector *x, struct search *s, gsl_vector *gradient)
     }
     fails = GSL_MIN_DBL(GSL_MAX_DBL(fails, DBL_MIN), 1 - DBL_EPSILON);
     for (size_t i = 0; gradient && i < x->size; i++) {
-        /* the derivatives of gaps and heights with respect to variable i take no time compared with running
-         * rows */
+        /* difference quotients are fine here: shape_dominoes takes no time compared with running rows */
         const double step = 1e-6;
         double sum = 0, *moved = x->data + i * x->stride, at = *moved;
         *moved += step;
@@ -159,8 +161,9 @@ static void odds_gradient(const gsl_vector *x, void *search, gsl_vector *gradien
 
 /* ---- The search ---- */
 
-/* Sets the width of each margin from its standard deviation. The standard deviation is estimated from the
- * median and from a smaller quantile, since large margins say nothing about the rows that fail. */
+/* Sets the width of the smoothing for each margin from the standard deviation of the margin. This is
+ * estimated from the median and a lower quantile, since only small margins matter for the rows that do not
+ * fall. */
 static void widths_set(struct search *s, const struct level *level, const gsl_vector *x)
 {
     const size_t rows = s->chance.placement.rows, margins = 2 * s->shape.row->count;
@@ -179,7 +182,7 @@ static void widths_set(struct search *s, const struct level *level, const gsl_ve
     }
 }
 
-/* Counts how many rows fall among those that decide whether a result is kept. */
+/* Runs those random rows that decide whether a result is kept, and counts how many of them fall. */
 static enum dom_status count(struct search *s, const struct dom_domino *domino, struct dom_study *study)
 {
     struct dom_row row = *s->shape.row;
@@ -187,9 +190,10 @@ static enum dom_status count(struct search *s, const struct dom_domino *domino, 
     return dom_placement_study(&row, s->compute, s->placement, study, NULL);
 }
 
-/* Keeps a new row if fewer rows of the search fail with the new row than with the best row so far, and if
- * more of the rows that decide fall with the new row than with the row as given. If the row as given is
- * outside the limits, any row within the limits is better. */
+/* Compares the row with the variables x with the best row so far, and keeps it if it is better in two
+ * respects: its smoothed fraction is smaller than that of the best row so far, and in the study that decides,
+ * more of its copies fall than of the original row. If the original row is outside the limits, the second
+ * condition is dropped, and the first row within the limits is always kept. */
 static void consider(struct search *s, const gsl_vector *x)
 {
     struct dom_study study;
@@ -211,7 +215,7 @@ static void consider(struct search *s, const gsl_vector *x)
     s->study[1] = study;
 }
 
-/* Minimizes on one level. The minimizer stops where the function has a kink, and is then restarted until a
+/* Runs the minimizer on one level. It stops where the function has a kink, and is then restarted until a
  * restart no longer helps. */
 static void level_run(struct search *s, const struct level *level, gsl_multimin_fdfminimizer *m,
                       gsl_vector *x)

@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The exact Clopper-Pearson interval for a probability, from counts of rows. */
+/* Computes the exact (Clopper-Pearson) confidence interval for the probability that a row falls. */
 #include "planning/interval.h"
 #include "numerics/quiet.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
 
-/* The probability that a 95 % confidence interval leaves out at each end. */
+/* The probability that the true value lies beyond one given end of a 95 % confidence interval. */
 #define TAIL 0.025
 
 /*
  * Returns the probability that at least k, or at most k, of n rows fall if each row falls with the
- * probability p. Starting at the term of k, every term of the binomial distribution is computed from its
- * neighbour by their ratio, and the sum over the tail is divided by the sum of all terms. So there are no
- * factorials, and all terms are relative to that of k. gsl_cdf_beta_P computes the same probability, but from
- * a million rows on it fails at some p, where its continued fraction does not converge.
+ * probability p.
+ *
+ * The term k of the binomial distribution is set to 1. Every other term is computed from its neighbour, by
+ * their ratio, so no factorials are needed. The result is the sum over the tail divided by the sum over all
+ * terms. gsl_cdf_beta_P could compute the same probability, but for a million rows or more, its continued
+ * fraction does not converge for some p.
  */
 static double binomial_tail(double k, double n, double p, bool at_least)
 {
@@ -43,12 +45,12 @@ static double tail_off(double p, void *context)
     return t->at_least ? chance - TAIL : TAIL - chance;
 }
 
-/* Let p be the probability that a single row falls. Finds the p at which the tail of the distribution equals
- * TAIL. Bisection is used, since the tail is flat where it is 0. */
+/* Finds the p (the probability that a single row falls) for which binomial_tail returns TAIL. Bisection is
+ * used, because the tail is almost constant where it is close to 0 or to 1. */
 static enum dom_status tail_inverse(struct tail tail, double *p)
 {
-    /* 50 halvings give all digits of a root near 1. The smallest root, for one row out of the largest
-     * possible number of rows, needs up to 64 more. */
+    /* 50 bisections give all digits of a root near 1. The smallest possible root, if one of 2^64 rows has
+     * fallen, needs up to 64 more. */
     enum { STEPS = 200 };
     gsl_function f = {tail_off, &tail};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_bisection);
@@ -64,9 +66,9 @@ static enum dom_status tail_inverse(struct tail tail, double *p)
     return code == GSL_SUCCESS && done == GSL_SUCCESS ? DOM_OK : solver ? DOM_NOT_CONVERGED : DOM_NO_MEMORY;
 }
 
-/* The exact confidence interval for n of N rows. If its lower end is the true probability that a row falls, n
- * or more rows fall with a probability of 2.5 %. If its upper end is the true probability, n or fewer rows
- * fall with a probability of 2.5 %. At the upper end, rows whose outcome is unknown are counted as fallen. */
+/* Finds the exact 95 % confidence interval if n of N rows have fallen. If the true probability that a row
+ * falls is the lower end of the interval, then P(n or more rows fall) = 2.5 %. If it is the upper end, then
+ * P(n or fewer rows fall) = 2.5 %. For the upper end, rows whose outcome is unknown count as fallen. */
 enum dom_status dom_study_interval(struct dom_study *s)
 {
     if (s->rows == 0 || s->fall > s->rows || s->unknown > s->rows - s->fall)

@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds a change with which all dominoes of a row fall, if they do not all fall at present: a different gap
- * or a stronger push. Also finds the growths at which a row falls. */
+/* If not all dominoes of a row fall, finds a change that makes all of them fall: a different gap or a
+ * stronger push. Also finds the growths with which all dominoes of a row fall. */
 #include "planning/trial.h"
 
 /* ---- Gaps ---- */
 
-/* The gap at which the row ends and this many gaps before it are tried. A change of an even earlier gap has
- * no effect at the place where the row ends. */
+/* The gap at which the row ends and this many gaps before it are tried. Earlier gaps hardly have an effect on
+ * the domino at which the row ends. */
 enum { BACK = DOM_MENDS - 1 };
 
-/* Searches from the current gap towards the gap `end`, and finds the first gap at which all dominoes fall.
- * Returns false if there is none. */
+/* Searches from the current gap towards the gap `end` for the first gap with which all dominoes fall. Returns
+ * false if there is none. */
 static bool mend_towards(struct trial *t, dom_real end, struct dom_mend *mend)
 {
     *mend = (struct dom_mend){.domino = t->k + 1, .gap = t->domino[t->k].gap};
     return value_towards(t, end, &mend->to, &mend->until);
 }
 
-/* If the gap is out of reach, finds the gaps at which all dominoes fall, from the widest gap in reach
- * downwards. Returns false if the gap is in reach, or if not all dominoes fall with the widest gap. */
+/* If the gap is too wide for the previous domino to reach across, finds the range of gaps with which all
+ * dominoes fall, beginning with the widest gap that the previous domino can reach across. Returns false if
+ * the gap is not too wide, or if not all dominoes fall with that widest gap. */
 static bool mend_in_reach(struct trial *t, struct dom_mend *mend)
 {
     dom_real reach = t->domino[t->k - 1].height;
@@ -36,7 +37,7 @@ static int by_change(const void *a, const void *b)
     return dx < dy ? -1 : dx > dy;
 }
 
-/* Finds the smallest change of the gap before domino t->k with which all dominoes fall. Returns false if
+/* Finds the smallest change of the gap before domino t->k that makes all dominoes fall. Returns false if
  * there is none. */
 static bool gap_mend(struct trial *t, struct dom_mend *mend)
 {
@@ -49,8 +50,8 @@ static bool gap_mend(struct trial *t, struct dom_mend *mend)
     return in || out;
 }
 
-/* Tries the gaps up to the one after the domino at which the row ends, since later gaps do not matter. If the
- * row ended because a gap is out of reach, only this gap is tried. */
+/* Tries the last gaps up to the one after the domino at which the row ends, since later gaps do not matter.
+ * If the row ended because this gap is too wide, only this gap is tried. */
 static size_t gaps_search(struct trial *t, const struct dom_verdict *v, dom_progress *progress, void *context,
                           struct dom_mend *mends)
 {
@@ -99,8 +100,8 @@ static bool falls_pushed(dom_real push, void *context)
     return trial_falls(t);
 }
 
-/* Returns the angular velocity that just tips the first domino over its edge: m g (sqrt(h^2 + d^2) - h) / 2 =
- * I omega^2 / 2. */
+/* Returns the angular velocity omega that just tips the first domino over its edge: I omega^2 / 2 = m g
+ * (sqrt(h^2 + d^2) - h) / 2. */
 static dom_real push_over_edge(const struct dom_row *row)
 {
     dom_real h = row->domino[0].height, d = row->domino[0].thickness, reach = sqrt(h * h + d * d);
@@ -124,7 +125,7 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
         } while (!falls && good < strongest && t.status == DOM_OK);
         if (falls && bad < good) {
             good = edge_find(falls_pushed, &t, good, bad, 0, PUSH_TOL);
-            /* Round up, so that the push is still strong enough. */
+            /* round up, so that the push is still strong enough */
             dom_real digit = digit_of(good, 3), rounded = ceil(good / digit) * digit;
             found = falls_pushed(rounded, &t) ? rounded : good;
         }
@@ -136,8 +137,8 @@ enum dom_status dom_row_push(const struct dom_row *row, const struct dom_compute
 
 /* ---- The growth ---- */
 
-/* The factor by which each step raises the growth, and the larger factor that is used if an engine runs the
- * row and the search is for a growth at which the row falls. */
+/* Each step of the search multiplies the growth by GROWTH_STEP. If an engine runs the row, the search for the
+ * first growth with which the row falls takes larger steps, by GROWTH_STEP_OF_ENGINE. */
 #define GROWTH_STEP           ((dom_real)1.02)
 #define GROWTH_STEP_OF_ENGINE ((dom_real)1.1)
 
@@ -149,9 +150,10 @@ static bool falls_grown(dom_real r, void *context)
     return trial_falls(t);
 }
 
-/* Raises r in steps until the row no longer falls, or, if `falls` is false, until the row falls. *before
- * receives the growth one step earlier. Returns false if r reaches `highest` without such a change. Bisection
- * alone would not be enough: a row that does not fall at one growth may fall again at a larger one. */
+/* Raises *r in steps until the row no longer falls or, if `falls` is false, until the row falls. Sets *before
+ * to the growth one step earlier. Returns false if *r reaches `highest` without such a change. Bisection from
+ * the start could miss the first change: a row that does not fall with some growth may fall again with a
+ * larger one. */
 static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_real *before, dom_real *r)
 {
     const dom_real step = t->row.engine && !falls ? GROWTH_STEP_OF_ENGINE : GROWTH_STEP;
@@ -164,8 +166,9 @@ static bool growth_change(struct trial *t, bool falls, dom_real highest, dom_rea
     return false;
 }
 
-/* Finds the smallest and the largest growth at which the row falls. A row that stops at r = 1 may fall at
- * larger growths: its gaps grow as well, so that the first domino tips over before it hits the second. */
+/* Finds the range of growths in which the row falls: the smallest such growth, and the largest up to which it
+ * keeps falling. A row that stops with r = 1 may fall with a larger growth, because its gaps grow as well,
+ * and the first domino then tips over before it hits the second. */
 static void growths_find(struct trial *t, dom_real highest, struct dom_row_growth *growth)
 {
     dom_real before = 1, r = 1;

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows with random errors, in batches that may run in parallel. */
+/* Runs many rows with random errors, in batches that may run in parallel. */
 #include "dispatch/dispatch.h"
 #include "numerics/quiet.h"
 #include "planning/draw.h"
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* A verdict depends only on the sign of the margin: a smaller tolerance would change one row in a billion. */
+/* A verdict depends only on the sign of the margin, so a smaller tolerance would change the verdict on only
+ * one row in a billion. */
 #define VERDICT_TOL ((dom_real)1e-9)
 
-/* Number of rows in a task. With so many rows, the time to allocate the memory of a task hardly counts. */
+/* Number of rows in a batch, which is large enough to make the time for memory allocation negligible. */
 enum { BATCH = 16 };
 
 /* The data that all batches of a study share. */
@@ -18,10 +19,11 @@ struct shared {
     struct dom_compute compute;
     const struct dom_placement *placement;
     bool gaps;         /* true if the rows differ only in their gaps */
-    bool causes;       /* true if each row is also run with each kind of error left out in turn */
-    atomic_int status; /* the first status that was not DOM_OK */
+    bool causes;       /* true if each row is also run without one kind of error, for each kind in turn */
+    atomic_int status; /* the first status of a batch that was not DOM_OK */
     atomic_size_t done, fall, unknown, without[DOM_ERROR_COUNT];
-    /* How many rows ended at each domino, in the layout of dom_placement_causes, or NULL if not requested. */
+    /* How many rows ended at each domino, in the layout that is described at dom_placement_causes. NULL if
+     * not requested. */
     atomic_size_t *stops;
 };
 
@@ -29,7 +31,7 @@ struct shared {
 struct batch {
     struct draw draw;
     const struct kernel *kernel;
-    struct random_row *sample; /* runs the rows, or NULL if an engine runs them */
+    struct random_row *sample; /* memory of the kernel that runs the rows, or NULL if an engine runs them */
 };
 
 /* Returns the number of elements of `stops`. */
@@ -48,8 +50,8 @@ static enum dom_status row_try(struct batch *b, const struct shared *s, size_t i
                      : row_verdict(&b->draw.row, &s->compute, false, NULL, NULL, verdict);
 }
 
-/* Runs row number i and, if causes are wanted, runs it again without each kind of error. Adds the results to
- * the counts. */
+/* Runs row number i. If causes are wanted, also runs the row without one kind of error, for each kind in
+ * turn. Adds the results to the counts. */
 static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
 {
     struct dom_verdict all, verdict;
@@ -79,15 +81,14 @@ static enum dom_status row_count(struct batch *b, struct shared *s, size_t i)
     return DOM_OK;
 }
 
-/* Checks the row, and allocates the memory for runs of rows with the same number of dominoes. */
+/* Checks the row, and prepares the kernel to run many rows of this kind. */
 static enum dom_status batch_begin(struct batch *b, const struct shared *s)
 {
     struct dom_row row = *s->row;
     if (s->row->engine)
         return DOM_OK;
     if (row.mu == 0 && s->placement->error[DOM_ERROR_friction].size > 0)
-        /* If the friction has random errors, most rows have friction. The memory for friction is allocated
-         * here. */
+        /* if the friction has random errors, the kernel must allocate memory for rows with friction */
         row.mu = 1;
     row.floor = false;
     struct row_question q = row_question_make(&row, &s->compute);
@@ -95,7 +96,7 @@ static enum dom_status batch_begin(struct batch *b, const struct shared *s)
     return ASK(q, row_sample, &b->sample);
 }
 
-/* A dom_task: runs batch number `index` of the rows, unless another batch has failed. */
+/* A dom_task that runs batch number `index` of the rows, unless another batch has failed. */
 static void batch_run(size_t index, void *context)
 {
     struct shared *s = context;
@@ -116,7 +117,7 @@ static void batch_run(size_t index, void *context)
     draw_end(&b.draw);
 }
 
-/* A dom_parallel without a thread pool: runs one task after the other. */
+/* A dom_parallel without a thread pool, which runs one task after the other. */
 static enum dom_status in_order(size_t count, dom_task *task, void *context, void *pool)
 {
     (void)pool;
@@ -125,8 +126,8 @@ static enum dom_status in_order(size_t count, dom_task *task, void *context, voi
     return DOM_OK;
 }
 
-/* Checks the arguments of a study. The model cannot check the gaps and the tolerance, because the study
- * replaces them first. */
+/* Checks the arguments of a study. Gaps and the tolerance are checked here, because the study changes them
+ * before the kernel could check them. */
 static enum dom_status study_check(const struct dom_row *row, const struct dom_compute *compute,
                                    const struct dom_placement *p)
 {
@@ -145,7 +146,7 @@ static enum dom_status study_check(const struct dom_row *row, const struct dom_c
     return status;
 }
 
-/* Runs the study, and copies its counts once it has ended or was interrupted. */
+/* Runs the study, and copies its counts after its end or after an interrupt. */
 static enum dom_status study_run(struct shared *s, struct dom_study *study, size_t *without, size_t *stops)
 {
     const struct dom_placement *p = s->placement;
@@ -154,7 +155,7 @@ static enum dom_status study_run(struct shared *s, struct dom_study *study, size
                                                                     batch_run, s, p->pool);
     if (s->status != DOM_OK)
         status = (enum dom_status)s->status;
-    else if (status == DOM_OK && s->done < p->rows) /* the thread pool has left out some batches */
+    else if (status == DOM_OK && s->done < p->rows) /* the thread pool has skipped some batches */
         status = DOM_INTERRUPTED;
     struct dom_study found = {.rows = s->done, .fall = s->fall, .unknown = s->unknown};
     const bool partial = status == DOM_INTERRUPTED && found.rows > 0;

@@ -18,8 +18,9 @@ dom_real growth(const struct planner *p, size_t steps)
 
 /* ---- Kinetic energy relative to the barrier, for a train and for a row ---- */
 
-/* If a computation that ended with this status should be repeated, raises its tolerance and returns true. If
- * the arithmetic has too few digits for the sums, a few digits of a ratio can still be found. */
+/* Returns true if a computation that ended with this status should be tried again, and raises its tolerance.
+ * Even where the arithmetic has too few digits for the usual tolerance, a few digits of a ratio can still be
+ * found. */
 static bool tried_again(enum dom_status status, struct dom_compute *compute)
 {
     if ((status != DOM_NOT_CONVERGED && status != DOM_NOT_FINITE) || !(compute->tol < ROUGHEST))
@@ -28,9 +29,8 @@ static bool tried_again(enum dom_status status, struct dom_compute *compute)
     return true;
 }
 
-/* Records a failure. A status that has nothing to do with this train or row ends the search. A separation at
- * which the computation did not converge is only skipped, so that a row at another separation can still be
- * found. */
+/* Records a failure. If the computation did not converge, only this separation is skipped, so that a row with
+ * another separation can still be found. Any other status ends the search. */
 static void failure_keep(struct planner *p, enum dom_status status)
 {
     if (status == DOM_NOT_CONVERGED || status == DOM_NOT_FINITE)
@@ -60,9 +60,9 @@ dom_real train_ratio(struct planner *p, dom_real s, dom_real r)
     return 0;
 }
 
-/* Called for each domino: remembers the domino with the smallest ratio. The first domino does not count,
- * since its energy depends on the push. Returns false, which ends the run, if the ratio is already too
- * small. */
+/* Called for each domino: records the smallest ratio of kinetic energy to barrier. The first domino does not
+ * count, since its energy depends on the push. Returns false, which ends the run, if the ratio is too small.
+ */
 static bool ratio_seen(const struct dom_fall *fall, void *context)
 {
     struct planner *p = context;
@@ -116,7 +116,7 @@ struct dom_row row_of(const struct planner *p, struct choice c, dom_real push,
 #define VALUE(effect, member, status) row.member = p->train.member;
     DOM_DYNAMICS(VALUE)
 #undef VALUE
-    row.walls *= p->wish->first; /* converts the walls from multiples of the first height to m */
+    row.walls *= p->wish->first; /* converts the thickness of walls from multiples of the first height to m */
     if (p->wish->boxes_above > 0) {
         row.walls = p->wish->walls;
         row.boxes_above = p->wish->boxes_above;
@@ -219,7 +219,7 @@ struct planner planner_make(const struct dom_train *train, const struct dom_wish
     p.train.s = separation(GRID / 2);
     p.train.r = 1;
     if (wish->boxes_above > 0)
-        p.train.walls = 0; /* in a train, walls only change times */
+        p.train.walls = 0; /* the walls of a train change only times, which are not needed */
     struct question q = question_make(&p.train, &p.compute);
     struct dom_angles angles;
     p.status = ASK(q, angles_find, &angles);

@@ -7,17 +7,18 @@
 #include "numerics/real.h"
 #include <string.h>
 
-/* The limits of a gap, relative to the height of the domino before the gap. */
+/* Limits of a gap, as fractions of the height of the domino before it. */
 #define LEAST ((dom_real)1 / 1000)
 #define MOST  ((dom_real)98 / 100)
 
-/* If a row just fits into the hall, its gaps are nevertheless narrowed, by the factor 2^(-1 / SHARP). */
+/* How sharply the limit of the hall acts: if a row just fits into the hall, its gaps are already narrowed by
+ * the factor 2^(-1 / SHARP). */
 #define SHARP ((dom_real)64)
 
 /* A height is multiplied or divided by at most this factor. */
 #define FARTHEST ((dom_real)4)
 
-/* An allowance for rounding errors: a limit may be exceeded by this factor. */
+/* A limit may be exceeded by this factor because of rounding errors. */
 #define ROUNDED (1 + (dom_real)1e-9)
 
 enum dom_status limits_check(const struct dom_limits *l)
@@ -54,8 +55,8 @@ void shape_begin(const struct shape *s, double *x)
     }
 }
 
-/* Returns the logarithm of the factor by which all growths must be divided so that the last domino keeps its
- * height. */
+/* Returns the number that must be subtracted from the logarithm of each growth so that the last domino keeps
+ * its height. */
 static dom_real growth_excess(const struct shape *s, const double *growth)
 {
     const struct dom_domino *d = s->row->domino;
@@ -80,8 +81,8 @@ void shape_resize(const struct shape *s, struct dom_domino *d, dom_real height, 
     const dom_real x = height / d->height, slimmer = thickness / d->thickness / x, q = s->limits->q,
                    before = s->row->walls > 0 ? wood_volume(s->row, d->height, d->thickness) : 0,
                    after = before > 0 ? wood_volume(s->row, height, thickness) : 0;
-    /* The mass of a solid domino (q = 4) is proportional to its thickness, even if the height does not
-     * change. The mass of a domino with thin walls (q = 3) hardly depends on the thickness. */
+    /* Besides the height, the thickness matters: the mass of a solid domino (q = 4) is proportional to its
+     * thickness, and the mass of a domino with thin walls (q = 3) hardly depends on it. */
     d->mass *= after > 0 ? after / before : pow(x, q - 1) * pow(slimmer, q - 3);
     d->radius *= x;
     d->height = height;
@@ -102,7 +103,7 @@ bool shape_from_board(const struct shape *s, dom_real height)
 }
 
 /* Returns the thickness of the board that is closest to the given thickness. If a domino of this height is
- * not cut from a board, returns the given thickness, rounded to the grid if `final` is true. */
+ * not cut from a board, returns the given thickness itself, rounded to the grid if `final` is true. */
 static dom_real board_near(const struct shape *s, dom_real height, dom_real thickness, bool final)
 {
     const struct dom_limits *l = s->limits;
@@ -131,8 +132,8 @@ static void size_set(const struct shape *s, size_t k, dom_real height, bool fina
     }
 }
 
-/* Rounds all gaps to the grid. The sum of the gaps is rounded rather than each single gap, so that rounding
- * errors do not add up. */
+/* Rounds all gaps to the grid. Each sum of gaps from the first one on is rounded, not each single gap, so
+ * that rounding errors do not add up. */
 static void gaps_round(const struct shape *s, struct dom_domino *d)
 {
     const dom_real grid = s->limits->grid;
@@ -164,7 +165,7 @@ bool shape_dominoes(const struct shape *s, const double *x, bool final, struct d
     }
     if (room <= 0 && gaps > 0)
         return false;
-    /* Almost the smaller of 1 and room / sum, but smooth, so that a minimizer can follow the limit. */
+    /* A smooth approximation to min(1, room / sum). Without a kink, the minimizer can follow the limit. */
     const dom_real narrower = isinf(room) ? 1 : pow(1 + pow(sum / room, SHARP), -1 / SHARP);
     for (size_t k = 1; k < count; k++)
         d[k].gap *= narrower;

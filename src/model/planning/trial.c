@@ -17,11 +17,11 @@ static bool trial_judged(struct trial *t)
     return falls;
 }
 
-/* The spare energy of the last dominoes that a trial has run. */
+/* The spare energy of the last few dominoes that have fallen in a run. */
 enum { RECENT = 4 };
 struct recent {
-    dom_real share[RECENT]; /* margin / kinetic of each of these dominoes, beginning with the last */
-    dom_real spare;         /* margin / barrier of the last domino */
+    dom_real share[RECENT]; /* margin / kinetic energy of the last RECENT dominoes, beginning with the last */
+    dom_real spare;         /* margin / barrier of the last domino that has fallen */
 };
 
 static bool recent_add(const struct dom_fall *fall, void *context)
@@ -43,8 +43,9 @@ static void trial_run(struct trial *t, size_t count, struct recent *recent)
         t->verdict.spare = recent->spare;
 }
 
-/* Returns true if the row is part of a train: each domino is the previous one, enlarged by constant factors,
- * so that all cycles are alike. A row with walls is no train, because all walls have the same thickness. */
+/* Returns true if the row is part of a train: all dominoes have the same proportions, and size and mass grow
+ * by constant factors, so all cycles are alike. A row of boxes does not have the same proportions, because
+ * all its walls have the same thickness. */
 static bool is_train(const struct dom_row *row)
 {
     const double same = 1e-12;
@@ -64,12 +65,14 @@ static bool is_train(const struct dom_row *row)
 }
 
 /*
- * Runs only the first dominoes of a row that is part of a train, and returns true if these dominoes decide
- * whether all fall. A cycle hardly depends on the cycles before it, so the share of its energy that a domino
- * can spare approaches the share in the endless train, and changes less and less from domino to domino. So
- * all dominoes fall if the first ones do and if, supposing that the last change of the share repeats at every
- * remaining domino, at least half of the share is left at the end. The last domino, unlike all others, falls
- * down to the floor, so its share must be large enough as well.
+ * If the row is part of a train, runs only its first START dominoes. Returns true if these decide whether all
+ * dominoes fall.
+ *
+ * The idea: a cycle hardly depends on the cycles before it, so the share of its kinetic energy that a domino
+ * can spare approaches a limit, that of the endless train, and changes less and less from domino to domino.
+ * If the share changed by the same amount at every remaining domino, and at least half of it would still be
+ * left at the end, then all dominoes fall. The last of the START dominoes falls down to the floor, unlike all
+ * others, so its share is tested, too.
  */
 static bool start_decides(struct trial *t)
 {
@@ -94,7 +97,7 @@ bool trial_falls(struct trial *t)
     return trial_judged(t);
 }
 
-/* Runs the unchanged row, and stores the states from which later runs of slightly changed rows start. */
+/* Runs the unchanged row, and stores the states from which runs of slightly changed rows can start. */
 static enum dom_status trial_course(struct trial *t)
 {
     struct row_question q = row_question_make(&t->row, &t->compute);
@@ -106,7 +109,7 @@ bool trial_begin(struct trial *t)
 {
     t->verdict.end = DOM_ROW_STOPS;
     if (t->row.engine)
-        (void)trial_falls(t); /* an engine runs the whole row each time */
+        (void)trial_falls(t); /* an engine cannot start in the middle of a row */
     else
         t->status = trial_course(t);
     if (t->status == DOM_OK) {
@@ -128,12 +131,12 @@ void trial_end(struct trial *t)
 }
 
 /*
- * Neither num_root nor a GSL solver can be used: not every test yields a number to interpolate, the result
- * must be a point that was tested, and GSL computes only in double. If the row stops on the far side of the
- * edge, the spare energy of a trial changes its sign at the edge. Therefore every other trial is at the point
- * where the straight line through the spare energies at both ends is zero. This point is then moved towards
- * the end that is farther away, by half of the distance at which the search ends, so that both ends come
- * close to the edge.
+ * Neither num_root nor a solver of GSL can be used here: not every test yields a number to interpolate, the
+ * result must be a point that was tested, and GSL computes only in double.
+ *
+ * Bisection alternates with the secant method, which is used if the spare energy is known on both sides of
+ * the edge, where it has different signs. The secant's point is moved by half of the final distance towards
+ * the farther one of `good` and `bad`, so that this one comes close to the edge, too.
  */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative)
@@ -163,14 +166,14 @@ dom_real digit_of(dom_real value, int places)
 
 /* ---- One value of the row ---- */
 
-/* Values are rounded to this relative precision, so that a person can type them. */
+/* Values are rounded to this relative precision, so that they are short enough to type. */
 #define VALUE_DIGITS ((dom_real)1 / 1000000)
-/* The relative precision of values if an engine runs the rows, since the results of an engine are accurate to
+/* The relative precision of values if an engine runs the row. The results of an engine are accurate to only
  * one percent. */
 #define VALUE_DIGITS_OF_ENGINE ((dom_real)1 / 100)
 
-/* The number of values that are tried in each direction. An engine takes thousands of times as long for each
- * value. */
+/* The number of values that are tried in each direction. With an engine there are fewer, since it takes
+ * thousands of times as long for each. */
 enum { STEPS = 40, STEPS_OF_ENGINE = 10 };
 
 int trial_steps(const struct trial *t)
@@ -207,14 +210,14 @@ void trial_change(struct trial *t, dom_real value)
         break;
     case DOM_WINDOW_PLACE:
         d->gap = fmax(d->gap + by, 0);
-        /* A domino that is just in reach must not get out of reach because the sum is rounded. */
+        /* If the gap is just as wide as the previous domino can reach, rounding must not make it wider. */
         if (t->k > 0 && fabs(d->gap - d[-1].height) < 4 * DOM_REAL_EPSILON * value)
             d->gap = d[-1].height;
         if (t->k + 1 < t->row.count)
             d[1].gap = fmax(d[1].gap - by, 0);
         break;
     case DOM_WINDOW_HEIGHT:
-        d->mass *= value / d->height; /* the density does not change */
+        d->mass *= value / d->height; /* the density stays the same */
         d->height = value;
         break;
     case DOM_WINDOW_FRICTION:
@@ -224,7 +227,7 @@ void trial_change(struct trial *t, dom_real value)
         d->lean = value;
         break;
     case DOM_WINDOW_THICKNESS:
-        d->mass *= value / d->thickness; /* the density does not change */
+        d->mass *= value / d->thickness; /* the density stays the same */
         d->thickness = value;
         break;
     }
@@ -241,7 +244,7 @@ bool falls_with(dom_real value, void *context)
     if (t->of == DOM_WINDOW_FRICTION || t->row.engine) {
         falls = trial_falls(t);
         if (t->row.engine && t->status == DOM_NOT_CONVERGED)
-            /* a row whose end the engine cannot decide counts as a row that does not fall */
+            /* if the engine cannot decide whether the row falls, it counts as not falling */
             t->status = DOM_OK;
     } else {
         t->verdict.end = DOM_ROW_STOPS;
@@ -261,9 +264,9 @@ dom_real value_digit(const struct trial *t, dom_real value)
     return digit_of(fabs(value), 0) * (t->row.engine ? VALUE_DIGITS_OF_ENGINE : VALUE_DIGITS);
 }
 
-/* Does the same as value_edge for a row that an engine runs. Each trial takes long and is accurate only to
- * one percent, so the values between `good` and `bad` that are tried have few digits, and the search ends
- * half a percent from the edge. */
+/* Does the same as value_edge for a row that is run by an engine. Each trial takes long and is accurate to
+ * only one percent. Therefore only values with few digits are tried, and the search ends half a percent from
+ * the edge. */
 static dom_real value_edge_engine(struct trial *t, dom_real good, dom_real bad)
 {
     const dom_real digit = value_digit(t, fmax(fabs(good), fabs(bad))),
@@ -288,7 +291,8 @@ dom_real value_edge(struct trial *t, dom_real good, dom_real bad)
     return falls_with(rounded, t) ? rounded : good;
 }
 
-/* The first steps are short, so that a small change is found. With an engine, each value has few digits. */
+/* The steps are short at first and grow longer, so that small changes are tried, too. With an engine, each
+ * value is rounded to a few digits. */
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i)
 {
     const dom_real part = (dom_real)i / (dom_real)trial_steps(t);

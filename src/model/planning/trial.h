@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trials: a row is run many times, each time with one change, to find the edge between values at which all
- * dominoes fall and values at which they do not. */
+/* A trial is a run of a row with one changed value. Series of trials find the edge between the values with
+ * which all dominoes fall and the values with which they do not. */
 #ifndef DOM_TRIAL_H
 #define DOM_TRIAL_H
 
@@ -20,24 +20,25 @@ struct trial {
     struct dom_domino *domino; /* copy of the row's dominoes, which the trials change */
     enum dom_window_of of;     /* the property that is changed */
     size_t k;                  /* index of the domino that is changed, from 0 */
-    dom_real place;            /* position of that domino before the change: see DOM_WINDOW_PLACE */
+    /* distance from the back of the first domino to the back of domino k before the change */
+    dom_real place;
     const struct kernel *kernel;
-    /* runs the row again from the first changed domino on, or NULL if an engine runs the row */
+    /* state of the kernel for running the row again after small changes, or NULL if an engine runs the row */
     struct course *course;
-    dom_row_make *make; /* writes the dominoes of the row for a given growth */
+    dom_row_make *make; /* callback that writes the dominoes of the row for a given growth */
     void *context;
     enum dom_status status;
-    struct dom_verdict verdict; /* verdict on the row that was run last */
-    enum dom_row_end ends;      /* how the last row that did not fall ended */
-    /* margin / barrier of one domino in the last run: the weakest one if the row fell, and the last one if
-     * the row stopped. NaN if the row ended in another way. */
+    struct dom_verdict verdict; /* verdict of the last run */
+    enum dom_row_end ends;      /* how the row ended in the last run in which it did not fall */
+    /* The spare energy (margin / barrier) in the last run: that of the weakest domino if the row fell, or
+     * that of the domino at which the row stopped. NaN if the row ended in another way. */
     dom_real spare;
 };
 
 struct trial trial_of(const struct dom_row *row, const struct dom_compute *compute);
 
-/* Runs the row with its present dominoes, or only as many of these as decide the outcome. Returns true if all
- * dominoes fall. */
+/* Runs the row with its current dominoes. Returns true if all dominoes fall. The run may be shorter if the
+ * first dominoes already decide the outcome. */
 bool trial_falls(struct trial *t);
 
 /* Runs the unchanged row, and prepares trials that change one domino or the gaps beside it. Returns true if
@@ -47,14 +48,14 @@ void trial_end(struct trial *t);
 
 typedef bool trial_test(dom_real x, void *trial);
 
-/* Returns the point closest to the edge at which the test was found to be true. The edge is between `good`,
- * where the test is true, and `bad`, where it is false. The search stops when `good` and `bad` are at most
- * absolute + relative * good apart, or are adjacent numbers. */
+/* Searches for the edge between `good`, where the test is true, and `bad`, where it is false, by moving both
+ * towards each other. Stops when the distance between `good` and `bad` is at most absolute + relative * good,
+ * or when they are adjacent floating-point numbers. Returns the final `good`. */
 dom_real edge_find(trial_test *test, struct trial *t, dom_real good, dom_real bad, dom_real absolute,
                    dom_real relative);
 
-/* Returns one unit of the first significant digit of a number, or of the digit that is `places` places after
- * the first. */
+/* Returns the place value of a decimal digit of a number: of the first significant digit if `places` is 0,
+ * and of the digit that many places later otherwise. */
 dom_real digit_of(dom_real value, int places);
 
 /* ---- One value of the row: the property t->of of domino t->k ---- */
@@ -64,28 +65,28 @@ dom_real digit_of(dom_real value, int places);
 dom_real trial_now(const struct trial *t);
 void trial_change(struct trial *t, dom_real value);
 
-/* A trial_test: returns true if all dominoes fall when trial_change has set the value. Restores the row
- * afterwards. */
+/* A trial_test: sets the value with trial_change, runs the row, and restores it. Returns true if all dominoes
+ * fall. */
 bool falls_with(dom_real value, void *context);
 
-/* trial_steps returns the number of values that are tried on the way from `value` to `end`, and value_step
- * returns value number i. */
+/* A search from `value` to `end` tries a fixed number of values in between. trial_steps returns this number,
+ * and value_step returns the value for step i. */
 int trial_steps(const struct trial *t);
 dom_real value_step(const struct trial *t, dom_real value, dom_real end, int i);
 
-/* Returns one unit of the last digit to which an edge near `value` is rounded. */
+/* Returns the place value of the last digit that is kept when an edge near `value` is rounded. */
 dom_real value_digit(const struct trial *t, dom_real value);
 
-/* Searches from a good value towards a bad one, and returns the last value at which all dominoes still
- * fall, rounded to a few digits, away from the bad value. */
+/* All dominoes fall with the value `good`, but not with `bad`. Returns the last value on the way from `good`
+ * to `bad` with which they still fall, rounded to a few digits, away from `bad`. */
 dom_real value_edge(struct trial *t, dom_real good, dom_real bad);
 
-/* Searches from `now` towards `end`, and returns the last value at which all dominoes still fall. All
- * dominoes must fall with `good`, the value of step i - 1. */
+/* Continues a search from `now` to `end` with step i, and returns the last value with which all dominoes
+ * still fall. All dominoes must fall with `good`, the value of the step before. */
 dom_real value_until(struct trial *t, dom_real now, dom_real end, dom_real good, int i);
 
-/* Searches from the current value towards `end`. *to is the first value at which all dominoes fall, and
- * *until is the last value up to which they still fall. Returns false if there is no such value. */
+/* Searches from the current value towards `end` for a range of values with which all dominoes fall. Sets *to
+ * to the beginning of the range and *until to its end. Returns false if there is no such range. */
 bool value_towards(struct trial *t, dom_real end, dom_real *to, dom_real *until);
 
 #endif

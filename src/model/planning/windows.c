@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Windows: how far each gap, position, height, thickness or lean of a row, or its friction, may change so
- * that all dominoes still fall. */
+/* Finds windows. The window of a value of a row (a gap, a position, a height, a thickness, a lean or the
+ * friction) is the range in which it may change so that all dominoes still fall. */
 #include "planning/boxes.h"
 #include "planning/trial.h"
 
-/* The heights that are tried range from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. The friction
- * is tried up to FRICTION_MOST or up to four times its present value, whichever is larger. */
+/* Heights are tried from HEIGHT_PART to HEIGHT_MULTIPLE times the current height. Friction coefficients are
+ * tried up to FRICTION_MOST, or up to four times the current one if this is larger. */
 #define HEIGHT_PART     ((dom_real)0.01)
 #define HEIGHT_MULTIPLE 4
 #define FRICTION_MOST   2
 
-/* Heights on a slope, thicknesses and leans keep this relative distance from the values at which a domino
- * falls over by itself. The distance is larger than the rounding error of a float. */
+/* Relative distance that heights, thicknesses and leans keep from the values at which a domino falls over by
+ * itself. The distance is larger than the rounding error of a float. */
 #define STANDS_SHORT ((dom_real)1e-6)
 
 /* The range of values that are tried. */
 struct range {
     dom_real lowest, highest;
-    /* how the row ends if the value is above `highest`, or DOM_ROW_FALLS if that is unknown */
+    /* how the row ends with a value above `highest`, or DOM_ROW_FALLS if this is unknown */
     enum dom_row_end above;
 };
 
-/* Returns the range of heights that are tried. On a slope, or if it leans, a domino stands only up to the
- * height foot / tan |tilt|. Each rounded edge makes the foot shorter by its radius, and a domino must be
- * taller than two radii. A solid domino stays solid, and a box stays a box. */
+/* Returns the range of heights that are tried. A domino that leans or stands on a slope falls over by itself
+ * if it is taller than foot / tan |tilt|, where the foot is its thickness minus the radii of two rounded
+ * edges. A domino must be taller than two radii. A solid domino stays solid, and a box stays a box. */
 static struct range heights_of(const struct trial *t, const struct dom_domino *d)
 {
     dom_real tilt = fmax(fabs(t->row.alpha), fabs(t->row.alpha + d->lean));
@@ -37,8 +37,8 @@ static struct range heights_of(const struct trial *t, const struct dom_domino *d
 }
 
 /*
- * Returns the range of thicknesses that are tried, with the same limits as for heights. A thickness must have
- * room for two walls or for two rounded edges.
+ * Returns the range of thicknesses that are tried. The domino must not fall over by itself, and it must be
+ * thick enough for two walls or for two rounded edges.
  */
 static struct range thicknesses_of(const struct trial *t, const struct dom_domino *d)
 {
@@ -55,8 +55,8 @@ static struct range range_of(const struct trial *t)
     const struct dom_domino *d = &t->domino[t->k];
     switch (t->of) {
     case DOM_WINDOW_PLACE: {
-        /* The domino moves forwards at most until it touches the next one, or until it is out of reach of the
-         * domino before it. */
+        /* The domino can move forwards until it touches the next one, or until the previous domino can no
+         * longer reach it. */
         bool last = t->k + 1 == t->row.count;
         dom_real reach = d[-1].height - d->gap, room = last ? reach : d[1].gap;
         return (struct range){t->place - d->gap, t->place + fmin(reach, room),
@@ -81,9 +81,9 @@ static struct range range_of(const struct trial *t)
     return (struct range){0, d[-1].height, DOM_ROW_MISSES};
 }
 
-/* Returns how far the value can change towards `end` while all dominoes still fall. *beyond is set to how the
- * row ends just beyond that value. The search then continues to `end`, and sets *others if the row falls
- * again at a value farther away. */
+/* Changes the value step by step towards `end`. Returns the last value before the row first does not fall,
+ * and sets *beyond to how the row ends just beyond this value. The steps continue to `end`; *others is set to
+ * true if the row falls again at a later one. */
 static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *beyond, bool *others)
 {
     dom_real now = trial_now(t), edge = end, good = now;
@@ -93,8 +93,8 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
         bool falls = x == good || falls_with(x, t);
         if (open && !falls) {
             edge = value_edge(t, good, x);
-            /* t->ends is from the last trial in which the row did not fall, which is the trial closest to the
-             * edge */
+            /* t->ends comes from the last trial in which the row did not fall, which is the one closest to
+             * the edge */
             *beyond = t->ends;
             open = false;
         }
@@ -105,7 +105,7 @@ static dom_real window_edge(struct trial *t, dom_real end, enum dom_row_end *bey
     return end < now ? fmin(edge, now) : fmax(edge, now);
 }
 
-/* Finds the window around the current value, for a row that falls. */
+/* Finds the window of the current value if the row falls. */
 static void window_around(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -118,8 +118,8 @@ static void window_around(struct trial *t, struct dom_window *w)
 
 /* ---- Equal dominoes ---- */
 
-/* Returns true if domino k, which is not the last, and its neighbours are equal to domino k - 1 and its
- * neighbours. The windows of both dominoes then hardly differ. */
+/* Returns true if domino k and its two neighbours are equal to domino k - 1 and its two neighbours. The
+ * windows of domino k and domino k - 1 are then nearly equal. */
 static bool is_repeated(const struct dom_row *row, size_t k)
 {
     bool equal = k > 2 && k + 1 < row->count;
@@ -131,8 +131,9 @@ static bool is_repeated(const struct dom_row *row, size_t k)
     return equal;
 }
 
-/* Does the same as window_edge for an edge that is close to `guess`. The first two trials are one unit of the
- * last digit apart, and later trials are farther and farther apart, until the edge is between two trials. */
+/* Does the same as window_edge, but starts at `guess`, which is close to the edge. The second trial differs
+ * from the first by one unit in the last digit. The steps to later trials are longer and longer, until the
+ * edge is between two trials. */
 static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum dom_row_end *beyond)
 {
     const dom_real now = trial_now(t), digit = value_digit(t, guess != 0 ? guess : end != 0 ? end : now);
@@ -148,7 +149,7 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
             good = fabs(good - now) < fabs(step) ? now : bad - step;
             bad = falls_with(good, t) ? bad : good;
         }
-    if (good == bad) /* all dominoes fall up to the end of the range */
+    if (good == bad) /* all dominoes fall even at the end of the range */
         return good;
     *beyond = t->ends;
     if (fabs(good - bad) > digit + digit / 2)
@@ -156,8 +157,8 @@ static dom_real edge_near(struct trial *t, dom_real guess, dom_real end, enum do
     return end < now ? fmin(good, now) : fmax(good, now);
 }
 
-/* Finds the window around the current value of a domino that is equal to the domino before it, whose window
- * is `last`. */
+/* Finds the window of the current value for a domino that is equal to the previous one. *last is the window
+ * of the previous domino. */
 static void window_repeat(struct trial *t, const struct dom_window *last, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -170,8 +171,8 @@ static void window_repeat(struct trial *t, const struct dom_window *last, struct
 
 /* ---- Rows that do not fall ---- */
 
-/* Finds the window that ends at the highest value of the range, for a domino that is out of reach at
- * present. */
+/* The current value is above the range, but all dominoes fall with the highest value of the range. Finds the
+ * window that ends at this highest value. */
 static void window_below(struct trial *t, const struct range *range, struct dom_window *w)
 {
     const size_t next = t->k + 1 < t->row.count;
@@ -187,7 +188,7 @@ static void window_below(struct trial *t, const struct range *range, struct dom_
     t->domino[t->k] = self;
 }
 
-/* Finds the window nearest to the current value, for a row that does not fall. */
+/* Finds the window nearest to the current value if the row does not fall. */
 static void window_beside(struct trial *t, struct dom_window *w)
 {
     const struct range range = range_of(t);
@@ -206,8 +207,8 @@ static void window_beside(struct trial *t, struct dom_window *w)
     w->others = in && out;
 }
 
-/* Returns true if a change of domino k can have an effect on a row that ends at domino `ends`. Both count
- * from 0. */
+/* Returns true if a change of domino k can have an effect on a row that ends at domino `ends` (both counted
+ * from 0). */
 static bool matters(enum dom_window_of of, size_t k, size_t ends)
 {
     return of == DOM_WINDOW_FRICTION || k <= ends + 1;
