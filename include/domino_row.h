@@ -147,8 +147,8 @@ struct dom_row {
     /* Angular velocity in rad/s, >= 0, of the first domino, which is upright. NaN means that the first domino
      * is tipped over its edge and let go. */
     dom_real push;
-    /* The effects of DOM_DYNAMICS, as in struct dom_train, but the thickness of the walls is in m, the same
-     * for all dominoes. */
+    /* The effects of DOM_DYNAMICS, as in struct dom_train, except that the thickness of the walls is in m and
+     * is the same for all dominoes. */
     dom_real mu, alpha, walls, rho;
     /* A number that an engine adds to the friction coefficient of the floor. The model does not use it. */
     dom_real feet;
@@ -199,7 +199,9 @@ struct dom_verdict {
     /* s, the time until all dominoes lie on the floor or, if the row ends early, until the last hit; NaN if
      * times were not requested */
     dom_real seconds;
-    size_t weakest; /* the domino that falls with the smallest margin / barrier; 0 if there is none */
+    /* the number of the domino with the smallest margin / barrier among those that fall; 0 if there is
+     * none */
+    size_t weakest;
     dom_real spare; /* margin / barrier of the weakest domino; infinite if there is no barrier */
 };
 
@@ -363,8 +365,8 @@ struct dom_limits {
     dom_real heaviest;
     /* m, the grid: all sizes and gaps that change are multiples of this length; 0 if there is no grid */
     dom_real grid;
-    /* Array of `boards` thicknesses in m, in increasing order; may be NULL. If only dominoes above a height
-     * are boxes, only the solid dominoes are cut from boards, and boxes may have any thickness. */
+    /* Array of `boards` thicknesses in m, in increasing order; may be NULL. If only dominoes above a certain
+     * height are boxes, only the solid dominoes are cut from boards, and boxes may have any thickness. */
     const dom_real *board;
     size_t boards;
 };

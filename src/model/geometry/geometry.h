@@ -245,7 +245,8 @@ KERNEL_LOOP struct contact geometry_contact(const struct geometry *geometry, str
 {
     real rLv = geometry->rL * leader.v, X = geometry->rs - rLv;
     real Y = sqrt((geometry->short_of + rLv) * (1 + geometry->rs - rLv)), rLx = geometry->rL * leader.x;
-    if (2 * rLx <= Y) /* many slopes are multiplied, so a slope near 1 may have only one rounding error */
+    /* a chain multiplies many slopes, so a slope near 1 must be accurate to one rounding error */
+    if (2 * rLx <= Y)
         return (struct contact){X, Y, Y - rLx, leader.x == 0 ? 1 : 1 - rLx / Y};
     real arm = (geometry->leave_at - geometry->leave_by * leader.v) / (Y + rLx);
     return (struct contact){X, Y, arm, arm / Y};

@@ -91,8 +91,8 @@ struct apart {
     real by, t;
 };
 
-/* Returns the difference between two tilts, of which t is the tangent of half the angle. t keeps its relative
- * accuracy along the chain, even for the smallest differences. */
+/* Returns the difference between two tilts from t, the tangent of half the angle between them. t keeps its
+ * relative accuracy along the chain, even for the smallest differences. */
 static struct apart apart_by(real t)
 {
     real square = t * t;

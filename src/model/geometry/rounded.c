@@ -289,7 +289,7 @@ static bool rounded_leave(const struct geometry *geometry, real hi, real *theta)
         *(at.contact.step >= 0 ? &lo : &hi) = *theta;
         by = i == 0 ? by : -at.contact.step / at.curve;
         *theta += by;
-        /* near the root, a step reduces the error to about its square */
+        /* near the root, each step roughly squares the error */
         if (i > 0 && fabs(by) <= sqrt(REAL_EPSILON) / 16 * *theta)
             break;
         if (!(*theta > lo && *theta < hi))
@@ -332,7 +332,7 @@ static enum dom_status rounded_set(struct geometry *geometry)
     of->tall_1 = of->tall / geometry->r;
     geometry->short_of = beyond(of, fma(-geometry->r, geometry->s, 1));
     geometry->c = hit_at(of, geometry->rs, geometry->short_of);
-    const real theta_inf = rounded_inf(geometry); /* no domino turns beyond this tilt */
+    const real theta_inf = rounded_inf(geometry); /* the tilt that far followers approach */
     geometry->inf = geometry->f = tilt_of(theta_inf);
     geometry->decay = geometry->weight * fmax(0, rolling_of(geometry, geometry->inf, theta_inf).contact.step);
     geometry->detaches = rounded_leave(geometry, theta_inf, &theta_leave);

@@ -25,8 +25,8 @@
 KERNEL real rounded_fall(const struct geometry *geometry, struct tilt t);
 
 /* rounded_begin starts a walk at the head, and rounded_next moves on to the follower. rounded_between returns
- * the domino half way between two tilts of the same domino. rounded_arms and rounded_pushes are members of
- * struct contact_law. */
+ * a domino at the tilt half way between its tilts in a and in b. rounded_arms and rounded_pushes are members
+ * of struct contact_law. */
 KERNEL struct walk rounded_begin(const struct geometry *geometry, struct tilt head);
 KERNEL void rounded_next(struct walk *walk);
 KERNEL struct walk rounded_between(const struct walk *a, const struct walk *b);

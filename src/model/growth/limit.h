@@ -38,8 +38,8 @@ KERNEL real margin_falls(const struct margin_context *c, real r);
 KERNEL enum dom_status root_between(struct margin_context *c, const struct edge *lo, const struct edge *hi,
                                     real *r);
 
-/* Finds the root close to `near`, an approximate root with half of the digits of this arithmetic. Sets *found
- * to false if there is no root that close. */
+/* Finds the root close to `near`, an approximation that is correct to half of the digits of this arithmetic.
+ * Sets *found to false if there is no root that close. */
 KERNEL enum dom_status root_near(struct margin_context *c, real near, real *root, bool *found);
 
 /*

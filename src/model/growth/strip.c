@@ -159,8 +159,8 @@ static struct tilt strip_least_top(const struct geometry *lo, const struct geome
 /*
  * Returns an upper bound on the terms of the first follower that stays finite at the reach, where u_1(0) may
  * be infinite. u_1 decreases with the tilt of the head. At the maxima that matter, the head leans by at least
- * `least`, so u_1(theta) is at most the derivative there. u_1(0), which is subtracted, is at least its value
- * at lo.
+ * `least`, so u_1(theta) is at most the value of u_1 at `least`. u_1(0), which is subtracted, is at least its
+ * value at lo.
  */
 static real strip_first(const struct geometry *lo, const struct geometry *hi, const struct between *at,
                         real tilt, struct tilt least, real c)

@@ -26,7 +26,7 @@ struct strip {
     real grows;
     /* Upper bound on the energy that later followers, which `grows` does not cover, can still lose. */
     real cut;
-    real drops; /* upper bound over the strip of -d barrier / d ln r, or of -d barrier / ds; >= 0 */
+    real drops; /* upper bound on -d barrier / d ln r, or on -d barrier / ds, in the whole strip; >= 0 */
     /* Upper bounds on d margin / d ln r over a strip of growths. margin_slope holds in the whole strip;
      * root_slope holds where the barrier is at least kinetic_least, as at every root of the margin. */
     real margin_slope, root_slope;

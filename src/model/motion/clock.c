@@ -22,8 +22,8 @@ struct clock {
 
 /*
  * Returns the width of the peak of the slowness before a stop, in the variable u of slowness_before. At the
- * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The peak ends where the
- * two terms are equal. Returns NaN if there is no such peak.
+ * distance delta from the stop, the remaining energy is H' delta - H'' delta^2 / 2. The width corresponds to
+ * the delta at which the two terms are equal. Returns NaN if there is no such peak.
  */
 static real stop_width(const struct motion *m)
 {

@@ -245,8 +245,8 @@ static real chebyshev_level(struct span *s, int level)
     for (int j = level > 0; j <= n && !s->failed; j += level > 0 ? 2 : 1)
         s->value[(size_t)j * stride] = chebyshev_value(s, cosine[j]);
     for (int j = 0; j <= n && !s->failed; j++) {
-        /* The last coefficients of the Chebyshev series, those of T_n, T_(n-1) and T_(n-2), are sums with
-         * alternating signs. */
+        /* The last coefficients of the Chebyshev series show how well the nodes resolve f. Those of T_n,
+         * T_(n-1) and T_(n-2) are sums with alternating signs. */
         real value = s->value[(size_t)j * stride], c = cosine[j];
         real part = (real)(j % 2 ? -1 : 1) * (j == 0 || j == n ? value / 2 : value);
         if (2 * j <= n) /* node n - j has the weight of node j */
