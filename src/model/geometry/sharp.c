@@ -86,7 +86,7 @@ static void sharp_turns(const struct geometry *geometry, int order, real *p)
     const real rL = geometry->rL;
     for (int k = 1; k <= order; k++) {
         X[k] = k == 1 ? 2 * rL * geometry->inf.x : k == 2 ? -2 * rL * geometry->inf.y : -X[k - 2];
-        real square = 0, half = X[k]; /* Y^2 = 1 - X^2, p (1 + Y) = X */
+        real square = 0, half = X[k]; /* p follows from Y^2 = 1 - X^2 and p (1 + Y) = X */
         for (int j = 1; j < k; j++) {
             square += X[j] * X[k - j] + Y[j] * Y[k - j];
             half -= p[j] * Y[k - j];
