@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum {
-    NUMBER_MARGIN = 6, /* the width of a number apart from its digits: "-0." and "e-300" */
+    NUMBER_MARGIN = 6, /* the width of everything in a number except its digits, as in "-0." and "e-300" */
     BOUND_MARGIN = 12, /* the width of " +/- 1.2e-15" */
     TEXT_LINE = 512,
     WORDS_LEAST = 30,   /* if a last column of words has less room than this, the words go below their row */

@@ -16,7 +16,7 @@ enum {
     /* a block has at most this many times the points of the worker's previous block, because later points may
      * take longer */
     GROWTH = 4,
-    WINDOW = 16, /* how many blocks each worker may be ahead of the output */
+    WINDOW = 16, /* the maximum number of blocks that a worker computes before the output catches up */
     BLOCK_MOST = 4096,
     THREADS_MOST = 256
 };

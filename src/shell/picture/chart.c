@@ -281,7 +281,7 @@ static void tick_add(struct ticks *t, double tick)
     char *text = t->text[t->count];
     int wide = snprintf(text, TICK_TEXT, "%.6g", tick);
     if (fabs(strtod(text, NULL) - tick) > 1e-9 * fabs(tick))
-        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* ticks in a narrow range need more digits */
+        wide = snprintf(text, TICK_TEXT, "%.9g", tick); /* six digits are too few if the range is narrow */
     t->widest = wide > t->widest ? wide : t->widest;
     t->at[t->count++] = tick;
 }

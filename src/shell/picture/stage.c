@@ -227,9 +227,9 @@ enum dom_status stage_train(struct stage *stage, const struct domq_train *train,
     if (status != DOM_OK)
         return status;
     while (!train_full(stage)) {
-        train_follow(
-            &f,
-            (double)angles.theta_f); /* farther back, a picture cannot show that tilts differ from theta_f */
+        /* The remaining dominoes are drawn at the limit of the tilts, from which they cannot be distinguished
+         * in a picture. */
+        train_follow(&f, (double)angles.theta_f);
         f.leans = f.leans && !angles.detaches;
     }
     if (theta >= angles.theta_c * (1 - 4 * (domq_real)1e-10)) {

@@ -43,8 +43,8 @@ struct drawn {
     /* The corners that the domino would have with sharp edges: front foot, front top, back top and back
      * foot. */
     struct point corner[CORNERS];
-    bool touched; /* the follower of this domino touches it at `contact`; if not, `contact` is NaN */
-    struct point contact;
+    bool touched;         /* the follower of this domino touches it */
+    struct point contact; /* where the follower touches the domino; NaN without contact */
     /* The push at the contact: `force` is relative to the weight of the head, and `of_own` to the weight of
      * this domino. Both are NaN if the push is not known. */
     double force, of_own;

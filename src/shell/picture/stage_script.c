@@ -110,7 +110,7 @@ static void axes_script(const struct stage *stage, const struct sheet *v, FILE *
             1 - v->above / v->height, v->left, v->right, v->low, v->high);
     /* For a row, the ruler begins at domino 1. */
     double from = stage->left < 0 || v->left > 0 ? v->left : 0, up = ruler_step(34 * v->dot / unit.size);
-    while (up * unit.size > v->high - 10 * v->dot) /* even a row that is not tall needs a tic */
+    while (up * unit.size > v->high - 10 * v->dot) /* the axis needs at least one tic */
         up = ruler_step(0.39 * up);
     tics_script(script, 'x', from, v->right, ruler_step(60 * v->dot / unit.size), unit.size);
     /* The y axis has no tic at 0, because its unit is written there. */

@@ -74,7 +74,8 @@ static void emit_values(const struct completion *c)
         if (command_values(command, &fewest) < 0 || (!command->train && !fewest && !has_row))
             continue;
         const struct column *column = &command->columns[command_principal(command)];
-        /* Checking a candidate computes its value, which is fast for the endless train. */
+        /* The parser checks a candidate by computing its value. This is fast for answers about the endless
+         * train, but may take long for a row. */
         if (is_any || (!fewest && command->train && fits(a, column->key, column->unit)))
             emit_name(c, name, fewest ? "(" : "", !is_any);
     }

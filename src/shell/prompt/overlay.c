@@ -15,7 +15,7 @@
 
 enum { HINT = 256, COLOURED_MOST = 2000 };
 
-#define SAVE_CURSOR    "\0337\033[?7l" /* also turns line wrapping off */
+#define SAVE_CURSOR    "\0337\033[?7l" /* saves the cursor position, and turns line wrapping off */
 #define TO_CURSOR      "\0338"
 #define RESTORE_CURSOR "\033[?7h" TO_CURSOR
 
