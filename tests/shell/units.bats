@@ -142,7 +142,7 @@ END
 7|set q 3 kg|^set: q is a plain number, not a mass; enter it without a unit$
 13|set mass 10 kgs|^set: 'kgs' is not a unit; did you mean 'kg'
 11|print 1 g + 1|^print:.*a mass and a plain number
-7|print sqrt(4 kg)|^print:.*sqrt of this is not defined
+7|print sqrt(4 kg)|^print:.*sqrt of a value with this unit is not defined
 7|print max(1 kg, 2)|^print:.*max needs two values of the same kind
 7|set g 3 m|^set: g is in m s\^-2, not a length
 7|set q 1 m|^set: q is a plain number, not a length
@@ -231,9 +231,9 @@ END
     same 'the effect of this name goes on with a grid' '0.4 0.6 0.4 0.6' \
         "$(json 'effect row 6; sweep push 5 9 2 feet 0.4 0.6 2 : print h' | values feet | paste -sd ' ' -)"
     all_wrong <<'END'
-8|set s 0,3|^set: s ends before ',3'; use a decimal point, as in 0\.5$
-10|count 112,5 m|^count: H ends before ',5 m'; use a decimal point
-9|budget s%|^budget: P ends before '%'; write the fraction as 0\.95 or 95/100$
+8|set s 0,3|^set: the value of s ends before ',3'; use a decimal point, as in 0\.5$
+10|count 112,5 m|^count: the value of H ends before ',5 m'; use a decimal point
+9|budget s%|^budget: the value of P ends before '%'; write the fraction as 0\.95 or 95/100$
 END
 }
 

@@ -102,7 +102,7 @@ TEST(quotes)
         {HEAD "1,,\x1b[31m", "1 - - ,\\x1b[31m; "},
         {HEAD "1,,\"a\n\nb", "2:4: this '\"' is never closed"},
         {HEAD "1,,\"a\"b", "2:7: a ',' is missing after the closing '\"'"},
-        {HEAD "1,\"2\"\"\",", "2:5: gap ends before '\"'"},
+        {HEAD "1,\"2\"\"\",", "2:5: the value of gap ends before '\"'"},
     };
     CHECK(cases, &kind, false);
 }
@@ -138,11 +138,11 @@ TEST(decimal_marks)
     static const struct reading wrong[] = {
         {SEMICOLONS "1.234,5;;", "2:1: this number has more than one decimal mark"},
         {SEMICOLONS "1,234,567;;", "2:1: this number has more than one decimal mark"},
-        {SEMICOLONS "48,;;", "2:3: size ends before ','"},
+        {SEMICOLONS "48,;;", "2:3: the value of size ends before ','"},
         {HEAD "1,,x\n48,5,7,x",
-         "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; a ',' separates them; "
+         "1 - - ,x; 3:8: too many cells: 4, but the first line has 3; the separator is ','; "
          "'48,5' is read as the cells 48 and 5: if it is one number, write 48.5"},
-        {HEAD "1, 2, 3, 4", "2:10: too many cells: 4, but the first line has 3; a ',' separates them"},
+        {HEAD "1, 2, 3, 4", "2:10: too many cells: 4, but the first line has 3; the separator is ','"},
     };
     CHECK(wrong, &kind, false);
 }

@@ -9,9 +9,9 @@
 static const struct command_group no_group[] = {{NULL, NULL}};
 static const struct command_group *groups = no_group;
 
-/* All commands of all groups, and a linked list of the commands that begin with each letter. A list holds
- * indices in `every`, increased by 1. It begins with first[letter], continues with next[index], and ends with
- * 0. */
+/* All commands of all groups, and for each letter a linked list of the commands that begin with it. The list
+ * holds indices in `every`, increased by 1. It begins with first[letter], continues with next[index], and
+ * ends with 0. */
 enum { COMMANDS_MOST = 128 };
 static const struct command *every[COMMANDS_MOST];
 static int every_count;
@@ -54,8 +54,8 @@ const char *topic_names(const void *context, int k)
     return NULL;
 }
 
-/* Returns the parameter that a word clearly means, or NULL. The word is either the first synonym of the
- * parameter or a word for one of its values, such as 'hollow' for q. */
+/* Returns the parameter that has the word as its first synonym or, if there is none, as one of its values,
+ * such as 'hollow' for q. Returns NULL if there is no such parameter. */
 static const struct parameter *parameter_for(const char *word)
 {
     const struct parameter *usual = parameter_by_synonym(word, false);
@@ -136,7 +136,7 @@ int command_principal(const struct command *c)
 const char *command_usage_write(const struct command *c, char usage[USAGE_SIZE])
 {
     snprintf(usage, USAGE_SIZE, "%s", c->name);
-    bool inside = false; /* true between the brackets around the values of an effect */
+    bool inside = false; /* a '[' has been written, and its ']' has not been written yet */
     for (const struct argument *a = c->argument, *end = a + ARGUMENTS_MAX; a < end && a->kind; a++) {
         const bool more = a->kind == ARGUMENT_VALUE && a + 1 < end && a[1].kind == ARGUMENT_VALUE;
         text_add(usage, USAGE_SIZE, " %s%s%s", a->optional && !inside ? "[" : "", a->name,
@@ -167,8 +167,8 @@ static bool out_of_range(struct problem *problem, const struct argument *a, domq
                              range);
 }
 
-/* Checks a tilt, and stores it in radians in *number. A tilt without a unit is taken to be in the session's
- * unit of angles. */
+/* Checks a tilt, and stores it in radians in *number. A tilt without a unit is in the session's unit of
+ * angles. */
 static bool tilt_check(const struct query *query, const struct argument *a, struct quantity q,
                        domq_real *number, struct problem *problem)
 {
@@ -178,14 +178,13 @@ static bool tilt_check(const struct query *query, const struct argument *a, stru
     enum dom_status status = domq_angles_find(&query->scene->train, &query->scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(problem, query->scene, status);
-    /* A user may enter theta_c as an earlier answer showed it in degrees, with all digits. The last of these
-     * digits may have been rounded up. */
+    /* A user may copy theta_c from an answer in degrees, where the last digit may have been rounded up. */
     domq_real slack =
         2 * (domq_real)domq_arithmetic(query->scene->compute.precision)->epsilon * angles.theta_c;
     if (!(theta >= 0 && theta <= angles.theta_c + slack))
         return problem_no_answer(problem,
                                  "%s = %s %s is outside the cycle; %s is an angle in [0, theta_c] = [0, "
-                                 "%.17g]; 'thetac' gives its upper end",
+                                 "%.17g]; 'thetac' gives theta_c",
                                  a->name, quad_text(style_angle(style, theta), 10), style_angle_unit(style),
                                  a->name, (double)style_angle(style, angles.theta_c));
     *number = quad_smaller(quad(fabs)(theta), angles.theta_c); /* fabs turns -0 into 0. */
@@ -205,13 +204,12 @@ static bool of_check(const struct query *query, const struct argument *a, domq_r
     return out_of_range(problem, a, value, "out of range", range);
 }
 
-/* Checks the unit of a value, if the value has a unit. */
+/* Checks the unit of a value that has one. */
 static bool unit_check(const struct query *query, const struct argument *a, struct quantity *q,
                        struct problem *problem)
 {
     const struct quantity unit = argument_unit(a), length = {.length = 1}, per_time = {.time = -1};
-    /* s and d are fractions of the height. If they are entered as lengths, they are divided by the height of
-     * the first domino. */
+    /* s and d are fractions of the height. A length is divided by the height of the first domino. */
     bool is_share = a->kind == ARGUMENT_OF && strcmp(parameter_find(a->of)->value[a->which].unit, "h") == 0;
     if (is_share && quantity_alike(*q, length))
         *q = (struct quantity){.value = q->value / query->scene->scale.h};

@@ -20,17 +20,17 @@ enum argument_kind {
     ARGUMENT_COUNT,  /* an integer in 1 .. COUNT_MAX */
     ARGUMENT_ANY,    /* a value in any unit */
     ARGUMENT_NUMBER, /* a plain number */
-    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or choice i, which is stored as the number -1 - i */
+    ARGUMENT_PLACE,  /* an angle in [0, theta_c], or one of the choices; choice k is stored as -1 - k */
     /* Arguments that are words or names: */
     ARGUMENT_CHOICE,    /* one of the choices, which is stored as its index */
     ARGUMENT_EFFECT,    /* the name of an effect */
-    ARGUMENT_PARAMETER, /* the name of a parameter, or of a variable if no ARGUMENT_VALUE follows */
+    ARGUMENT_PARAMETER, /* the name of a parameter; also of a variable, if no ARGUMENT_VALUE follows */
     ARGUMENT_VALUE,     /* a value of the parameter or effect that an earlier argument names, or a file */
     ARGUMENT_TOPIC,     /* a command, a parameter or a variable */
     ARGUMENT_WORD,      /* any word, or a text in double quotes */
     ARGUMENT_FILE,      /* a path, in double quotes if it contains blanks */
     ARGUMENT_REST,      /* the rest of the line, unparsed, including any ';' */
-    /* Arguments with a function `parse` of their own: */
+    /* Arguments that are parsed by their member `parse`: */
     ARGUMENT_GRID,    /* parameter names, each followed by values */
     ARGUMENT_COMMAND, /* a command that computes something, after an optional ':' */
     ARGUMENT_WORDS,   /* all remaining words and values of the command */
@@ -47,14 +47,14 @@ struct session;
 struct argument {
     const char *name;
     enum argument_kind kind;
-    /* For ARGUMENT_OF, the name of the parameter. For other kinds, the noun for a value or choice in
-     * messages. */
+    /* For ARGUMENT_OF, the name of the parameter. For other kinds, the noun that messages use for a value or
+     * a choice. */
     const char *of;
     int which; /* for ARGUMENT_OF: the index of the value, if the parameter has several values */
     bool optional;
     names_list *choices;
-    /* Only arguments of the last four kinds have these functions. `parse` stores its result in
-     * question->parsed. `bind` evaluates this result in the state of the query, and stores its own result in
+    /* Functions for the last four kinds above; NULL for other kinds. `parse` stores its result in
+     * question->parsed. `bind` evaluates this result in the state of the query, and stores the values in
      * given->bound. */
     bool (*parse)(struct reader *reader, struct question *question);
     bool (*bind)(const struct question *question, const struct query *query, struct arguments *given,
@@ -70,9 +70,10 @@ struct arguments {
     struct quantity quantity[ARGUMENTS_MAX]; /* the elements of `number` with their units */
     const char *word[ARGUMENTS_MAX];
     int column[ARGUMENTS_MAX]; /* the column in the typed line at which each argument begins, for messages */
-    /* The parameter that an ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL. */
+    /* The parameter whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
     const struct parameter *parameter;
-    /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
+    /* The variable whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_TOPIC, or which 'let'
+     * defines. May be NULL. */
     const struct variable *variable;
     void *bound;         /* the result of argument.bind */
     struct arena memory; /* for arguments_take */
@@ -89,19 +90,19 @@ struct command {
     const char *example;  /* example commands */
     const char *see;      /* related commands */
     const struct column *columns;
-    const char *principal; /* the key of the column that is the command's value in expressions */
+    const char *principal; /* the key of the column that holds the value of the command in expressions */
     bool rows;             /* the answer is a table that may have several rows */
-    /* The name of a parameter that the answer repeats in a column, or NULL. A sweep over this parameter omits
-     * the column, unless an argument of the command replaces the parameter. */
+    /* The name of a parameter whose value the answer repeats in a column, or NULL. A sweep over this
+     * parameter omits the column, unless an argument of the command takes the place of the parameter. */
     const char *echo;
-    /* The key of the last column, if its number takes much longer to compute than the others. Sweeps and
-     * expressions leave this column out. NULL if there is no such column. */
+    /* The key of the last column, if its number takes much longer to compute than the other numbers, and
+     * otherwise NULL. Sweeps and expressions leave this column out. */
     const char *alone;
-    const char *unswept; /* the reason why 'sweep' refuses this command, although it computes something */
+    const char *unswept; /* the reason why 'sweep' refuses a command that computes something; or NULL */
     bool train;          /* the answer is about the endless train */
-    /* The kind of answer that the command writes. Pictures have their data in csv and json. Charts are
-     * pictures that can also be written into a .tex file. Documents are texts that can also be written into
-     * a .md or .tex file. Pages are long texts for the pager. */
+    /* What the command writes. For a picture, csv and json contain its data. A chart is a picture that can
+     * also be written into a .tex file. A document is a text that can also be written into a .md or .tex
+     * file. A page is a long text for the pager. */
     enum { WRITES_DATA, WRITES_PICTURES, WRITES_CHARTS, WRITES_DOCUMENTS, WRITES_PAGES } writes;
     /* For a command that answers yes or no: the statement that is true if the answer is yes. See
      * answer_holds. */
@@ -110,7 +111,7 @@ struct command {
     bool files; /* the command reads or writes files, so a safe session refuses to run it */
     /* the command may change parameters, effects, the row or variables, and 'undo' can revert the change */
     bool changes;
-    /* the shortest abbreviation that means this command although other commands begin with it, too */
+    /* the shortest abbreviation that stands for this command even though other commands begin with it */
     const char *shortest;
     /* Computes the answer to a query. A command that changes something stores the new state in query->next.
      * On failure, sets *problem and returns false. */
@@ -161,9 +162,9 @@ bool command_is_print(const struct command *command);
 int command_principal(const struct command *command);
 
 /*
- * Returns the maximum number of arguments that a command takes in an expression, where only leading arguments
- * that are values count. Stores the minimum in *fewest. Returns -1 if the command cannot be used in an
- * expression.
+ * Returns the maximum number of arguments that a command takes in an expression, and stores the minimum
+ * number in *fewest. Only values can be arguments there, up to the first argument that is not a value.
+ * Returns -1 if the command cannot be used in an expression.
  */
 int command_values(const struct command *command, int *fewest);
 
@@ -182,13 +183,12 @@ static inline bool command_allowed(const struct means *means, const struct comma
            problem_error(problem, "a safe session cannot read or write files");
 }
 
-/* Returns an answer for a command to fill in. Nothing is written, but the cells of the last row are stored in
- * `kept`. */
+/* Returns an answer for a command to fill in. The answer is not written; only the cells of its last row are
+ * stored, in `kept`. */
 struct answer answer_kept(const struct query *query, const struct command *command,
                           struct cell kept[ANSWER_CELLS]);
 
-/* Returns the unit of an argument as a quantity with the value 1. For a plain number, this is 1 without a
- * unit. */
+/* Returns the unit of an argument as a quantity with the value 1. The unit of a plain number is 1. */
 struct quantity argument_unit(const struct argument *argument);
 
 /* Checks the value of an argument, and stores the value in SI units in *number. Sets *problem and returns
@@ -196,8 +196,8 @@ struct quantity argument_unit(const struct argument *argument);
 bool argument_check(const struct query *query, const struct argument *argument, struct quantity quantity,
                     domq_real *number, struct problem *problem);
 
-/* Returns the angular velocity omega with its error bound. The arguments are tau^2 omega^2, the error bound
- * on this square, and tau. If the square may be 0, the error bound on omega is sqrt(error) / tau. */
+/* Returns the angular velocity omega with its error bound. `omegasq` is tau^2 omega^2, and `error` is the
+ * error bound on this square. If the square may be 0, the error bound on omega is sqrt(error) / tau. */
 struct cell cell_omega(domq_real omegasq, domq_real error, domq_real tau);
 
 /* CELL_OF makes a cell from a member of a result and the error bound on this member. CELL_TIMES multiplies

@@ -6,7 +6,7 @@
 
 /* ---- Definitions ---- */
 
-/* Reads a name and the blanks before and after the name. Returns the position after all of these, or NULL if
+/* Reads a name, and skips the blanks before and after it. Returns the position after the blanks, or NULL if
  * there is no name. */
 static const char *definition_name(const char *c, char name[VARIABLE_NAME])
 {
@@ -33,12 +33,12 @@ const char *definition_head(const char *c, struct variable *v)
 
 /* The name at the beginning of a line, and the command or variable with this name. */
 struct head {
-    /* `next` is the first character after the name and the blanks that follow */
+    /* `next` is the first character after the name that is not a blank */
     const char *begin, *end, *next;
     char name[VARIABLE_NAME]; /* "" if the line does not begin with a name, or if the name is too long */
     const struct command *command;
     const struct variable *variable;
-    bool is_alone; /* the command consists of the name alone */
+    bool is_alone; /* the whole command is this name */
 };
 
 static struct head head_read(const struct reader *r)
@@ -53,8 +53,8 @@ static struct head head_read(const struct reader *r)
     return h;
 }
 
-/* Returns true if a word that is a whole command can end at c: if c is a blank, the end of the command or a
- * '>'. */
+/* Returns true if a command or its first word can end at c: if c is a blank, a '>' or the end of the command.
+ */
 static bool word_ends(const char *c)
 {
     return isspace((unsigned char)*c) || command_ends(c) || *c == '>';
@@ -87,8 +87,8 @@ static bool is_expression(const struct state *state, const struct head *h)
            ((h->is_alone && !parameter_find(h->name)) || goes_on(h->next));
 }
 
-/* Returns true if a command without a value is written like a function, as in "quit()" or "print(2)". Moves
- * the reader past the name and an empty "()". */
+/* Returns true if a command that cannot be used in expressions is written like a function, as in "quit()" or
+ * "print(2)". Moves the reader past the name, and also past an empty "()". */
 static bool is_called(struct reader *r, const struct head *h)
 {
     int fewest;
@@ -110,8 +110,8 @@ static bool is_history(const struct head *h)
     return n == 0 ? *c == '%' || *c == '$' : (is_numbered || strspn(c, "_") == n) && !h->variable;
 }
 
-/* Returns the command that an assignment "NAME = VALUE" stands for, 'set' or 'let'. Returns NULL with a
- * problem if NAME is neither a parameter nor a variable. */
+/* Returns the command that an assignment "NAME = VALUE" stands for, which is 'set' or 'let'. Returns NULL
+ * with a problem if NAME is neither a parameter nor a variable. */
 static const struct command *assignment_read(struct reader *r, const struct variable *v)
 {
     char message[NAMES_MESSAGE];
@@ -183,7 +183,8 @@ static const struct command *shorthand_read(struct reader *r)
 
 /* ---- Names of commands ---- */
 
-/* Returns the index of the command for which an ambiguous abbreviation is reserved, or NAMES_SEVERAL. */
+/* Returns the index of the command that an ambiguous abbreviation stands for by its member `shortest`, or
+ * NAMES_SEVERAL if there is none. */
 static int reserved_command(const char *name)
 {
     const char *all;
@@ -205,8 +206,8 @@ static const char *synonym_command(const char *word)
     return NULL;
 }
 
-/* Reports that no command has this name, and suggests what may have been meant. `k` and `message` are the
- * result of names_find for the name. */
+/* Reports that no command has this name, and suggests what the user may have meant. `k` and `message` come
+ * from a call of names_find for the name. */
 static void command_unknown(struct reader *r, const char *name, int k, const char *message)
 {
     const char *command = k == NAMES_UNKNOWN ? synonym_command(name) : NULL, *shown = names_shown(name);

@@ -37,7 +37,8 @@ static bool is_picture(const struct command *c)
     return c->writes == WRITES_PICTURES || c->writes == WRITES_CHARTS;
 }
 
-/* Runs the function of the command that produces the answer for this output: `act`, `picture` or `run`. */
+/* Runs the function of the command that produces the answer: `act`, `run`, or `picture` if the answer is
+ * drawn into a file. */
 static bool run_function(struct session *session, const struct command *c, const struct query *query,
                          struct answer *answer, struct problem *problem)
 {
@@ -56,8 +57,8 @@ static bool run_command(struct session *session, const struct command *c, const 
                         struct problem *problem)
 {
     struct cell kept[ANSWER_CELLS];
-    /* Clearing the array takes time, because it has about a kilobyte, and most lines of a script do not use
-     * it. */
+    /* The array is only cleared if it is used: clearing a kilobyte takes time, and most lines of a script do
+     * not use it. */
     if (c->principal)
         memset(kept, 0, sizeof kept);
     struct output *output = session->output, *end = *output_find(&output, OUTPUT_END);
@@ -101,7 +102,7 @@ static bool run_command(struct session *session, const struct command *c, const 
         memcpy(session->ans.cells, kept, sizeof kept);
     }
     if (done && session->state.settings.timing && c->columns) {
-        /* The time must not appear in csv and json, which programs read. */
+        /* The line with the time must not appear in csv and json, which are read by programs. */
         bool is_for_people = answer.style.format->for_people && !answer.path;
         fprintf(is_for_people ? answer.out : stderr, "time: %.6g ms\n", 1e3 * (terminal_clock() - begun));
     }
@@ -122,7 +123,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
     bool is_paged = pager_push(&session->output, has_pages ? 1 : 1.5, !session->means.safe, interrupt);
     bool done = run_command(session, c, query, problem);
     if (is_paged && output_pop(&session->output, true)) {
-        /* If the user closed the pager before the end of the answer, this is not a write error. */
+        /* It is not a write error if the user closed the pager before the end of the answer. */
         end->error = error;
         if (dom_raised(interrupt))
             problem_status(problem, &session->state.scene, DOM_INTERRUPTED);
@@ -132,7 +133,7 @@ static bool run_paged(struct session *session, const struct command *c, const st
 
 /* ---- Files ---- */
 
-/* Returns the extensions of the files to which the answer of a command can be written, for messages. */
+/* Returns a list of the file extensions that suit the answer of a command, for messages. */
 static const char *endings_of(const struct command *c)
 {
     return c->writes == WRITES_DOCUMENTS ? ".pdf, .tex, .md or .txt, or .csv or .json for its data"
@@ -143,7 +144,8 @@ static const char *endings_of(const struct command *c)
                                    : ".txt";
 }
 
-/* Returns true if the extension of the file suits the answer of the command. Otherwise reports a problem. */
+/* Returns true if the answer of the command can be written to a file with this extension. Otherwise reports a
+ * problem. */
 static bool ending_fits(const struct command *c, const char *path, struct problem *problem)
 {
     const struct ending *ending = ending_of(path);
@@ -167,7 +169,7 @@ static bool ending_fits(const struct command *c, const char *path, struct proble
                          draws || !ending->terminal ? "" : "; 'draw' and 'plot' write pictures");
 }
 
-/* Runs a command and writes its answer to a file, in the format of the file's extension. */
+/* Runs a command and writes its answer to a file, in the format that the extension of the file implies. */
 static bool run_into(struct session *session, const struct command *c, const struct query *query,
                      const char *path, bool appends, struct problem *problem)
 {
@@ -175,7 +177,7 @@ static bool run_into(struct session *session, const struct command *c, const str
     const char *wrong = file_push(&session->output, path, appends, session->state.scene.compute.interrupt);
     bool done = !wrong;
     if (done) {
-        /* a picture is drawn even after 'set output csv' */
+        /* with format_table, a picture is drawn even after 'set output csv' */
         session->output->format = ending->kind == ENDING_SHEET ? &format_table : ending->format;
         session->output->is_head = session_answers(session)->is_head;
         done = run_command(session, c, query, problem);
@@ -211,16 +213,15 @@ static bool run_redirected(struct session *session, struct reader *r, const stru
 /* ---- Commands ---- */
 
 /*
- * Returns true if a command has written nothing and needs an empty JSON object as its answer, because a
- * program that waits for an answer must receive one. The outputs of the parts of a sharded sweep are
- * concatenated, so only the first part writes such an object, and only for commands whose answers are not
- * tables.
+ * Returns true if an empty JSON object must be written, because a command has written nothing and a program
+ * may be waiting for its answer. With --shard, only part 1 writes such an object, and only if the answer is
+ * not a table, because the outputs of the parts are concatenated.
  */
 static bool is_silent(const struct session *session, const struct command *c, bool is_redirected)
 {
     const struct shard *shard = &session->means.shard;
     bool is_first = shard->parts == 0 || (shard->part == 1 && !c->rows);
-    /* After 'source', session->wrote refers only to the commands in the file. */
+    /* After 'source', session->wrote is about the last command of the file. */
     bool is_source = c->runs && c->argument[0].kind == ARGUMENT_FILE;
     return is_first && (is_redirected || is_source || !session->wrote);
 }
@@ -240,7 +241,7 @@ static void run_command_at(struct session *session, struct reader *line)
     if (command_parse(&r, &q)) {
         const struct command *c = q.command;
         const struct format *format = session_answers(session);
-        /* 'undo' reverts all changes that a sourced file makes as one step. */
+        /* All changes that a sourced file makes are a single step for 'undo'. */
         bool is_step = c->changes && session->source.depth == 0;
         bool is_redirected = *r.at == '>';
         struct state *before = is_step ? undo_begin(&session->state) : NULL;
@@ -251,7 +252,7 @@ static void run_command_at(struct session *session, struct reader *line)
             done = is_redirected ? run_redirected(session, &r, c, &call.query)
                                  : run_paged(session, c, &call.query, &problem);
         arena_free(&call.given.memory);
-        /* A command that changes the output format, such as 'set output', writes no empty JSON object. */
+        /* No empty JSON object is written after a change of the output format, as by 'set output csv'. */
         bool is_same = session_answers(session) == format;
         if (done && is_same && format->done && is_silent(session, c, is_redirected))
             format->done(session->output->out, c->name);
@@ -263,7 +264,7 @@ static void run_command_at(struct session *session, struct reader *line)
         session_problem(session, &problem);
     session->command = NULL;
     line->at = r.at;
-    /* The user must see this answer while the next one is being computed. */
+    /* The user must see this answer while the next command is running. */
     fflush((*output_find(&session->output, OUTPUT_BASE))->out);
 }
 
@@ -276,14 +277,14 @@ static bool has_log(struct session *session)
     return session->source.depth == 0 && output_find(&session->output, OUTPUT_LOG);
 }
 
-/* Runs the commands of a text. If one of them opens a log, the commands after that one are logged. */
+/* Runs the commands of a line. If one of them opens a log, only the commands after it are logged. */
 static void run_commands(struct session *session, const struct text *text, const char *line, size_t length)
 {
     struct arena arena = {.block = NULL};
     struct reader r = {.text = text, .at = text->line, .arena = &arena};
     bool is_logged = has_log(session);
     /* A line with several commands is logged before it runs, because a later command may fail after others
-     * have run. A single command is held back until it is known whether the command failed. */
+     * have run. A line with a single command is logged after it is known whether the command failed. */
     if (is_logged)
         log_commands(&session->output, line, length, *text_end(text->line, ";") == ';');
     for (;;) {
@@ -332,8 +333,8 @@ static void run_line(struct session *session, const char *line, size_t length)
     text_free(&text);
 }
 
-/* If SIGINT ends only the running command and not the whole script, clears a SIGINT that arrived before or
- * during the commands that command_run_text runs. */
+/* command_run_text calls this function first and last. If SIGINT ends only the running command, and not the
+ * whole script, forgets a SIGINT that has arrived. */
 static void resume(struct session *session)
 {
     if (session->resumes && session->source.depth == 0 && *session->resumes == SIGINT)
@@ -386,7 +387,7 @@ void line_stream(struct session *session, FILE *in, const char *name)
     free(text);
     session->source = outer;
     session->command = command;
-    /* The interrupt is reported as a problem of 'source' and not of a line in the file. */
+    /* An interrupt is a problem of 'source', and not of a line in the file. */
     if (reason == ECANCELED && session->command) {
         struct problem problem = {.command = session->command};
         problem_status(&problem, &session->state.scene, DOM_INTERRUPTED);

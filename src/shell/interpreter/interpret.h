@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Runs the commands in a text or in a stream. Each command takes these steps: command_read (command_read.h)
- * finds it in the tables, question_parse (question.h) parses its arguments and resolves the names in them,
- * '> FILE' or the pager becomes the top of the stack of outputs (io/output.h), question_bind computes the
- * arguments, the command's function writes its answer (answer/answer.h) or describes a problem
- * (session/problem.h), and the output is taken off the stack, which keeps or drops the file.
+ * Runs the commands in a text or in a stream. First, command_read (command_read.h) finds a command in the
+ * tables. question_parse (question.h) then parses its arguments and resolves the names in them, and
+ * question_bind computes the arguments. If the answer goes to a file or through the pager, an output is
+ * pushed onto the stack of outputs (io/output.h). The command's function writes the answer (answer/answer.h)
+ * or describes a problem (session/problem.h). Finally, the output is popped; the file is kept only if there
+ * was no problem.
  */
 #ifndef SHELL_INTERPRET_H
 #define SHELL_INTERPRET_H

@@ -11,8 +11,8 @@ bool is_value_name(const struct state *state, const char *name)
 
 /* ---- Expressions ---- */
 
-/* Returns true if the word at `at` may follow a value. Otherwise the word was meant as a unit, and the
- * function reports what is wrong with this unit. */
+/* Returns true if the word at `at` may follow a value. If not, the user must have meant the word as a unit,
+ * and this function reports what is wrong with the unit. */
 static bool may_follow(struct reader *r, const char *at)
 {
     char word[NAMES_SHOWN];
@@ -32,8 +32,8 @@ static bool may_follow(struct reader *r, const char *at)
                  : problem_error(r->problem, "'%s' is not a unit and has no value", shown);
 }
 
-/* Reports an error in the expression for the argument `name`, and quotes the word at which the error is.
- * Keeps a problem that has already been reported. Returns false. */
+/* Reports an error in the expression for the argument `name`, and quotes the word in which the error
+ * occurred. Does nothing if a problem has already been reported. Returns false. */
 static bool item_wrong(struct problem *problem, const struct text *text, const char *name,
                        const struct expression_error *error)
 {
@@ -52,7 +52,7 @@ static bool item_wrong(struct problem *problem, const struct text *text, const c
 static bool end_wrong(struct reader *r, const char *name, const char *end)
 {
     reader_place(r, end);
-    return problem_error(r->problem, "%s ends before '%s'; %s", name, names_shown(end),
+    return problem_error(r->problem, "the value of %s ends before '%s'; %s", name, names_shown(end),
                          *end == ',' && isdigit((unsigned char)end[1]) ? "use a decimal point, as in 0.5"
                          : *end == '%' ? "write the fraction as 0.95 or 95/100"
                                        : "an operator or a blank is missing here");
@@ -166,10 +166,10 @@ bool item_bind(const struct item *item, const struct text *text, const struct qu
 /* ---- Words for values ---- */
 
 /*
- * Reads a word and returns its index in a list of words for values. If `is_word_only` is false, the word may
- * also begin an expression, such as the parameter h in 'set q h'; such a word must not be abbreviated. If the
- * word is not in the list, the reader does not move, and the function returns the result of names_find and
- * its message. The message is empty if the word may be an expression.
+ * Reads a word and returns its index in a list of words for values. The word may be abbreviated, unless it
+ * could also begin an expression, such as the parameter h in 'set q h'. `is_word_only` is true if the value
+ * cannot be an expression. If the word is not in the list, returns a negative number and does not move the
+ * reader. The message is then that of names_find, or empty if the word could begin an expression.
  */
 static int word_find(struct reader *r, names_list *list, const void *context, const char *what,
                      bool is_word_only, char message[NAMES_MESSAGE])
@@ -306,7 +306,7 @@ bool item_parse_listed(struct reader *r, const struct parameter *p, struct item 
     bool has_mass = expression_unit(p->value->unit).mass != 0;
     if (o)
         o->parameter = p;
-    /* In a list of names and values, 's' is the separation and not seconds, and 'g' is gravity and not gram,
+    /* In a list of names and values, 's' is the separation and not seconds. 'g' is gravity and not gram,
      * unless the value is a mass. */
     r->no_unit = has_mass ? "s" : "sg";
     bool good = item_parse_value(r, p, 0, p->value->name, item);

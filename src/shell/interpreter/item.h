@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values among a command's arguments. Each value is parsed once. Binding evaluates and checks the value
- * in a given state. A sweep binds the value again at every point. */
+/* The values among a command's arguments. A value is parsed once, and then bound in a state, which means that
+ * it is evaluated and checked. A sweep binds the value again at every point. */
 #ifndef SHELL_ITEM_H
 #define SHELL_ITEM_H
 
@@ -13,13 +13,13 @@
 /* Parses an expression for an argument. The item keeps a pointer to the argument. */
 bool item_parse(struct reader *reader, const struct argument *argument, struct item *item);
 
-/* Parses value number i of a parameter, which is one of the parameter's words or an expression. Messages call
- * the value `name`. */
+/* Parses value number i of a parameter: one of the parameter's words, or an expression. Messages call the
+ * value `name`. */
 bool item_parse_value(struct reader *reader, const struct parameter *parameter, int i, const char *name,
                       struct item *item);
 
-/* Parses the value of a parameter in a list of names and values, where the next name may follow the value
- * directly. If an effect is "on", the item gets the usual value of that effect. */
+/* Parses the value of a parameter in a list of names and values, such as "r 1.5 s 0.3", where another name
+ * may follow the value. If the value of an effect is "on", the item gets the usual value of the effect. */
 bool item_parse_listed(struct reader *reader, const struct parameter *parameter, struct item *item);
 
 /* Parses one of the argument's choices. The item's number is the index of the choice. */
@@ -37,7 +37,7 @@ const struct assignment *assignments_parse(struct reader *reader);
 
 /* Computes the value of an item and checks the value against the item's argument. Stores the value in
  * *number, and with its unit in *quantity, which may be NULL. On failure, sets *problem and returns false.
- * If `text` is not NULL, the column of the problem is a column in this text. */
+ * If `text` is not NULL, the column of the problem is that of the value in this text. */
 bool item_bind(const struct item *item, const struct text *text, const struct query *query,
                struct quantity *quantity, domq_real *number, struct problem *problem);
 

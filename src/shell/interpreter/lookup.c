@@ -6,12 +6,11 @@
 /* The context that symbol_quantity needs during an evaluation. */
 struct lookup {
     const struct query *query;
-    const struct quantity
-        *argument;           /* the arguments of the function, defined by 'let', that is being evaluated */
-    struct problem *problem; /* receives the reason if a command has no answer */
+    const struct quantity *argument; /* the arguments of the 'let' function that is being evaluated */
+    struct problem *problem;         /* tells why a command has no answer */
 };
 
-/* Stores in *result the cell that the tree names. `cells` is a row of the answer of the command t->refers.
+/* Stores the number in cells[t->index] in *result. `cells` is a row of the answer of the command t->refers.
  * Returns false after an error. */
 static bool cell_quantity(struct evaluation *e, const struct tree *t, const struct cell *cells,
                           struct quantity *result)

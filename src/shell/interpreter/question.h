@@ -2,8 +2,8 @@
 /*
  * A question is a parsed command with its arguments. While the line is parsed, the syntax is checked and
  * names are resolved. The values are computed later, when the question is bound in a state; a sweep binds its
- * question at every point. A parsed question does not change, so threads can share it. It lives in the arena
- * of the line.
+ * question at every point. A parsed question does not change, so threads can share it. Its memory is in the
+ * arena of the line.
  */
 #ifndef SHELL_QUESTION_H
 #define SHELL_QUESTION_H
@@ -15,9 +15,10 @@ struct question {
     int key;   /* index of the requested column of the answer, or -1 for the whole answer */
     int count; /* number of arguments */
     struct item item[ARGUMENTS_MAX];
-    /* The parameter that an ARGUMENT_PARAMETER or ARGUMENT_EFFECT names, or NULL. */
+    /* The parameter whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_EFFECT. May be NULL. */
     const struct parameter *parameter;
-    /* The variable that an ARGUMENT_PARAMETER, an ARGUMENT_TOPIC or 'let' names, or NULL. */
+    /* The variable whose name is the value of an ARGUMENT_PARAMETER or ARGUMENT_TOPIC, or which 'let'
+     * defines. May be NULL. */
     const struct variable *variable;
     void *parsed;                  /* the result of argument.parse */
     const struct assignment *with; /* the assignments after 'with', or NULL */

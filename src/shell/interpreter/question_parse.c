@@ -23,8 +23,8 @@ static bool too_many(struct reader *r, const char *word, const char *prefix, con
                          usage);
 }
 
-/* Returns true if value i of an effect may be left out, and `word` stands for one of the next values of the
- * effect. */
+/* Returns true if argument i is a value of an effect that may be left out, and `word` stands for one of the
+ * effect's values after it. */
 static bool word_is_later(const struct parameter *p, int i, const char *word)
 {
     const struct domq_effect_argument *value = parameter_value(p, i - 1);
@@ -35,8 +35,8 @@ static bool word_is_later(const struct parameter *p, int i, const char *word)
     return false;
 }
 
-/* Parses argument i of a question, which is a value of question->parameter. If the parameter allows it, the
- * name of a file may be given instead of all values. */
+/* Parses argument i of a question, which is a value of question->parameter. Some parameters accept the name
+ * of a file instead of values. */
 static bool setting_parse(struct reader *r, struct question *q, int i)
 {
     const struct parameter *p = q->parameter;
@@ -61,7 +61,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
         item->word = read_file(r);
         return item->word != NULL;
     }
-    /* The word stands for a later value. The value that is being read gets its usual value. */
+    /* This value has been left out, and gets its usual value. */
     if (word_is_later(p, i, word)) {
         *item = (struct item){.number = value->usual, .at = r->at};
         return true;
@@ -70,7 +70,7 @@ static bool setting_parse(struct reader *r, struct question *q, int i)
     return item_parse_value(r, p, i - 1, value->name, item);
 }
 
-/* Returns true for a topic of 'help' that belongs to expressions, such as sin, cm or units. */
+/* Returns true for a topic of 'help' that is about expressions, such as sin, cm or units. */
 static bool is_expression_topic(const char *word)
 {
     static const char *const topics[] = {"ans",         "unit",     "units",    "expression",
@@ -81,8 +81,8 @@ static bool is_expression_topic(const char *word)
     return is_value_name(NULL, word) || names_exact(expression_units, NULL, word) >= 0;
 }
 
-/* Parses the name of a parameter or of a topic. If the command takes no value after the name, the name may
- * also be that of a variable. */
+/* Parses the name of a parameter or of a topic. If the command takes no value after the name, the name of a
+ * variable is also accepted. */
 static bool topic_parse(struct reader *r, const struct argument *a, struct question *q, int i)
 {
     char message[NAMES_MESSAGE];
@@ -200,8 +200,8 @@ static bool with_parse(struct reader *r, struct question *q)
     return (q->with = assignments_parse(r)) != NULL;
 }
 
-/* Returns true if the command ends here, at '>' or at one of the reader's `stops`. Otherwise reports a
- * problem. */
+/* Returns true if the reader is at the end of the command, at a '>' or at one of its `stops`. Otherwise
+ * reports a problem. */
 static bool end_check(struct reader *r, const struct command *c)
 {
     reader_place(r, r->at);
@@ -265,9 +265,9 @@ bool command_parse(struct reader *r, struct question *q)
 
 /* ---- Questions inside of other commands ---- */
 
-/* Parses a word of the form COMMAND or COMMAND.KEY, and returns the command. Stores in *key the index of the
- * column KEY, or of the principal column if there is no KEY, or -1 if there is no such column. Returns NULL
- * if the word is not the name of a command that computes something. */
+/* Parses a word of the form COMMAND or COMMAND.KEY, and returns the command. Returns NULL if the command does
+ * not exist or computes nothing. Stores the index of the column KEY in *key, or -1 if there is no such
+ * column. Without a KEY, stores the index of the principal column. */
 static const struct command *command_named(const char *word, size_t length, int *key)
 {
     char name[64];

@@ -9,30 +9,30 @@
 
 enum { OFFER_LISTS = 8 };
 
-/* What completion can offer at the cursor besides the names of a list and the values of an argument. */
+/* What completion can offer at the cursor, apart from the names of a list and the values of an argument. */
 enum offer_kind { OFFER_FILE = 1, OFFER_UNIT = 2, OFFER_VARIABLE = 4 };
 
 /*
- * Completion, hints and colours need to know what may follow at the end of a line that is being typed. Such a
- * line is parsed with a cursor at its end, a character that no parser accepts. Every function that tries to
- * read at the cursor records in this struct what it would have accepted.
+ * What may be typed next, for completion, hints and colours. A line that is being typed is parsed with a
+ * cursor at its end. The cursor is a character that no parser accepts, and every function that tries to read
+ * at the cursor records in this struct what it can read.
  */
 struct offer {
     const char *cursor;
-    int lists; /* the number of lists in which a name at the cursor would be looked up */
+    int lists; /* the number of lists whose names may be typed at the cursor */
     names_list *names[OFFER_LISTS];
     const void *context[OFFER_LISTS];
     /* The argument to which the expression at the cursor belongs. Its kind is ARGUMENT_NONE if there is no
      * such expression. */
     struct argument value;
-    bool is_inside;                    /* the expression begins before the cursor */
+    bool is_inside;                    /* part of the expression stands before the cursor */
     unsigned kinds;                    /* bits of enum offer_kind */
     const struct command *command;     /* the command whose argument is at the cursor, or NULL */
     int argument;                      /* the index of the argument at the cursor */
     const struct parameter *parameter; /* the parameter or effect whose value is at the cursor, or NULL */
     size_t typed; /* the length of the last command's name as typed, which may be an abbreviation */
-    /* If not NULL, an array with one element for each byte of the line. The elements for the bytes of command
-     * names are set to true. */
+    /* If not NULL, an array with one element for each byte of the line. The elements that belong to names of
+     * commands are set to true. */
     bool *is_command;
 };
 
@@ -42,12 +42,12 @@ struct reader {
     const struct text *text; /* the line; NULL for the body of a function, where problems have no column */
     const char *at;          /* the next character */
     struct arena *arena;     /* the memory for parsed expressions and words */
-    /* Additional characters that end a word or value, such as ",:" in a grid. May be NULL. */
+    /* Additional characters that end a word or value, such as the ',' in a list of values. May be NULL. */
     const char *stops;
-    const char *no_unit; /* letters that are names instead of units when they follow a blank; may be NULL */
-    bool unresolved;     /* names in expressions are resolved later */
-    bool evaluates;      /* each value is also computed and checked */
-    bool last;           /* the argument that is being read is the last one */
+    const char *no_unit; /* letters that are names, not units, when they follow a blank; may be NULL */
+    bool unresolved;     /* names in expressions are left to be resolved later */
+    bool evaluates;      /* each value is computed and checked when it has been parsed */
+    bool last;           /* the last argument of the command is being read */
     struct offer *offer; /* NULL unless the line is only previewed */
 };
 
@@ -58,7 +58,7 @@ static inline struct offer *reader_offer(const struct reader *r)
     return o && (r->at == o->cursor || (*r->at == '"' && r->at + 1 == o->cursor)) ? o : NULL;
 }
 
-/* If the reader is at the cursor, these functions record what may be typed there. */
+/* These functions record what may be typed at the cursor, if the reader is at the cursor. */
 void offer_kind(const struct reader *reader, enum offer_kind kind);
 void offer_names(const struct reader *reader, names_list *list, const void *context);
 void offer_value(const struct reader *reader, const struct argument *argument, bool is_inside);
@@ -66,7 +66,7 @@ void offer_value(const struct reader *reader, const struct argument *argument, b
 /* Records that the text from `begin` to `end` is a command's name. */
 void reader_named(const struct reader *reader, const char *begin, const char *end);
 
-/* Sets the column that is reported with the next problem. */
+/* Sets the column of the next problem to that of the character at `at`. */
 void reader_place(const struct reader *reader, const char *at);
 
 /* Returns true if a command ends at c, which is the end of the text, a ';', or a '#' that begins a
@@ -76,14 +76,14 @@ static inline bool command_ends(const char *c)
     return *c == '\0' || *c == ';' || *c == '#';
 }
 
-/* Skips blanks. Returns true if no argument follows, because the command ends, or because '>', '|', 'with' or
- * one of the reader's `stops` is next. */
+/* Skips blanks. Returns true if no argument follows: the command ends, or '>', '|', 'with' or one of the
+ * reader's `stops` is next. */
 bool reader_ends(struct reader *reader);
 
-/* Returns true if the next word of the reader is this word, and not a longer one. */
+/* Returns true if the next word is `word`, and not a longer word that begins with `word`. */
 bool word_is_next(const struct reader *reader, const char *word);
 
-/* If the next word of the reader is this word, skips the word and the blanks after it, and returns true. */
+/* If the next word is `word`, skips this word and the blanks after it, and returns true. */
 bool reader_takes(struct reader *reader, const char *word);
 
 /* reader_memory returns zeroed memory from the arena, and reader_copy returns a copy of a string in the

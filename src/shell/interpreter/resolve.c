@@ -10,8 +10,7 @@ enum { HEIGHT_MAX = 400, DEPTH_MAX = 62 };
 /* Reports an error in a tree. The value of the macro is -1. */
 #define fail(r, t, ...) (expression_wrong((r)->error, (t)->at, __VA_ARGS__) - 1)
 
-/* Turns a node into a symbol without arguments. Returns 0 as the height of the children, since the node has
- * none. */
+/* Turns a node into a symbol without arguments. Returns 0, the height for a node that has no children. */
 static int symbol(struct tree *t, enum symbol kind, const void *refers, int index)
 {
     t->kind = TREE_SYMBOL;
@@ -21,8 +20,8 @@ static int symbol(struct tree *t, enum symbol kind, const void *refers, int inde
     return 0;
 }
 
-/* The functions below resolve a node or its children. They return the height of the highest child, or -1
- * after an error. */
+/* The functions below resolve a node or its children. They return the largest height of a child, or -1 after
+ * an error. */
 
 static int children_resolve(struct resolver *r, struct tree *t)
 {
@@ -91,9 +90,9 @@ static int routine_resolve(struct resolver *r, struct tree *t, const struct vari
 
 /* ---- Commands and their keys ---- */
 
-/* Returns the index of a column in the command's answer. A name such as "ans.margin" or "rmax.r" includes
- * the key of the column. A name without a key means the principal column. Stores the unit of the column in
- * the tree. Returns -1 after an error. */
+/* Returns the index of the column that a name in an expression stands for. "ans.margin" or "rmax.r" includes
+ * the key of the column, and a name without a key stands for the principal column. Stores the unit of the
+ * column in the tree. Returns -1 after an error. */
 static int column_resolve(struct resolver *r, struct tree *t, const struct command *c)
 {
     char message[NAMES_MESSAGE], what[64];
@@ -118,7 +117,7 @@ static int command_resolve(struct resolver *r, struct tree *t, const struct comm
     if (!c->principal)
         return fail(r, t,
                     t->count > 0 ? "'%s' has no value; the command is entered without parentheses"
-                                 : "'%s' has no value: its command answers in words or rows",
+                                 : "'%s' has no value: the answer of this command is in words or rows",
                     t->name);
     if (most < 0)
         return fail(r, t, "'%s' has no value in an expression: not all of its arguments are values",

@@ -25,26 +25,26 @@ struct assignment {
     const struct assignment *next;
 };
 
-/* What a tree of kind TREE_SYMBOL stands for, and the type to which the tree's member `refers` points. For
- * SYMBOL_PARAMETER, SYMBOL_COMMAND and SYMBOL_ANS, the tree's member `value` is the unit. */
+/* What a node of kind TREE_SYMBOL stands for, and what its member `refers` points to. The member `value` of a
+ * SYMBOL_PARAMETER, SYMBOL_COMMAND or SYMBOL_ANS is the unit of the value. */
 enum symbol {
     SYMBOL_PARAMETER, /* a struct parameter */
     SYMBOL_ARGUMENT,  /* argument number `index` of the function that is being evaluated */
     SYMBOL_ROUTINE,   /* a struct routine */
-    SYMBOL_COMMAND,   /* a struct command; the value is column `index` of its answer */
-    /* `refers` points to the struct command that gave the last answer, and the value is column `index` of
-     * this answer. If `refers` is NULL, the value is the one that 'print' showed last. */
+    SYMBOL_COMMAND,   /* a struct command, whose value is column `index` of the answer */
+    /* The struct command that gave the last answer; the value is column `index` of this answer. If `refers`
+     * is NULL, the value is the last one that 'print' has shown. */
     SYMBOL_ANS,
-    SYMBOL_WITH, /* a list of struct assignment that applies while the child is evaluated */
+    SYMBOL_WITH, /* a list of struct assignment, which is in force while the child node is evaluated */
 };
 
-/* A function defined by 'let'. The names in its body are resolved. Each expression that uses a function has
- * its own copy of this struct. */
+/* A function defined by 'let', after the names in its body have been resolved. Each expression that uses a
+ * function has its own copy of this struct. */
 struct routine {
     const struct variable *function;
     const struct tree *body;
     int height; /* the height of the body's tree */
-    /* true while the names of the body are being resolved, to detect a function that uses itself */
+    /* the names of the body are being resolved; this detects a function that uses itself */
     bool is_open;
     struct routine *next;
 };
@@ -71,7 +71,7 @@ int resolve(struct resolver *resolver, struct tree *tree);
 void routine_wrong(struct expression_error *error, const char *at, const struct variable *function);
 
 /* Evaluates a resolved tree in the state of a query. After an error, returns false and sets either *error or
- * the problem. */
+ * *problem. */
 bool query_evaluate(const struct query *query, const struct tree *tree, struct quantity *result,
                     struct expression_error *error, struct problem *problem);
 

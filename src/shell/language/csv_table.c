@@ -266,7 +266,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
         return csv_wrong(&csv->file, at, *error.at ? "%s at '%s': %s; %s" : "%s%s: %s; %s", c->name, shown,
                          error.message, c->advice);
     if (!good)
-        return csv_wrong(&csv->file, at, "%s ends before '%s'; %s", c->name, shown, c->advice);
+        return csv_wrong(&csv->file, at, "the value of %s ends before '%s'; %s", c->name, shown, c->advice);
     bool bare = quantity_bare(q);
     if (!bare && !quantity_alike(q, expression_unit(c->unit)))
         return csv_wrong(&csv->file, cell, "%s: this is %s; %s", c->name, expression_kind(q), c->advice);
@@ -315,7 +315,7 @@ static bool value_read(struct csv_table *csv, int k)
         return true;
     if (csv->column[k] > csv->row.cells)
         return csv_wrong(&csv->file, csv->row.at,
-                         "too few cells: %d, but the first line has %d; a %s separates them", csv->row.cells,
+                         "too few cells: %d, but the first line has %d; the separator is %s", csv->row.cells,
                          csv->head.cells, csv_separator_name(&csv->file));
     if (is_empty(typed))
         return csv_wrong(&csv->file, csv_cell(csv, k).at, "%s is missing; %s", c->name, c->advice);
@@ -342,7 +342,7 @@ static bool cells_many(struct csv_table *csv, int cells)
                      a->text, b->text, a->text, b->text, a->text, b->text);
     }
     return csv_wrong(&csv->file, row->cell[csv->head.cells].at,
-                     "too many cells: %d, but the first line has %d; a %s separates them%s", cells,
+                     "too many cells: %d, but the first line has %d; the separator is %s%s", cells,
                      csv->head.cells, csv_separator_name(&csv->file), reading);
 }
 

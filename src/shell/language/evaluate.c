@@ -86,9 +86,9 @@ static bool function_apply(struct evaluation *e, const struct tree *t, const str
     const struct function *f = t->function;
     bool number = quantity_plain(a[0]) && (f->kind == OF_ANGLE || a[0].angle == 0);
     if (f->kind == HALVES && (a[0].length % 2 || a[0].time % 2 || a[0].mass % 2))
-        return expression_wrong(e->error, t->at, "%s of this is not defined", f->name);
+        return expression_wrong(e->error, t->at, "%s of a value with this unit is not defined", f->name);
     if (f->kind == HALVES && a[0].value < 0)
-        return expression_no_value(e->error, t->at, "%s of this is not defined", f->name);
+        return expression_no_value(e->error, t->at, "%s of a negative value is not defined", f->name);
     if (f->one && f->kind < KEEPS && !number)
         return expression_wrong(e->error, t->at, "%s of %s is not defined", f->name, expression_kind(a[0]));
     if (f->two && (a[0].length != a[1].length || a[0].time != a[1].time || a[0].mass != a[1].mass))
@@ -113,7 +113,9 @@ static bool apply_power(struct evaluation *e, const struct tree *exponent, struc
 {
     bool whole = by.value == quad(floor)(by.value) && quad(fabs)(by.value) < 100;
     if (!quantity_bare(by) || (!whole && !quantity_bare(*q)))
-        return expression_wrong(e->error, exponent->op_at, "the value before '^' cannot have this exponent");
+        return expression_wrong(
+            e->error, exponent->op_at,
+            "an exponent has no unit, and is a whole number if the value before '^' has a unit");
     int n = whole ? (int)by.value : 0;
     *q = (struct quantity){quad(pow)(q->value, by.value), n * q->length, n * q->time, n * q->angle,
                            n * q->mass};
