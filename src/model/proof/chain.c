@@ -16,8 +16,9 @@ struct shape shape_make(double s, double d, double q)
     return shape;
 }
 
-/* Bounds of the sine of a single tilt. v (2 - v) and its square root together have a relative error below
- * 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding of the multiplication itself. */
+/* sine_below and sine_above return bounds on the sine of a tilt. The product v (2 - v) and its square root
+ * together have a relative error below 2^-52. The factor 1 -+ 2^-51 covers this error and the rounding error
+ * of its own multiplication. */
 static double sine_below(double v)
 {
     return PROOF_BOUND(SINE, sqrt(v * (2 - v)) * (1 - 0x1p-51), sqrt(v * (2 - v)));
@@ -56,8 +57,8 @@ struct span tilt_rise(const struct shape *shape, struct span v)
                          up(up(shape->d.hi * up(1 - v.lo)) - sine_below(v.lo))};
 }
 
-/* Sine X and cosine Y of the turn theta_1 - theta at one tilt and one growth. X decreases with v, and Y
- * increases. */
+/* Sine X and cosine Y of the angle theta_1 - theta between a domino and its follower, at one tilt and one
+ * growth. If v increases, X decreases and Y increases. */
 struct turn {
     struct span X, Y;
 };
@@ -70,13 +71,14 @@ static struct turn corner_turn(const struct corner *c, double v)
     t.X.hi = most_1(up(c->rs.hi - less));
     if (!(t.X.hi >= 0))
         t.X.hi = 0;
-    /* Y^2 = (1 - X) (1 + X), where 1 - X = (1 - r s) + r L v has no cancellation. */
+    /* Y^2 = (1 - X) (1 + X). Written as 1 - X = (1 - r s) + r L v, the first factor has no cancellation. */
     t.Y.lo = least_0(down(sqrt(least_0(down(down(c->short_of.lo + less) * down(1 + t.X.lo))))));
     t.Y.hi = most_1(up(sqrt(up(up(c->short_of.hi + more) * up(1 + t.X.hi)))));
     return t;
 }
 
-/* Bounds of 1 - cos(theta + asin X) = X^2/(1 + Y) + Y v + X sin theta, a sum of terms >= 0. */
+/* turned_below and turned_above return bounds on v of the follower, 1 - cos(theta + asin X) = X^2/(1 + Y) + Y
+ * v + X sin theta, whose terms are all >= 0. */
 static double turned_below(struct turn t, double v)
 {
     double square = down(down(t.X.lo * t.X.lo) / up(1 + t.Y.hi));
@@ -89,15 +91,15 @@ static double turned_above(struct turn t, double v)
     return most_1(up(up(square + up(t.Y.hi * v)) + up(t.X.hi * sine_above(v))));
 }
 
-/* Lower bound on F, taken at the lower corner of a box. The value of theta_1(t) for any t <= theta will do,
- * since it cannot exceed the running maximum. */
+/* Returns a lower bound on v of the follower, from the lower corner of a box. theta_1(t) for any t <= theta
+ * is such a bound, since it cannot exceed the running maximum F (chain.h). */
 static double follow_below(const struct corner *c, double v)
 {
     double t = smaller(v, c->leave.lo);
     return turned_below(corner_turn(c, t), t);
 }
 
-/* Upper bound on F, taken at the upper corner of a box. */
+/* Returns an upper bound on v of the follower, from the upper corner of a box. */
 static double follow_above(const struct corner *c, double v)
 {
     if (v >= c->leave.lo)
@@ -110,11 +112,11 @@ static struct corner corner_make(const struct shape *shape, double r)
     struct corner c = {.r = r};
     struct span s = shape->s, of_r = span_of(r);
     c.rs = span_times(of_r, s);
-    c.rs.hi = most_1(c.rs.hi); /* all bounds in this file assume r s <= 1 */
+    c.rs.hi = most_1(c.rs.hi); /* r s <= 1 is assumed for all bounds in this file */
     c.rL = span_times(of_r, shape->L);
-    /* An fma rounds only once. */
+    /* 1 - r s by fma, which rounds only once */
     c.short_of = (struct span){least_0(down(fma(-r, s.hi, 1))), least_0(up(fma(-r, s.lo, 1)))};
-    /* By (41; A17), 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2). */
+    /* 1 - cos theta_leave = (1 - r s) (1 + r s) / (2 d L r^2) (41; A17) */
     struct span over = span_times(span_times(span_add(shape->d, shape->d), shape->L), span_square(of_r));
     c.leave = span_over(span_times(c.short_of, span_add(span_of(1), c.rs)), over);
     c.leave.lo = smaller(least_0(c.leave.lo), shape->v_inf.lo);
@@ -151,8 +153,8 @@ struct span chain_follow(const struct growth *growth, struct span v)
 struct contact chain_contact(const struct growth *growth, struct span v)
 {
     struct contact c;
-    /* F is constant beyond theta_leave. Since dF/dtheta = 0 at theta_leave, the derivatives of F are
-     * continuous. */
+    /* Beyond theta_leave F is constant. The derivatives of F have no jump there, since dF/dtheta = 0 at
+     * theta_leave. */
     struct span u = {smaller(v.lo, growth->leave.lo), smaller(v.hi, growth->leave.hi)};
     struct turn low = corner_turn(&growth->low, u.hi), high = corner_turn(&growth->high, u.lo);
     c.X = (struct span){low.X.lo, high.X.hi};
@@ -160,13 +162,13 @@ struct contact chain_contact(const struct growth *growth, struct span v)
     c.x = tilt_sine(u);
     c.held = v.lo >= growth->leave.hi;
     c.may_hold = v.hi >= growth->leave.lo;
-    /* By (14; b10), dF/dtheta = 1 - r L sin theta / Y, which is between 0 and 1. */
+    /* dF/dtheta = 1 - r L sin theta / Y (14; b10), which is between 0 and 1. */
     c.step = (struct span){least_0(down(1 - up(up(growth->high.rL.hi * c.x.hi) / c.Y.lo))),
                            most_1(least_0(up(1 - down(down(growth->low.rL.lo * c.x.lo) / c.Y.hi))))};
     if (c.held)
         c.step = span_of(0);
-    /* d asin(X)/dr = (X/r)/Y, where X/r = L cos theta - d. This derivative decreases with theta and increases
-     * with r. */
+    /* dF/dr = d asin(X)/dr = (X/r)/Y, where X/r = L cos theta - d. It decreases with theta and increases with
+     * r. */
     c.shift =
         (struct span){down(down(c.X.lo / growth->r.lo) / c.Y.hi), up(up(c.X.hi / growth->r.hi) / c.Y.lo)};
     c.shift.lo = least_0(c.shift.lo);
@@ -188,8 +190,7 @@ struct domino chain_last(const struct growth *growth)
 {
     struct span leave = growth->leave;
     struct contact at = chain_contact(growth, leave);
-    /* theta_f = theta_1(theta_leave). The slope is 0 at theta_leave, so only dF/dr remains of the
-     * derivative. */
+    /* theta_f = theta_1(theta_leave). Since dF/dtheta = 0 at theta_leave, d theta_f/dr = dF/dr. */
     return (struct domino){.v = {follow_below(&growth->low, growth->low.leave.lo), growth->high.last},
                            .shift = at.shift};
 }

@@ -1,54 +1,58 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A train for a whole interval of growths, and its dominoes for a whole interval of tilts.
+ * Describes a train for all growths in an interval, and its dominoes for all tilts in an interval.
  *
  * A tilt theta is represented by v = 1 - cos theta, which is 0 for an upright domino and increases with
  * theta. The sine is sqrt(v (2 - v)), so that no function of libm is needed.
  *
- * Monotony. The tilt of the follower, theta_1(theta, r) = theta + asin X with X = r (L cos theta - d),
- * increases with theta up to min(theta_leave, theta_inf). Beyond that tilt the follower has detached and
- * keeps its tilt. So the tilt of the follower is F(theta, r) = max over t <= theta of theta_1(t, r). F
- * increases with theta as every running maximum does, and with r because theta_1(t, r) increases with r for
- * every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(... theta)) increases with both: the chain from
- * the lower corner of a box is a lower bound, and the chain from the upper corner an upper bound, of every
- * chain of the box.
+ * Monotonicity. If a domino has the tilt theta, its follower has the tilt theta_1(theta, r) = theta + asin X,
+ * where X = r (L cos theta - d). theta_1 increases with theta up to min(theta_leave, theta_inf). At larger
+ * theta the follower has detached, and keeps its tilt. So the tilt of the follower is F(theta, r) = max of
+ * theta_1(t, r) over all t <= theta. F increases with theta, as every running maximum does. F also increases
+ * with r, because theta_1(t, r) does for every t <= theta_inf, where X >= 0. Therefore theta_i = F(F(...
+ * theta)) increases with both theta and r. A box is a set of tilts and growths, [theta_low, theta_high] x
+ * [r_low, r_high]. For every chain in the box, the chain at the lower corner of the box is a lower bound, and
+ * the chain at the upper corner is an upper bound.
  */
 #ifndef DOM_PROOF_CHAIN_H
 #define DOM_PROOF_CHAIN_H
 
 #include "proof/span.h"
 
-/* A train without its growth. Its numbers are intervals around the given doubles, so that they also contain
- * the decimals that were rounded to these doubles. */
+/* All parameters of a train except its growth. They are intervals around the given doubles, so that they also
+ * contain the decimal numbers that were rounded to these doubles. */
 struct shape {
     struct span s, d, L, q;
-    struct span v_inf; /* v of theta_inf: cos theta_inf = d/L (40; A16), so v = s/L */
-    struct span v_top; /* v of theta_u, at which a domino has its highest energy: tan theta_u = d */
+    struct span v_inf; /* v of the tilt theta_inf, which is s/L because cos theta_inf = d/L (40; A16) */
+    /* v of the tilt theta_u at which the energy h of a domino is largest; tan theta_u = d */
+    struct span v_top;
     struct span g_top; /* h(theta_u) - 1 */
-    double steepest;   /* sqrt(1 + d^2), the largest |dh/dtheta| */
-    bool paper;        /* use the paper's closed form of the fuel */
-    bool pair;         /* a train of two dominoes instead of the endless train */
+    double steepest;   /* sqrt(1 + d^2), which is the largest |dh/dtheta| */
+    bool paper;        /* true to use the paper's closed form of the fuel */
+    bool pair;         /* true for a train of two dominoes instead of the endless train */
 };
 
 /* The quantities of a chain at one growth r. */
 struct corner {
     double r;
     struct span rs, rL, short_of; /* r s, r L, 1 - r s */
-    struct span leave;            /* v at min(theta_leave, theta_inf), beyond which F is constant */
-    double last;                  /* upper bound on v for all followers, from theta_f or theta_inf */
+    struct span leave;            /* v of the tilt min(theta_leave, theta_inf), beyond which F is constant */
+    /* upper bound on v of all followers, which is v of theta_f or of theta_inf */
+    double last;
 };
 
-/* A train for all growths r of an interval with r s <= 1. */
+/* A train for all growths r in an interval, where r s <= 1. */
 struct growth {
     const struct shape *shape;
     struct span r;
-    struct corner low, high;         /* the chain at the two ends of the interval */
-    struct span leave;               /* v at min(theta_leave, theta_inf) for all growths of the interval */
-    bool detaches_never;             /* theta_inf < theta_leave for all growths of the interval */
+    struct corner low, high; /* the quantities at the two ends of the interval of growths */
+    /* v of the tilt min(theta_leave, theta_inf), for all growths in the interval */
+    struct span leave;
+    bool detaches_never;             /* true if theta_inf < theta_leave for all growths in the interval */
     struct span rq, weight, inertia; /* r^q, r^-q, r^-(q+1) */
 };
 
-/* One domino of a chain, for all tilts of the head and all growths of an interval. */
+/* One domino of a chain, for all tilts of the head and all growths in a box. */
 struct domino {
     struct span v;
     struct span slope; /* dtheta_i/dtheta >= 0 */
@@ -61,36 +65,38 @@ struct contact {
     struct span x;     /* sin theta_i */
     struct span step;  /* dF/dtheta */
     struct span shift; /* dF/dr */
-    bool held;         /* theta_i is beyond theta_leave in the whole box, so the follower stays at theta_f */
-    bool may_hold;     /* theta_i is beyond theta_leave in a part of the box */
+    /* true if theta_i is beyond theta_leave in the whole box, so that the follower stays at theta_f */
+    bool held;
+    bool may_hold; /* true if theta_i may be beyond theta_leave in a part of the box */
 };
 
 struct shape shape_make(double s, double d, double q);
 struct growth growth_make(const struct shape *shape, double r_low, double r_high);
 
-/* Returns sin theta for the tilts v. */
+/* Returns sin theta for all tilts theta whose 1 - cos theta is in v. */
 struct span tilt_sine(struct span v);
 
-/* These two functions return g = h(theta) - 1 = d sin theta - v, and the derivative dh/dtheta, for the tilts
- * v. */
+/* For all tilts theta whose 1 - cos theta is in v, tilt_height returns g = h(theta) - 1 = d sin theta - v,
+ * and tilt_rise returns dh/dtheta. */
 struct span tilt_height(const struct shape *shape, struct span v);
 struct span tilt_rise(const struct shape *shape, struct span v);
 
-/* Returns v of the follower of a domino with the tilts v. */
+/* Given 1 - cos theta of a domino, returns 1 - cos theta of its follower. */
 struct span chain_follow(const struct growth *growth, struct span v);
 
-/* Returns the contact of a domino with its follower, including the derivatives. */
+/* Returns the contact of a domino with its follower, including derivatives. v is 1 - cos theta of the domino.
+ */
 struct contact chain_contact(const struct growth *growth, struct span v);
 
-/* Returns the follower of `leader`, including the derivatives. */
+/* Returns the follower of `leader`, including derivatives. */
 struct domino chain_next(const struct growth *growth, const struct domino *leader,
                          const struct contact *contact);
 
-/* Returns the largest tilt that any follower reaches, theta_f or theta_inf, with its derivative dtheta/dr in
- * `shift`. */
+/* Returns a domino at theta_last, the largest tilt that any follower reaches (theta_f or theta_inf). Its
+ * `shift` is the derivative of theta_last with respect to r. */
 struct domino chain_last(const struct growth *growth);
 
-/* Returns v of theta_c, the tilt of domino 1 while the head is upright: sin theta_c = r s. */
+/* Returns 1 - cos theta_c. theta_c is the tilt of domino 1 while the head is upright; sin theta_c = r s. */
 struct span chain_hit(const struct growth *growth);
 
 #endif

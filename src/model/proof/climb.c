@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The barrier that a train has to climb: H(theta) - H(0) on a box of tilts and growths. */
+/* Computes the energy D = H(theta) - H(0) that a train must climb, for all tilts and growths in a box. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
@@ -9,10 +9,13 @@ static struct span everything(void)
 }
 
 /*
- * Adds the contribution of domino n and all later ones. These dominoes are beyond theta_u, where h decreases,
- * and lean at least as far as in the upright train, so their contribution is at most 0. For theta <= theta_c,
- * their contribution is at least -r^(-q n) (h(theta_n0) - h(theta_last)), since theta_i <= theta_i+1 0 and
- * the sum of the differences telescopes (as in rest_of_fuel).
+ * Adds bounds on the contribution of domino n and all later dominoes.
+ *
+ * These dominoes are beyond theta_u, where h decreases. They lean at least as far as they do while the head
+ * is upright, so their contribution to D is at most 0. For theta <= theta_c, domino i leans at most as far as
+ * domino i + 1 does while the head is upright. The sum of the differences telescopes as in rest_of_fuel, so
+ * the contribution is at least -r^(-q n) (h(theta_n0) - h(theta_last)), where theta_n0 is the tilt of domino
+ * n while the head is upright.
  */
 static void climb_rest(const struct upright *u, const struct domino *domino, struct contact contact,
                        struct climb *climb)
@@ -32,7 +35,8 @@ struct climb climb_find(const struct upright *u, double low, double high, bool d
 {
     const struct growth *g = &u->growth;
     const struct shape *shape = g->shape;
-    /* With sigma = 2 sin(theta/2): v = sigma^2/2, and dtheta/dsigma = 1/sqrt(1 - sigma^2/4). */
+    /* `low` and `high` are values of sigma = 2 sin(theta/2). So v = sigma^2/2, and dtheta/dsigma = 1/sqrt(1 -
+     * sigma^2/4). */
     struct domino domino = {.v = {least_0(down(low * low / 2)), most_1(up(high * high / 2))},
                             .slope = {1, 1}};
     struct climb climb = {.height = {0, 0}};

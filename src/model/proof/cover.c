@@ -36,17 +36,18 @@ static struct climb climb_of(struct proof *proof, const struct upright *upright,
 }
 
 /*
- * The level that D must stay below, which is K or a constant. `box` bounds the level on the whole strip,
- * `point` bounds it at the upper end of the strip, and `by_r` is its derivative with respect to r. If
- * `refute` is set, the train is refuted where D exceeds the level at the upper end of the strip.
+ * The level that D must stay below in a strip of growths: the kinetic energy K, or a constant. `box` is the
+ * level in the whole strip, `point` is the level at the upper end of the strip, and `by_r` is the derivative
+ * of the level with respect to r. If `refute` is true, the outcome is OUTCOME_REFUTED as soon as D exceeds
+ * the level at the upper end of the strip.
  */
 struct level {
     struct span box, point, by_r;
     bool refute;
 };
 
-/* Returns an upper bound on how much smaller K - D may be inside the strip than at its upper end: see bound 3
- * of cover_tilts. */
+/* Returns the term max(M, 0) * width of bound 3 (see cover_tilts): K - D is smaller inside the strip than at
+ * its upper end by at most this much. */
 static double growth_loss(const struct level *level, struct span climb_by_r, double width)
 {
     double loss = up(least_0(up(level->by_r.hi - climb_by_r.lo)) * width);
@@ -54,16 +55,19 @@ static double growth_loss(const struct level *level, struct span climb_by_r, dou
 }
 
 /*
- * Shows K - D > 0 for tilts from low to high and all growths of the strip. It is enough if one of three lower
- * bounds on K - D is positive: 1. Monotony: the bounds on K and D from the corners of the box of tilts and
- * growths. 2. The mean value theorem in theta: D(theta) <= D(mid) + |theta - mid| max |dD/dtheta|. If D is
- * monotonic in the box, mid is the end of the box where D is largest. At every growth of the strip at which a
- * larger tilt of the box belongs to the cycle, mid belongs to the cycle, too. 3. The mean value theorem in r:
- * where d(K - D)/dr <= M, K - D is at least its value at the upper end of the strip, minus max(M, 0) times
- * the width of the strip. If M <= 0, the upper end decides for all growths of the strip.
+ * Tries to prove K - D > 0 for all tilts from `low` to `high` and all growths in the strip. It is enough if
+ * one of three lower bounds on K - D is positive.
  *
- * If these bounds fail, the interval of tilts is halved. If even the bounds for the single tilt in the middle
- * fail, halving cannot help, and the strip is too wide.
+ * Bound 1, by monotonicity: K and D are computed from the corners of the box of tilts and growths.
+ *
+ * Bound 2, by the mean value theorem in theta: D(theta) <= D(at) + |theta - at| max |dD/dtheta|. Here `at` is
+ * the middle of the tilts or, if D is monotonic in the box, the end of the box where D is largest.
+ *
+ * Bound 3, by the mean value theorem in r: if d(K - D)/dr <= M, then K - D is at least its value at the upper
+ * end of the strip, minus max(M, 0) times the width of the strip.
+ *
+ * If all three bounds fail, the interval of tilts is halved. If the bounds fail even for the single tilt
+ * `at`, halving cannot help, and the strip is too wide.
  */
 static enum outcome cover_tilts(struct proof *proof, const struct level *level, double low, double high,
                                 int depth, size_t *left)
@@ -81,8 +85,9 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
         return OUTCOME_PROVED;
 
     double at = all.by_tilt.lo >= 0 ? high : all.by_tilt.hi <= 0 ? low : 0.5 * (low + high);
-    /* Keep `at` within the cycle, outside of which the bounds on D do not hold. The lower bound on theta_c
-     * belongs to the cycle at all growths, and `low` belongs to it whenever any tilt of the box does. */
+    /* The bounds on D hold only for tilts of the cycle, so move `at` down if it may be above theta_c. The
+     * lower bound on theta_c is a tilt of the cycle with every growth. `low` is one with every growth for
+     * which the box contains tilts of the cycle at all. */
     at = smaller(at, larger(low, upright_hit_below(box)));
     double farther = up(least_0(all.by_tilt.hi) * up(high - at)),
            nearer = up(least_0(-all.by_tilt.lo) * up(at - low));
@@ -109,8 +114,8 @@ static enum outcome cover_tilts(struct proof *proof, const struct level *level, 
     return first == OUTCOME_PROVED ? cover_tilts(proof, level, middle, high, depth + 1, left) : first;
 }
 
-/* Finds the train for the whole strip, and the train at the upper end of the strip. The sums of the energies
- * leave out at most `rest`. */
+/* Computes the train with an upright head for the whole strip of growths, and for the upper end of the strip.
+ * Sums of energies may have remainders up to `rest`. */
 static bool strip_begin(struct proof *proof, double r_low, double r_high, double rest)
 {
     proof->chains += 3;
@@ -120,7 +125,7 @@ static bool strip_begin(struct proof *proof, double r_low, double r_high, double
 
 static enum outcome cover_all(struct proof *proof, const struct level *level)
 {
-    /* It is better to halve a wide strip that needs many boxes. */
+    /* A wide strip is given up early, since halving the strip is cheaper than using many boxes. */
     const struct span r = proof->box.growth.r;
     size_t left = r.hi - r.lo > 1e-4 * r.hi ? PER_WIDE_STRIP : PER_STRIP;
     return cover_tilts(proof, level, 0, upright_hit_above(&proof->box), 0, &left);
@@ -201,7 +206,8 @@ double proof_guess(struct proof *proof, double r, double *top)
             *top = hit * k / SAMPLES;
         }
     }
-    /* Bisect by the sign of the slope, between the neighbours of the highest sample. */
+    /* find the maximum between the neighbours of the highest sample, by bisection with the sign of dD/dtheta
+     */
     double low = larger(*top - hit / SAMPLES, 0), high = smaller(*top + hit / SAMPLES, hit);
     for (int k = 0; k < STEPS && high - low > 1e-9 * hit && !proof_interrupted(proof); k++) {
         double at = 0.5 * (low + high);

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The first growth at which a train stops. Strips of growths are proved upwards from r = 1. After a strip has
- * been proved, the next one is twice as wide; otherwise it is half as wide. Where the train seems to stop at
- * the upper end of a strip, the root of the margin is estimated, and a proof is tried for two decimal
- * numbers, one just below and one just above that root. A wrong estimate makes that proof fail, and does no
- * other harm.
+ * Encloses the smallest growth with which a train stops. Starting at r = 1, the program proves for one strip
+ * (an interval of growths) after the other that the train keeps falling. If a proof succeeds, the next strip
+ * is twice as wide; if it fails, a strip of half the width is tried. If the train seems to stop at the upper
+ * end of a strip, the root of the margin is estimated, and proofs are tried for two decimal numbers, one just
+ * below and one just above the root. A wrong estimate makes these proofs fail, but does no other harm.
  */
 #include "proof/limit.h"
 
 static const double FIRST_STRIP = 0.05, LAST_STRIP = 1e-15;
 
-/* Estimates at which growth the margin is 0, given a growth at which the train keeps falling and one at which
- * it stops. */
+/* Estimates the growth with which the margin is 0, between a growth with which the train keeps falling
+ * (`low`) and one with which it stops (`high`). */
 static double root_between(struct proof *proof, double low, double high, double *top)
 {
     double at_low = proof_guess(proof, low, top), at_high = proof_guess(proof, high, top);
@@ -33,7 +33,7 @@ static double root_between(struct proof *proof, double low, double high, double 
     return low;
 }
 
-/* The growths for which a proof is tried are decimal numbers n / unit, where n is a whole number. */
+/* Proofs are tried for growths that are decimal numbers n / unit with an integer n and unit = 10^decimals. */
 struct grid {
     double unit;
     int decimals;
@@ -49,8 +49,9 @@ static struct grid grid_for(double r, double tol)
     return grid;
 }
 
-/* Finds a decimal number above n / unit at which the train stops. A decimal number lies between the two
- * neighbours of the double that is nearest to it, so the proof covers both of these neighbours. */
+/* Finds a decimal number above n / unit with which the train certainly stops. A decimal number lies between
+ * the two neighbours of the double that is nearest to it, so the proof covers the interval between these two
+ * neighbours. */
 static bool stops_after(struct proof *proof, const struct grid *grid, double n, double top, double *high)
 {
     for (int more = 1; more <= 256; more *= 2) {
@@ -63,8 +64,8 @@ static bool stops_after(struct proof *proof, const struct grid *grid, double n, 
     return false;
 }
 
-/* Proves that the train keeps falling at every growth up to a decimal number that is at most n / unit, and as
- * close to it as possible. */
+/* Proves that the train keeps falling with every growth up to a decimal number, which is n / unit or, if this
+ * fails, a smaller number as close to it as possible. */
 static bool goes_on_before(struct proof *proof, const struct grid *grid, double n, double *done, double *stop,
                            struct limit_proof *limit)
 {
@@ -83,9 +84,10 @@ static bool goes_on_before(struct proof *proof, const struct grid *grid, double 
 }
 
 /*
- * Proves both sides of the estimated root between *done and `high`. If this function returns false, either
- * the train stops earlier, at *stop (limit->outcome is then OUTCOME_REFUTED), or limit->outcome tells what
- * failed.
+ * Estimates the root between *done and `high`, and tries to prove that the train keeps falling with all
+ * growths up to just below the root, and stops just above it. Returns false if this fails; limit->outcome is
+ * the reason. If the reason is OUTCOME_REFUTED, the train stops with a smaller growth, which is stored in
+ * *stop.
  */
 static bool bracket_prove(struct proof *proof, double tol, double *done, double high, double *stop,
                           struct limit_proof *limit)
@@ -98,7 +100,8 @@ static bool bracket_prove(struct proof *proof, double tol, double *done, double 
         limit->outcome = OUTCOME_INTERRUPTED;
         return false;
     }
-    /* A decimal number with too few places may lie beyond the next root, or beyond the reach. */
+    /* If the proof fails, try again with more decimal places, since a number with too few places may lie
+     * beyond the next root, or beyond 1/s. */
     for (int finer = 0; finer < 9; finer++, tol /= 10) {
         struct grid grid = grid_for(root, tol);
         double n = floor(root * grid.unit);
@@ -150,9 +153,9 @@ static struct limit_proof limit_from(struct proof *proof, double from, double to
 }
 
 /*
- * For a pair that stops if its dominoes are equal, looks for a growth at which the pair keeps falling.
- * Returns a growth for which this is proved: if possible, a decimal number just above the lowest root that
- * samples show. Returns NaN if no such growth is found.
+ * Called for a pair that stops with r = 1. Looks for the smallest growth with which the pair keeps falling,
+ * and returns a growth for which this is proved: if possible, a decimal number just above the lowest root
+ * that is found from samples. Returns NaN if no proof succeeds.
  */
 static double band_begin(struct proof *proof)
 {

@@ -5,10 +5,12 @@
 #include "proof/cover.h"
 
 enum limit_kind {
-    LIMIT_BRACKET, /* the train keeps falling at every growth from `from` to `low`, and stops at `high` */
-    LIMIT_REACH,   /* the train keeps falling at every growth from `from` up to 1/s */
-    LIMIT_NONE,    /* the train stops at r = 1, and no larger growth was found at which it keeps falling */
-    /* the train keeps falling at every growth from `from` to `low`; nothing is proved for larger growths */
+    LIMIT_BRACKET, /* the train keeps falling with every growth from `from` to `low`, and stops with `high` */
+    LIMIT_REACH,   /* the train keeps falling with every growth from `from` up to 1/s */
+    /* the train stops with r = 1, and no larger growth was found with which it keeps falling */
+    LIMIT_NONE,
+    /* the train keeps falling with every growth from `from` to `low`; nothing is proved about larger growths
+     */
     LIMIT_PARTLY
 };
 
@@ -16,13 +18,13 @@ enum limit_kind {
 struct limit_proof {
     enum limit_kind kind;
     double from, low, high;
-    /* number of decimal places; `low` and `high` are the doubles nearest to decimals with so many places */
+    /* `low` and `high` are the doubles nearest to numbers with this many decimal places */
     int decimals;
-    enum outcome outcome; /* with LIMIT_PARTLY, the reason why nothing more is proved */
+    enum outcome outcome; /* if kind is LIMIT_PARTLY, the reason why nothing more is proved */
 };
 
-/* Encloses the first growth at which the train stops, as r is raised from 1, with the relative tolerance
- * `tol`. */
+/* Encloses the smallest growth with which the train stops. The relative width of the enclosure is about
+ * `tol`, if the proof succeeds. */
 struct limit_proof limit_prove(struct proof *proof, double tol);
 
 #endif

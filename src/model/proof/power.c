@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Powers, logarithms and exponentials, computed with + - * / alone, since no libm guarantees bounds on its
- * errors. */
+/* Computes powers, logarithms and exponentials with + - * / alone, since the functions of libm have no
+ * guaranteed error bounds. */
 #include "proof/power.h"
 
 /* Returns x^n for x >= 0 and n >= 1, by repeated squaring. */
@@ -14,9 +14,9 @@ static struct span power_whole(struct span x, int n)
 }
 
 /*
- * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3.
- * The remainder 1/(2n+1) + t^2 (1/(2n+3) + ...), n = TERMS, is replaced by an interval from 0 to 1/n that
- * contains it: the remainder is at most (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1).
+ * Returns 2 atanh t = 2 t (1 + t^2 (1/3 + t^2 (1/5 + ...))) for 0 <= t <= 1/3. The remainder of the series,
+ * 1/(2n+1) + t^2 (1/(2n+3) + ...) with n = TERMS, is replaced by the interval [0, 1/n]. This interval
+ * contains the remainder, which is at most (1 + 1/9 + 1/81 + ...)/(2n+1) = (9/8)/(2n+1).
  */
 static struct span twice_atanh(struct span t)
 {
@@ -33,13 +33,13 @@ static struct span log_2(void)
     return twice_atanh(span_over(span_of(1), span_of(3)));
 }
 
-/* Returns ln x for a single double x >= 1: with x = 2^(n-1) m and 1 <= m < 2, ln x = (n - 1) ln 2 + 2
- * atanh((m - 1)/(m + 1)). */
+/* Returns ln x for a double x >= 1. If x = 2^(n-1) m with 1 <= m < 2, then ln x = (n - 1) ln 2 + 2 atanh((m -
+ * 1)/(m + 1)). */
 static struct span log_of(double x)
 {
     int n;
     double m = 2 * frexp(x, &n);                                                 /* exact */
-    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is also exact */
+    struct span t = span_over(span_of(m - 1), span_add(span_of(m), span_of(1))); /* m - 1 is exact, too */
     return span_add(span_times(span_of(n - 1), log_2()), twice_atanh(t));
 }
 
@@ -49,10 +49,11 @@ struct span span_log(struct span x)
 }
 
 /*
- * Returns e^x for a single double x in [0, 700], from x = n ln 2 + y with |y| < 1/2 and the series of e^y.
- * The remainder of the series: after y^n/n! each term is less than 1/4 of the one before it, so the sum of
- * these terms is at most |y|^(n+1)/(n+1)! / (1 - 1/4) < 2 (1/2)^(n+1)/(n+1)!, which for n = 16 is less than
- * 2^-63.
+ * Returns e^x for a double x in [0, 700], from x = n ln 2 + y with |y| < 1/2 and the series of e^y.
+ *
+ * The series ends with the term y^N/N!, N = TERMS. Each further term would be less than 1/4 of the one before
+ * it. So the remainder is at most |y|^(N+1)/(N+1)! / (1 - 1/4) < 2 (1/2)^(N+1)/(N+1)!, which is less than
+ * 2^-63 for N = 16.
  */
 static struct span exp_of(double x)
 {

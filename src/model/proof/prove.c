@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The public functions of <domino_proof.h>, which check their arguments and then run the proof. */
+/* The public functions of <domino_proof.h>. They check their arguments, and then run the proof. */
 #include "domino_proof.h"
 #include "proof/limit.h"
 #include "proof/power.h"
@@ -45,8 +45,8 @@ static enum dom_proof_gap gap_of(enum outcome outcome)
                                           : DOM_PROOF_ROUNDING;
 }
 
-/* The default tolerance does not come from dom_compute_default, since a program that uses only
- * <domino_quad.h> does not link the part of the library that computes in double. */
+/* The default tolerance is not taken from dom_compute_default, because a program that uses only
+ * <domino_quad.h> does not link the part of the library that contains this function. */
 static double tolerance_of(const struct dom_compute *compute)
 {
 #define DEFAULT(name, default_, lowest, highest, unit, meaning) default_
@@ -56,14 +56,14 @@ static double tolerance_of(const struct dom_compute *compute)
 
 static bool has_effect(const struct dom_train *train)
 {
-/* The thickness of walls has no effect on the limits of growth. */
+/* Walls are allowed, since they do not affect any result of a proof. */
 #define OR_ON(effect, member, status) || (DOM_EFFECT_##effect != DOM_EFFECT_walls && train->member != 0)
     return false DOM_DYNAMICS(OR_ON);
 #undef OR_ON
 }
 
-/* Returns true if operations round to nearest, as span.h requires. A caller may have changed the rounding
- * mode. */
+/* Returns true if floating-point operations round to nearest, as span.h requires. A caller may have changed
+ * this mode. */
 static bool rounds_to_nearest(void)
 {
     return fegetround() == FE_TONEAREST;
@@ -75,7 +75,7 @@ static enum dom_proof_gap gap_before(const struct dom_train *train)
     return has_effect(train) ? DOM_PROOF_EFFECT : rounds_to_nearest() ? DOM_PROOF_NONE : DOM_PROOF_MODE;
 }
 
-/* Begins a proof of a train whose parameters are in their ranges. */
+/* Prepares a proof about a train. The parameters of the train must already have been checked. */
 static enum dom_status begin(struct proof *proof, const struct dom_train *train,
                              const struct dom_compute *compute, bool pair)
 {
@@ -144,8 +144,8 @@ static struct dom_interval interval_of(struct span a)
     return (struct dom_interval){a.lo, a.hi};
 }
 
-/* Encloses the barrier: the height at one tilt is a lower bound, and a level that no tilt exceeds is an upper
- * bound. */
+/* Encloses the barrier. The lower bound is D at one tilt, and the upper bound is a level that D is proved to
+ * exceed at no tilt. */
 static struct span barrier_prove(struct proof *proof, double low, double high, double tol, double top,
                                  enum outcome *outcome)
 {
@@ -226,11 +226,11 @@ enum dom_status dom_prove_cycle(const struct dom_train *train, const struct dom_
     return DOM_OK;
 }
 
-/* Returns the product of a and b, with equal bounds if the product is exact: then the rounding error, which
- * fma computes, is 0. */
+/* Returns a * b. A bound that has no rounding error is not moved outwards, so the interval stays a single
+ * number as long as products are exact. fma computes the rounding error. */
 static struct span times_exactly(struct span a, double b)
 {
-    const double least = 0x1p-960; /* the rounding error of a smaller product may underflow to 0 */
+    const double least = 0x1p-960; /* below this, the rounding error of a product may underflow to 0 */
     double lo = a.lo * b, hi = a.hi * b;
     return (struct span){lo > least && fma(a.lo, b, -lo) == 0 ? lo : down(lo),
                          hi > least && fma(a.hi, b, -hi) == 0 ? hi : up(hi)};
@@ -239,9 +239,9 @@ static struct span times_exactly(struct span a, double b)
 enum { POWERS_MOST = 100000 };
 
 /*
- * Returns the smallest n for which `first` * r^n >= height is certain (if `surely` is set) or possible (if
- * `surely` is not set). The two can differ, since only bounds on `first` * r^n are known. Returns INFINITY if
- * there is no such n below POWERS_MOST.
+ * Only bounds on first * r^n are known. If `surely` is true, returns the smallest n for which first * r^n is
+ * certainly at least `height`; otherwise the smallest n for which it may be. Returns INFINITY if no such n is
+ * below POWERS_MOST.
  */
 static double count_until(struct span first, double r, double height, bool surely)
 {
@@ -256,8 +256,8 @@ static double count_until(struct span first, double r, double height, bool surel
     return n < POWERS_MOST ? n : HUGE_VAL;
 }
 
-/* Finds bounds on the number of dominoes from ln(height/first)/ln r, for numbers that are too large to be
- * found by repeated multiplication. `height` must be larger than `first`. */
+/* Finds bounds on the number of dominoes from ln(height/first)/ln r, for numbers that are too large for
+ * repeated multiplication. `height` must be larger than `first`. */
 static void count_by_logarithms(double first, double height, double r, double *least, double *most)
 {
     struct span growth = {larger(1, down(r)), up(r)},
@@ -284,8 +284,8 @@ enum dom_status dom_prove_count(double first, double height, double r, double *l
         *most = INFINITY;
         return DOM_OK;
     }
-    /* If all powers are exact, the doubles themselves decide. Otherwise the bounds hold for all numbers that
-     * round to these doubles. */
+    /* If all products are exact, the arguments are taken literally. Otherwise the bounds hold for all numbers
+     * that round to the arguments, such as the decimal numbers that a user typed. */
     struct span exact = span_of(first);
     double n = count_until(exact, r, height, true), same = count_until(exact, r, height, false);
     struct span last = exact;

@@ -11,18 +11,18 @@ struct rest rest_find(const struct growth *growth, const struct domino *domino, 
     rest.ratio = growth->detaches_never ? up(rest.p * w) : w;
     double left = least_0(down(1 - rest.ratio)), per_step = up(contact->shift.hi);
     rest.series = up(1 / left);
-    /* dtheta_i/dtheta is multiplied by at most p at each contact, whether followers detach or not. */
+    /* From domino to domino, dtheta_i/dtheta is multiplied by at most p, even if followers detach. */
     rest.tilts = up(up(up(shape->steepest * power) * domino->slope.hi) / least_0(down(1 - up(rest.p * w))));
-    /* Since shift_i+1 = step shift_i + c_i/Y_i, shift stays below the fixed point of the same rule with p in
-     * place of step and c_n/Y_n in place of c_i/Y_i. */
+    /* shift_i+1 = step_i shift_i + c_i/Y_i <= p shift_i + c_n/Y_n. So no shift exceeds the larger of shift_n
+     * and (c_n/Y_n) / (1 - p). */
     rest.shift = larger(domino->shift.hi, up(per_step / least_0(down(1 - rest.p))));
     if (growth->detaches_never) {
-        /* shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */
+        /* Without detaching, shift_n+k <= p^k shift_n + k p^(k-1) c_n/Y_n. */
         double most =
             up(up(domino->shift.hi * rest.series) + up(up(per_step * w) * up(rest.series * rest.series)));
         rest.slides = up(up(shape->steepest * power) * most);
-        /* theta_inf - theta_n <= c_n/(L x_n), and h decreases by at most sqrt(1 + d^2) times this
-         * difference. */
+        /* h(theta_n) - h(theta_inf) <= sqrt(1 + d^2) (theta_inf - theta_n), and theta_inf - theta_n <= c_n/(L
+         * x_n). */
         rest.drop = up(up(up(shape->steepest * up(contact->X.hi / growth->r.lo)) / down(shape->L.lo * x)));
     } else {
         rest.slides = up(up(up(shape->steepest * power) * rest.shift) * rest.series);

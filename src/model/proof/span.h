@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Intervals that contain the true value: every operation is + - * / or sqrt in double, followed by one step
- * outwards.
+ * Interval arithmetic: each result is an interval that certainly contains the true value. Its bounds are
+ * computed in double with + - * / and sqrt, and are then moved outwards by one step.
  *
- * IEEE 754 rounds these five operations correctly, to the nearest double. From the rounded result z, up(z)
- * and down(z) are at or beyond the neighbours of z, and so beyond the exact result that was rounded (Rump,
+ * IEEE 754 rounds the results of these five operations to the nearest double. If z is such a rounded result,
+ * up(z) and down(z) are at or beyond the neighbours of z, so the exact result lies between them (Rump,
  * Zimmermann, Boldo, Melquiond, "Computing predecessor and successor in rounding to nearest", BIT 49, 419).
- * Rounding modes are not changed: the compiler needs no option, and threads do not disturb each other. If a
- * caller has set a rounding mode other than to nearest, the functions dom_prove_... prove nothing.
+ * The rounding mode is never changed, so the compiler needs no special option, and threads do not disturb
+ * each other. If a caller has set a rounding mode other than to nearest, the functions dom_prove_... prove
+ * nothing.
  */
 #ifndef DOM_SPAN_H
 #define DOM_SPAN_H
@@ -22,8 +23,9 @@
 _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53, "The proof computes in IEEE 754 double precision.");
 _Static_assert(FLT_EVAL_METHOD == 0, "The proof needs operations that round to double.");
 
-/* Marks a bound, together with a wrong expression that could stand in its place. tests/unit/test_proof.c uses
- * the wrong expressions one at a time, and checks that its tests then fail. */
+/* PROOF_BOUND marks a bound that a proof depends on, and supplies a wrong expression for it.
+ * tests/unit/test_proof.c replaces one bound at a time by its wrong expression, and checks that this makes
+ * its tests fail. */
 #ifndef PROOF_BOUND
 #define PROOF_BOUND(name, right, wrong) (right)
 #endif
@@ -32,8 +34,8 @@ struct span {
     double lo, hi;
 };
 
-/* These two functions return a double above, and below, every real number that rounds to z. DBL_MIN covers
- * results that underflow. */
+/* up returns a double above, and down a double below, every real number that rounds to z. Adding DBL_MIN
+ * covers results that underflow. */
 static inline double up(double z)
 {
     return PROOF_BOUND(ROUND_UP, z + (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
@@ -44,8 +46,8 @@ static inline double down(double z)
     return PROOF_BOUND(ROUND_DOWN, z - (fabs(z) * 0x1.0000000000001p-53 + DBL_MIN), z);
 }
 
-/* These functions clip a lower bound on a number that is known to be >= 0, and an upper bound on a number
- * that is known to be <= 1. NaN becomes the bound that is always true. */
+/* least_0 improves a lower bound on a number that is known to be >= 0, and most_1 an upper bound on a number
+ * that is known to be <= 1. A bound that is NaN becomes 0 or 1. */
 static inline double least_0(double lo)
 {
     return lo > 0 ? lo : 0;
@@ -71,8 +73,8 @@ static inline struct span span_of(double x)
     return (struct span){x, x};
 }
 
-/* Returns an interval that contains all numbers that round to x, such as the decimal or fraction that a
- * person has typed. */
+/* Returns an interval that contains all numbers that round to x, including the decimal number or fraction
+ * that was converted to x. */
 static inline struct span span_around(double x)
 {
     return (struct span){down(x), up(x)};
@@ -93,13 +95,13 @@ static inline struct span span_negate(struct span a)
     return (struct span){-a.hi, -a.lo};
 }
 
-/* Returns k a for k >= 0. */
+/* Returns k * a, for k >= 0. */
 static inline struct span span_times(struct span k, struct span a)
 {
     return (struct span){down(a.lo * (a.lo < 0 ? k.hi : k.lo)), up(a.hi * (a.hi < 0 ? k.lo : k.hi))};
 }
 
-/* Returns a / k for k > 0. */
+/* Returns a / k, for k > 0. */
 static inline struct span span_over(struct span a, struct span k)
 {
     return (struct span){down(a.lo / (a.lo < 0 ? k.lo : k.hi)), up(a.hi / (a.hi < 0 ? k.hi : k.lo))};
@@ -111,13 +113,13 @@ static inline struct span span_mul(struct span a, struct span b)
     return (struct span){down(smaller(smaller(p, q), smaller(r, s))), up(larger(larger(p, q), larger(r, s)))};
 }
 
-/* Returns the square of a >= 0. */
+/* Returns the square of a, for a >= 0. */
 static inline struct span span_square(struct span a)
 {
     return (struct span){down(a.lo * a.lo), up(a.hi * a.hi)};
 }
 
-/* Returns the square root of a number >= 0, although the lower bound in `a` may be below 0. */
+/* Returns the square root of a number that is known to be >= 0, even if a.lo is below 0. */
 static inline struct span span_sqrt(struct span a)
 {
     return (struct span){least_0(down(sqrt(least_0(a.lo)))), up(sqrt(a.hi))};

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes the train with an upright head: its fuel, its inertia, and the kinetic energy with which a cycle
- * begins. */
+/* Computes the train while its head is upright: the fuel, the inertia, and the kinetic energy with which a
+ * cycle begins. */
 #include "proof/energy.h"
 #include "proof/rest.h"
 
-/* Domino i of the chain, and the sums over the dominoes before it. */
+/* Domino i of the chain, and the sums over all dominoes before domino i. */
 struct walk {
     struct domino domino;
     struct span twist;        /* derivative of the slope with respect to r */
@@ -17,16 +17,16 @@ static struct span least_zero(struct span a)
     return (struct span){least_0(a.lo), a.hi};
 }
 
-/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r along the chain, where dtheta_i/dr =
- * shift. */
+/* Returns the derivative of dF/dtheta = 1 - r L x / Y with respect to r. The tilt theta_i changes with r,
+ * too: dtheta_i/dr = shift. */
 static struct span step_bend(const struct growth *g, const struct contact *c, struct span v,
                              struct span shift)
 {
     struct span y = least_zero((struct span){down(1 - v.hi), up(1 - v.lo)}),
                 rL = {g->low.rL.lo, g->high.rL.hi};
     struct span off = least_zero(span_over(span_times(rL, c->x), c->Y));
-    /* The derivative with respect to theta is (r L / Y) ((r L x / Y) (X x / Y) ... - y), and that with
-     * respect to r is -L x / Y^3. */
+    /* partial derivatives of 1 - r L x / Y: (r L / Y) ((r L x / Y) (X x / Y) - y) with respect to theta, and
+     * -L x / Y^3 with respect to r */
     struct span pull = span_sub(span_times(off, span_over(span_times(c->X, c->x), c->Y)), y);
     struct span by_theta = span_over(span_mul(rL, pull), c->Y);
     struct span by_r = span_over(span_over(span_times(g->shape->L, c->x), span_square(c->Y)), c->Y);
@@ -42,7 +42,8 @@ static struct span chain_twist(const struct growth *g, const struct walk *w, con
     return c->may_hold ? span_hull(twist, span_of(0)) : twist;
 }
 
-/* Adds r^(-(q+1) i) slope^2, the contribution of domino i to T, and its derivative. */
+/* Adds the contribution of domino i to T, which is r^(-(q+1) i) slope^2, and the derivative of this
+ * contribution with respect to r. */
 static void add_inertia(const struct growth *g, struct walk *w, int i)
 {
     struct span square = span_square(w->domino.slope),
@@ -53,7 +54,8 @@ static void add_inertia(const struct growth *g, struct walk *w, int i)
     w->T_by_r = span_add(w->T_by_r, span_times(w->share, change));
 }
 
-/* Adds r^(-q i) (h(theta_i) - h(theta_i+1)), the contribution of domino i to P, and its derivative. */
+/* Adds the contribution of domino i to P, which is r^(-q i) (h(theta_i) - h(theta_i+1)), and the derivative
+ * of this contribution with respect to r. */
 static void add_fuel(const struct growth *g, struct walk *w, const struct link *link, int i)
 {
     struct span power = link[0].weight;
@@ -65,10 +67,12 @@ static void add_fuel(const struct growth *g, struct walk *w, const struct link *
 }
 
 /*
- * Adds the remainder of T from domino n on. Since slope_n+k <= p^k slope_n (rest.h), the terms are below a
- * geometric series with the ratio e = r^-(q+1) p^2. The derivative of T has the terms 2 slope twist - (q+1)
- * i/r slope^2, where twist_i+1 = step twist_i + slope_i bend with |bend| <= Q. So |twist_n+k| <= p^k
- * |twist_n| + k p^(k-1) slope_n Q.
+ * Adds bounds on the remainder of T and of dT/dr, that is, on the terms of domino n and all later dominoes.
+ *
+ * Since slope_n+k <= p^k slope_n (rest.h), the terms of T are bounded by a geometric series with the ratio e
+ * = r^-(q+1) p^2. The terms of dT/dr are r^(-(q+1) i) (2 slope_i twist_i - (q+1) i/r slope_i^2), where
+ * twist_i+1 = step_i twist_i + slope_i bend_i with |bend_i| <= Q. So |twist_n+k| <= p^k |twist_n| + k p^(k-1)
+ * slope_n Q.
  */
 static void rest_of_inertia(const struct upright *u, struct walk *w, const struct contact *c,
                             const struct rest *rest)
@@ -88,8 +92,9 @@ static void rest_of_inertia(const struct upright *u, struct walk *w, const struc
     w->T_by_r = span_add(w->T_by_r, (struct span){-up(first + second), first});
 }
 
-/* Adds the remainder of the fuel. Since r^(-q i) <= r^(-q n), and h decreases beyond theta_u, the remainder
- * of sum r^(-q i) (h(theta_i) - h(theta_i+1)) is between 0 and r^(-q n) (h(theta_n) - h(theta_last)). */
+/* Adds bounds on the remainder of the fuel, that is, on the sum of r^(-q i) (h(theta_i) - h(theta_i+1)) over
+ * i >= n. Since r^(-q i) <= r^(-q n), and h decreases beyond theta_u, this sum is between 0 and r^(-q n)
+ * (h(theta_n) - h(theta_last)). */
 static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, const struct rest *rest)
 {
     w->fuel.hi = PROOF_BOUND(REST_OF_FUEL, up(w->fuel.hi + up(w->power.hi * fall)), w->fuel.hi);
@@ -97,7 +102,7 @@ static void rest_of_fuel(const struct upright *u, struct walk *w, double fall, c
     w->fuel_by_r = span_add(w->fuel_by_r, change);
 }
 
-/* By (24; c6), K = P / E with E = r^q (1 + 1/T) - 1, if P > 0. */
+/* Finds K from (24; c6): if P > 0, then K = P / E with E = r^q (1 + 1/T) - 1. */
 static void kinetic_of_train(struct upright *u, const struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -112,9 +117,9 @@ static void kinetic_of_train(struct upright *u, const struct walk *w)
     u->kinetic_by_r = span_over(span_sub(w->fuel_by_r, span_mul(u->kinetic, E_by_r)), E);
 }
 
-/* The paper's section "Two dominoes": domino 1, just tipped over, supplies h(theta_u) - h(theta_c). With k =
- * r^-(q+1), the pair starts with r k^2/(1 + k) of this energy. The derivative of r k^2/(1 + k) with respect
- * to r is k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)). */
+/* Finds K for a train of two dominoes, as in the paper's section "Two dominoes". Domino 1 just tips over its
+ * edge, and supplies the energy h(theta_u) - h(theta_c). The pair gets the fraction f = r k^2/(1 + k) of this
+ * energy, with k = r^-(q+1) and df/dr = k^2/(1 + k) (1 - (q + 1)(2 + k)/(1 + k)). */
 static void kinetic_of_pair(struct upright *u, struct span hit)
 {
     const struct growth *g = &u->growth;
@@ -123,7 +128,8 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     struct span push = span_sub(g->shape->g_top, u->link[1].g);
     struct span order = span_over(span_times(span_add(g->shape->q, one), span_add(span_of(2), k)), sum);
     u->fuel = push;
-    if (!(hit.lo > g->shape->v_top.hi)) /* domino 1 may not have tipped over when it hits the head (5; b0) */
+    /* otherwise domino 1 may hit the head before it has tipped over (5; b0), which means no fuel */
+    if (!(hit.lo > g->shape->v_top.hi))
         u->fuel.lo = -1;
     if (hit.hi < g->shape->v_top.lo)
         u->fuel.hi = -1;
@@ -133,7 +139,7 @@ static void kinetic_of_pair(struct upright *u, struct span hit)
     u->by_r = u->by_r && hit.lo > g->shape->v_top.hi;
 }
 
-/* Replaces the sum of the fuel by the paper's closed form P = 1 - h(theta_last). */
+/* Replaces the fuel P by the paper's closed form P = 1 - h(theta_last). */
 static void paper_fuel(const struct upright *u, struct walk *w)
 {
     const struct growth *g = &u->growth;
@@ -142,7 +148,7 @@ static void paper_fuel(const struct upright *u, struct walk *w)
     w->fuel_by_r = span_negate(span_mul(tilt_rise(g->shape, last.v), last.shift));
 }
 
-/* Writes domino i of the chain to its link. */
+/* Stores domino i of the chain in u->link[i]. */
 static void link_make(struct upright *u, const struct walk *w, int i)
 {
     struct span rise = tilt_rise(u->growth.shape, w->domino.v);
@@ -164,8 +170,8 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
     u->growth = growth_make(shape, r_low, r_high);
     const struct growth *g = &u->growth;
     if (!shape->pair && g->high.last <= shape->v_top.lo) {
-        /* No domino reaches theta_u, so each has a higher h than the one before it, and every term of P is
-         * negative. */
+        /* No domino reaches theta_u, so h increases from domino to domino, and every term of P is negative.
+         */
         u->n = 0;
         u->exact_end = true;
         u->by_r = false;
@@ -182,7 +188,7 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         struct walk next = w;
         next.domino = chain_next(g, &w.domino, &c);
         next.twist = chain_twist(g, &w, &c);
-        if (i == 0) { /* these numbers are exact, since sin theta = 0 */
+        if (i == 0) { /* for the upright head these numbers are exact, since sin theta = 0 */
             next.domino.slope = span_of(1);
             next.twist = span_of(0);
         }
@@ -200,9 +206,10 @@ bool upright_find(const struct shape *shape, double r_low, double r_high, double
         }
         fall = least_0(up(u->link[i + 1].g.hi - u->g_last));
         double rest = up(w.power.hi * fall);
-        /* In a wide interval, more dominoes no longer make the remainder smaller once the lower chain has
-         * reached its end. In a narrow interval the test must be stricter, so that it stops only a chain that
-         * no longer moves because of rounding: equal dominoes that stand close approach their end slowly. */
+        /* Stop when the tilts of the lower chain hardly grow any more, since further dominoes would not make
+         * the remainder smaller. In a narrow interval of growths this test must be strict enough to stop only
+         * chains whose growth is lost in rounding: if equal dominoes stand close together, their tilts
+         * approach the limit slowly. */
         double grows = r_high > r_low * (1 + 1e-9) ? 1e-3 : 1e-15;
         bool still = w.domino.v.lo < v_before * (1 + grows) && rest > 0.98 * rest_before;
         if (!shape->pair && w.domino.v.lo > shape->v_top.hi &&
