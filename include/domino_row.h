@@ -218,7 +218,7 @@ enum dom_status dom_row_run(const struct dom_row *row, const struct dom_compute 
 /*
  * An engine that runs rows instead of this library, for instance a rigid-body simulation with effects that
  * the model lacks. `run` takes the parameters of dom_row_run and returns the same results; its private data
- * are in row->engine->own. For a row with an engine, all functions about rows call `run`, except
+ * are in row->engine->context. For a row with an engine, all functions about rows call `run`, except
  * dom_row_watch, which returns DOM_NO_METHOD. Studies may call `run` from many threads at once.
  */
 typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct dom_compute *compute,
@@ -226,7 +226,7 @@ typedef enum dom_status dom_row_runner(const struct dom_row *row, const struct d
                                        struct dom_verdict *verdict);
 struct dom_engine {
     dom_row_runner *run;
-    void *own;
+    void *context;
 };
 
 /* The state of a row at one moment. */

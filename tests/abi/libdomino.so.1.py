@@ -716,7 +716,7 @@ dom_fall_visit = CFUNCTYPE(c_bool, POINTER(dom_fall), c_void_p)
 dom_row_runner = CFUNCTYPE(c_int, POINTER(dom_row), POINTER(dom_compute), c_bool, dom_fall_visit, c_void_p, POINTER(dom_verdict))
 dom_engine._fields_ = [
     ("run", dom_row_runner),
-    ("own", c_void_p),
+    ("context", c_void_p),
 ]
 dom_moment._fields_ = [
     ("time", c_double),

@@ -154,11 +154,11 @@ static enum dom_status fake_run(const struct domq_row *row, const struct domq_co
                                 domq_fall_visit *visit, void *context, struct domq_verdict *verdict)
 {
     (void)compute, (void)visit, (void)context;
-    const struct fake *own = row->engine->own;
-    bool falls = (double)(row->domino[1].height / row->domino[0].height) <= own->most;
+    const struct fake *fake = row->engine->context;
+    bool falls = (double)(row->domino[1].height / row->domino[0].height) <= fake->most;
     *verdict =
         (struct domq_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_STOPS, .seconds = times ? 10 : DOMQ_NAN};
-    return own->decides ? DOM_OK : DOM_NOT_CONVERGED;
+    return fake->decides ? DOM_OK : DOM_NOT_CONVERGED;
 }
 
 /* Checks that the row also falls in the engine of the wish, and that dominoes are added until it does. */

@@ -237,7 +237,7 @@ TEST(rows_end)
 static enum dom_status up_to(const struct dom_row *row, const struct dom_compute *compute, bool times,
                              dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    const double *most = row->engine->own;
+    const double *most = row->engine->context;
     (void)compute, (void)times, (void)visit, (void)context;
     bool falls = row->domino[1].height / row->domino[0].height <= *most;
     *verdict = (struct dom_verdict){.end = falls ? DOM_ROW_FALLS : DOM_ROW_MISSES, .domino = 2};
@@ -254,7 +254,7 @@ static void grown(double r, struct dom_domino *domino, size_t count, void *conte
 TEST(the_library_asks_an_engine)
 {
     double most = 1.2345;
-    const struct dom_engine engine = {.run = up_to, .own = &most};
+    const struct dom_engine engine = {.run = up_to, .context = &most};
     struct dom_domino domino[3];
     struct dom_verdict verdict;
     struct dom_row_growth growth;
@@ -284,7 +284,7 @@ struct gaps {
 static enum dom_status in_gaps(const struct dom_row *row, const struct dom_compute *compute, bool times,
                                dom_fall_visit *visit, void *context, struct dom_verdict *verdict)
 {
-    struct gaps *gaps = row->engine->own;
+    struct gaps *gaps = row->engine->context;
     const double gap = row->domino[1].gap;
     (void)compute, (void)times, (void)visit, (void)context;
     gaps->runs++;
@@ -300,7 +300,7 @@ TEST(windows_of_an_engine_take_few_runs)
     static const double edges[][2] = {{0.05123, 0.23456}, {0.0876, 0.1011}, {0.0999, 0.9876}, {0, 1}};
     for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
         struct gaps gaps = {.low = edges[i][0], .high = edges[i][1]};
-        const struct dom_engine engine = {.run = in_gaps, .own = &gaps};
+        const struct dom_engine engine = {.run = in_gaps, .context = &gaps};
         struct dom_domino domino[2];
         struct dom_window w;
         char text[2][32];

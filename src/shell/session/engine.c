@@ -56,7 +56,7 @@ static double box_inertia(const struct domq_row *row, const struct domq_domino *
 static enum dom_status row_convert(const struct domq_row *row, struct engine_row *engine,
                                    struct engine_box **boxes)
 {
-    const struct scene_engine *own = row->engine->own;
+    const struct scene_engine *of_scene = row->engine->context;
     const struct unit unit = unit_of(row);
     struct engine_box *box = *boxes = malloc(row->count * sizeof *box);
     if (!box)
@@ -73,7 +73,7 @@ static enum dom_status row_convert(const struct domq_row *row, struct engine_row
             !isfinite(box[k].height + box[k].thickness + box[k].gap + box[k].mass))
             return DOM_BAD_HEIGHT;
     }
-    *engine = own->effects;
+    *engine = of_scene->effects;
     engine->box = box;
     engine->count = row->count;
     engine->feet = fmax(engine->feet + (double)row->feet, 0);
@@ -158,7 +158,7 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
                                bool (*visit)(const struct domq_fall *fall, void *context), void *context,
                                struct domq_verdict *verdict)
 {
-    const struct scene_engine *own = row->engine->own;
+    const struct scene_engine *of_scene = row->engine->context;
     const struct unit unit = unit_of(row);
     struct engine_row engine;
     struct engine_box *box;
@@ -176,9 +176,9 @@ static enum dom_status run_row(const struct domq_row *row, const struct domq_com
         verdict_fill(fall, row, times ? fall->seconds * unit.time : (double)NAN, verdict);
     if (status == DOM_OK && times) {
         hits_scale(hit, unit, fall->hits);
-        if (own->report) {
-            own->report->settled = settled;
-            memcpy(own->report->hit, hit, fall->hits * sizeof *hit);
+        if (of_scene->report) {
+            of_scene->report->settled = settled;
+            memcpy(of_scene->report->hit, hit, fall->hits * sizeof *hit);
         }
         if (visit)
             hits_visit(hit, fall, visit, context);
@@ -258,8 +258,8 @@ enum dom_status scene_engine_watch(const struct domq_row *row, const struct domq
                                    const domq_real *times, size_t count, domq_moment_visit *visit,
                                    void *context, double *feet)
 {
-    const struct scene_engine *own = row->engine->own;
-    const struct engine_settled *settled = &own->report->settled;
+    const struct scene_engine *of_scene = row->engine->context;
+    const struct engine_settled *settled = &of_scene->report->settled;
     struct watch w = {.unit = unit_of(row),
                       .zero = settled->fall.zero,
                       .times = times,
@@ -322,7 +322,7 @@ bool scene_engine_make(const struct scene *scene, size_t count, struct scene_eng
             "install libchipmunk7'",
             why);
     *engine =
-        (struct scene_engine){.engine = {.run = run_row, .own = engine}, .effects = ENGINE_ROW(NULL, 0)};
+        (struct scene_engine){.engine = {.run = run_row, .context = engine}, .effects = ENGINE_ROW(NULL, 0)};
     engine->effects.feet = feet->on ? (double)feet->value[0] : HUGE_VAL;
     engine->effects.bounce = bounce->on ? (double)bounce->value[0] : 0;
     return true;

@@ -19,7 +19,7 @@ struct engine_report {
 };
 
 struct scene_engine {
-    struct domq_engine engine; /* engine.own points to this struct */
+    struct domq_engine engine; /* engine.context points to this struct */
     struct engine_row effects; /* the settings of the effects that only the engine has */
     /* the report that each run fills in; NULL if no report is needed, as in studies */
     struct engine_report *report;
