@@ -8,7 +8,7 @@ struct arena_block {
     _Alignas(max_align_t) unsigned char bytes[];
 };
 
-enum { BLOCK = 1000 }; /* malloc is fastest for blocks of up to 1 KB */
+enum { BLOCK = 1000 }; /* the size of a block; malloc is fastest for blocks of up to 1 KB */
 
 void *arena_take(struct arena *arena, size_t size)
 {

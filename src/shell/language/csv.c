@@ -81,14 +81,14 @@ static void skip_cell_blanks(struct csv_file *file)
         advance(file);
 }
 
-/* Returns true at the end of a line, or if a comment begins here. */
+/* Returns true at the end of a line, and at the beginning of a comment. */
 static bool at_end(const struct csv_file *file)
 {
     return *file->next == '\0' || *file->next == '\n' || (*file->next == '#' && file->after_blank);
 }
 
-/* Reads a cell and the separator after it, or the rest of the line. Sets *more to true if another cell
- * follows. On failure, sets *problem and returns false. */
+/* Reads a cell. Then skips either the separator after the cell, and sets *more to true, or the rest of the
+ * line, and sets *more to false. On failure, sets *problem and returns false. */
 static bool cell_read(struct csv_file *file, struct csv_cell *cell, bool *more)
 {
     skip_cell_blanks(file);
@@ -172,7 +172,7 @@ bool csv_read(struct csv_file *file, struct csv_record *record)
 
 /* ---- Decimal marks ---- */
 
-/* A comma between parentheses separates arguments of a function, and is not a decimal comma. */
+/* Between parentheses, a comma separates arguments of a function, and is not a decimal comma. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text)
 {
     int depth = 0;

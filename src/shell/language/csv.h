@@ -18,8 +18,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* The maximum number of cells in a line, of bytes in a line including its line ending, and of bytes in a
- * file. */
+/* The maximum numbers of cells in a line, of bytes in a line with its line ending, and of bytes in a file. */
 enum { CSV_CELLS_MOST = 80, CSV_LINE_MOST = 65536, CSV_FILE_MOST = 64 << 20 };
 
 /* A position in a file: the number of a line, and of a character in this line. Both count from 1. */
@@ -29,7 +28,7 @@ struct csv_place {
 };
 
 struct csv_cell {
-    const char *text; /* the contents without the surrounding quotes and blanks */
+    const char *text; /* the contents of the cell without the quotes and blanks around them */
     struct csv_place at;
     bool is_quoted;
 };
@@ -50,18 +49,20 @@ struct csv_file {
     char *next;            /* the first character of the text that has not been read */
     struct csv_place at;   /* the position of the character at `next` */
     bool after_blank;      /* the character before `next` is a blank or a newline */
-    const char *cut_short; /* NULL if `text` is the whole file, or else the reason why it is not */
+    const char *cut_short; /* the reason why `text` is only the beginning of the file, or NULL if it is the
+                              whole file */
     char separator;        /* the separator of cells, or 0 until it is known */
     bool locale_comma;     /* the locale has decimal commas */
-    /* What the numbers that have been read so far reveal about each decimal mark, point and comma. */
+    /* For the point and the comma: what the numbers read so far reveal about this character as a decimal
+     * mark. */
     struct csv_mark {
         bool is_used;
-        /* at least one number can only be read with this character as its decimal mark */
+        /* there is a number in which this character can only be the decimal mark */
         bool is_clear;
-        /* The position of the first number in which this character might separate thousands instead. The line
-         * is 0 if there is no such number. */
+        /* The position of the first number in which this character could also be a thousands separator. The
+         * line is 0 if there is no such number. */
         struct csv_place at;
-        char before[4], after[4]; /* the digits before and after the mark in the number at `at` */
+        char before[4], after[4]; /* the digits before and after the character in the number at `at` */
     } point, comma;
 };
 
@@ -82,8 +83,8 @@ const char *csv_separator_name(const struct csv_file *file);
  * `at` is the position of the cell. On failure, sets *problem and returns false. */
 bool csv_marks_read(struct csv_file *file, struct csv_place at, char *text);
 
-/* Call this function after the last number. Sets *problem and returns false if a number in the file can be
- * read in two ways. */
+/* Must be called after the last number. Sets *problem and returns false if a number in the file can be read
+ * in two ways. */
 bool csv_marks_check(struct csv_file *file);
 
 /* Writes a cell, in quotes if it contains any of the characters in `quoted`. Escapes control characters

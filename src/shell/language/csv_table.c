@@ -56,8 +56,8 @@ static bool unit_read(struct csv_table *csv, int k, const char *text, struct csv
     return true;
 }
 
-/* Reads the line after the first line. If any of its cells is a unit, the line gives the units of the
- * columns. Otherwise it is the first row. */
+/* Reads the second line. If any of its cells is a unit, the line gives the units of the columns. Otherwise
+ * the line is the first row. */
 static bool units_read(struct csv_table *csv)
 {
     char unit[UNIT];
@@ -162,7 +162,7 @@ static bool head_read(struct csv_table *csv)
     int others = 0;
     bool good = true;
     if (!csv_read(&csv->file, &csv->head))
-        return !*csv->file.problem.text; /* an empty file is not an error yet: csv_next reports it */
+        return !*csv->file.problem.text; /* csv_next reports an empty file */
     while (kind && !kind_fits(csv, kind))
         kind = kind->otherwise;
     kind = csv->kind = kind ? kind : csv->kind;
@@ -185,7 +185,7 @@ static bool head_read(struct csv_table *csv)
         others += csv->other[i];
         text_free(&text);
     }
-    /* a file with this many columns could be saved, but not read again */
+    /* a file that is saved with more columns could not be read again */
     if (good && others > CSV_OTHERS_MOST)
         return csv_wrong(
             &csv->file, csv->head.at,
@@ -221,8 +221,8 @@ void csv_close(struct csv_table *csv)
 
 /* ---- Numbers ---- */
 
-/* Reports that a unit is missing. No unit is assumed, because dominoes measured in mm would otherwise become
- * towers of as many metres. Returns false. */
+/* Reports that a unit is missing. No unit is assumed, because dominoes of 48 mm might then be read as
+ * dominoes of 48 m. Returns false. */
 static bool unit_missing(struct csv_table *csv, int k, const char *text)
 {
     const struct csv_column *c = &csv->kind->column[k];
@@ -235,8 +235,8 @@ static bool unit_missing(struct csv_table *csv, int k, const char *text)
                      shown, shown, c->unit, c->name, c->usual, here);
 }
 
-/* Evaluates a text that must be a single expression without names. Returns false after an error. The message
- * is empty if the error is that more text follows the expression. */
+/* Evaluates a text that must be a single expression without names. Returns false after an error. If more text
+ * follows the expression, the message is empty. */
 static bool constant_read(const char *text, struct quantity *q, struct expression_error *error)
 {
     struct arena arena = {.block = NULL};
@@ -279,8 +279,7 @@ static bool number_read(struct csv_table *csv, int k, const struct text *text)
 
 bool csv_fits(const struct csv_column *c, domq_real value, char message[CSV_MESSAGE])
 {
-    /* A bound such as 1e-9 cannot be stored exactly as a double, so the value is rounded to a double before
-     * it is compared. */
+    /* A bound such as 1e-9 has no exact double, so the value is rounded to a double before the comparison. */
     double near = (double)value;
     bool whole = !(c->traits & CSV_WHOLE) || value == quad(floor)(value);
     const char *is = !whole              ? "not a whole number"

@@ -3,8 +3,8 @@
  * Tables in csv files. The first line names the columns, in any order and in any case, and may give their
  * units: "height (mm)", "height [mm]", "height, mm", "height mm" or "height_mm". Alternatively the second
  * line gives the units. A cell is an expression. A unit in a cell takes precedence over the unit of the
- * column. A cell with '-' is empty. A file means the same in every session: it cannot use the variables of
- * the session, and an angle without a unit is in radians.
+ * column. A cell with '-' is empty. A file has the same meaning in every session: it cannot use the variables
+ * of the session, and an angle without a unit is in radians.
  */
 #ifndef SHELL_CSV_TABLE_H
 #define SHELL_CSV_TABLE_H
@@ -12,20 +12,20 @@
 #include "domino_quad.h"
 #include "language/csv.h"
 
-/* A row of dominoes that has been saved must be readable again, with all columns of its kind and all other
- * columns of the original file. */
+/* The maximum number of columns of a kind, and of other columns in a file. A row of dominoes is saved with
+ * both, and the saved file must not have more than CSV_CELLS_MOST columns. */
 enum { CSV_COLUMNS_MOST = 16, CSV_OTHERS_MOST = CSV_CELLS_MOST - CSV_COLUMNS_MOST };
 
-/* The traits of a column, as bits. */
+/* Properties of a column, as bits. */
 enum {
-    CSV_REQUIRED = 1,  /* every file must have the column */
-    CSV_EMPTY = 2,     /* its cells may be empty */
-    CSV_NOT_FIRST = 4, /* the cell in the first row is not used, and may be empty or out of range */
-    CSV_WHOLE = 8,     /* its values are whole numbers */
+    CSV_REQUIRED = 1,  /* every file must have this column */
+    CSV_EMPTY = 2,     /* the cells of the column may be empty */
+    CSV_NOT_FIRST = 4, /* the cell of the first row is ignored, and may be empty or out of range */
+    CSV_WHOLE = 8,     /* the values of the column are whole numbers */
     CSV_BARE = 16,     /* a number without a unit is in the SI unit of the column */
 };
 
-/* A column that a table of some kind may have. */
+/* A column that a kind of table may have. */
 struct csv_column {
     const char *name;
     const char *synonyms; /* synonyms separated by commas, such as "spacing,distance"; may be NULL */
@@ -33,58 +33,57 @@ struct csv_column {
     const char *unit;       /* the SI unit of the values; "" for plain numbers, NULL for text */
     const char *units;      /* for messages: a list of the units that a file may use */
     const char *usual;      /* for messages: the unit to suggest */
-    const char *advice;     /* for messages: advice such as "write a length such as 48 mm" */
-    double lowest, highest; /* the range, inclusive */
+    const char *advice;     /* for messages: what to write, such as "write a length such as 48 mm" */
+    double lowest, highest; /* the ends of the range, which are included */
     const char *range;      /* for messages: the range, such as "0 or more, up to 1e9 m" */
 };
-#define CSV_ABOVE_0 4.9e-324 /* the lower bound on a range that excludes 0 */
+#define CSV_ABOVE_0 4.9e-324 /* the smallest double above 0, for a range that does not include 0 */
 
-/* The units of lengths, for the members unit, units and usual. */
+/* Initialises the members unit, units and usual for a column of lengths. */
 #define CSV_LENGTH "m", "m, mm, cm, km, in, ft, yd", "mm"
 
 /* A kind of table, such as a row of dominoes or a series of measurements. */
 struct csv_kind {
     const struct csv_column *column;
     int columns; /* at most CSV_COLUMNS_MOST */
-    /* the first line may be missing; the file must then have all columns of the kind, in their order */
+    /* the line with the names may be missing if the file has all columns of the kind, in the same order */
     bool headless;
     size_t rows_most; /* the maximum number of rows */
-    const char *item,
-        /* For messages: what one row and several rows describe, such as "domino" and "dominoes". */
-        *items;
-    const char *names;   /* for messages: a list of the columns */
+    /* for messages: the noun for what a row describes, and its plural, such as "domino" and "dominoes" */
+    const char *item, *items;
+    const char *names;   /* for messages: a list of the names of the columns */
     const char *example; /* for messages: an example of a first line */
-    /* Another kind to try, or NULL. A file gets the first kind all of whose required columns it has. If no
-     * kind fits, the file gets this kind, so that messages are about this kind. */
+    /* Another kind to try, or NULL. The kinds are tried in turn until the file has all required columns of a
+     * kind. If no kind fits, messages are about the first kind. */
     const struct csv_kind *otherwise;
 };
 
-/* A table that is being read. `kind` is chosen when the first line has been read. Arrays of size
+/* A table that is being read. `kind` is chosen after the first line has been read. Arrays of size
  * CSV_COLUMNS_MOST have one element for each column of the kind, and arrays of size CSV_CELLS_MOST have one
  * element for each column of the file. */
 struct csv_table {
     const struct csv_kind *kind;
     struct csv_file file;
-    char *path;             /* the name of the file in messages */
+    char *path;             /* the path of the file, for messages */
     struct csv_record head; /* the first line */
-    /* The line below the first line, if it gives units. Otherwise a record without cells. */
+    /* The second line, if this line gives the units. Otherwise a record without cells. */
     struct csv_record units;
     struct csv_record row; /* the current row */
-    bool is_read_ahead;    /* `row` has been read ahead, and is the next row instead of the current one */
+    bool is_read_ahead;    /* `row` has been read ahead: it is the next row, and not the current row */
     size_t rows;           /* the number of rows that have been read */
-    /* The number, from 1, of each column in the file, or 0 if the file does not have the column. */
+    /* The position of each column in the file, counted from 1, or 0 if the file does not have the column. */
     int column[CSV_COLUMNS_MOST];
     /* The unit of each column, as a multiple of the SI unit, or 0 if the file gives no unit for the
      * column. */
     domq_real unit[CSV_COLUMNS_MOST];
-    domq_real value[CSV_COLUMNS_MOST]; /* the value in the current row, in SI units, or NaN */
-    bool other[CSV_CELLS_MOST];        /* true for a column of the file that the kind does not have */
-    /* the names of the columns of the file that are ignored, except columns for notes */
+    domq_real value[CSV_COLUMNS_MOST]; /* the values of the current row, in SI units, or NaN */
+    bool other[CSV_CELLS_MOST];        /* column i of the file is not a column of the kind */
+    /* a list of the columns of the file that are ignored, without columns for notes */
     char unused[200];
 };
 
-/* Reads a file and parses the first line of its table. Takes ownership of the path unless it returns NULL. If
- * the file is wrong, the returned table has a problem. Returns NULL and sets errno if memory runs out. */
+/* Reads a file and parses the first line of its table. If the file has an error, the returned table holds the
+ * problem. Takes ownership of the path, unless memory runs out. In this case, returns NULL and sets errno. */
 struct csv_table *csv_open(FILE *in, char *path, const struct csv_kind *kind, bool locale_comma);
 
 /* Frees a table, which may be NULL. */
@@ -104,8 +103,8 @@ bool csv_fits(const struct csv_column *column, domq_real value, char message[CSV
 /* Returns true if a value is in the range of column k. Otherwise reports a problem. */
 bool csv_check(struct csv_table *csv, int k, domq_real value);
 
-/* Writes the columns of the file that the kind does not have, each after a comma. If `names` is true, writes
- * their names and units, and otherwise their cells in the current row. */
+/* Writes the columns of the file that are not columns of the kind, each after a comma. If `names` is true,
+ * writes their names and units, and otherwise their cells in the current row. */
 void csv_write_others(const struct csv_table *csv, bool names, FILE *out);
 
 #endif

@@ -18,8 +18,7 @@ void expression_report(struct expression_error *error, const char *at, bool of_v
     error->names_function = false;
 }
 
-/* Returns true if a result is finite and the exponents of its unit are not too large. Otherwise sets the
- * message. */
+/* Returns true if a result is finite and no exponent of its unit is too large. Otherwise reports an error. */
 static bool is_valid(struct evaluation *e, const char *at, const struct quantity *q)
 {
     enum { EXPONENT_MOST = 999 };
@@ -34,8 +33,9 @@ static bool is_valid(struct evaluation *e, const char *at, const struct quantity
 
 /* ---- Functions ---- */
 
-/* What kinds of values a function takes and returns. A function of kind KEEPS returns a value with the unit
- * of its arguments. The result of a function of kind HALVES has the square root of the argument's unit. */
+/* The kind of a function says which units its arguments and its result have. The result of a KEEPS function
+ * has the unit of the arguments. The result of a HALVES function has the square root of the argument's unit.
+ */
 enum function_kind { OF_NUMBER, OF_ANGLE, TO_ANGLE, KEEPS, HALVES };
 
 struct function {
@@ -74,7 +74,7 @@ const char *function_name(const struct function *f)
 
 const char *expression_names(const void *context, int k)
 {
-    static const char *const more[] = {"if", "pi", NULL}; /* the parser handles these names itself */
+    static const char *const more[] = {"if", "pi", NULL}; /* the parser treats if and pi specially */
     const int count = sizeof functions / sizeof *functions - 1;
     (void)context;
     return k < count ? functions[k].name : more[k - count];
@@ -182,8 +182,8 @@ static bool evaluate_logic(struct evaluation *e, const struct tree *t, struct qu
     return true;
 }
 
-/* Evaluates `value`, an operand of the chain t, and combines the result with *q, the value of the operands
- * before it. */
+/* Evaluates the tree `value`, an operand of the chain t, and combines the result with *q, the value of all
+ * operands before it. */
 static bool apply(struct evaluation *e, const struct tree *t, const struct tree *value, struct quantity *q)
 {
     struct quantity by;

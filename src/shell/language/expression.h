@@ -48,17 +48,19 @@ struct function;
 
 struct tree {
     enum tree_kind kind;
-    enum tree_operator op; /* for an operand of a chain: the operator before it */
-    /* The position to report for an error of `op`. For '^', this is the position of the exponent. */
+    enum tree_operator op; /* for an operand of a chain: the operator before the operand */
+    /* The position at which an error in the operation `op` is reported. For '^', the position of the
+     * exponent. */
     const char *op_at;
-    const char *at;            /* the position to report for an error of this node */
+    const char *at;            /* the position at which an error in this node is reported */
     struct quantity value;     /* TREE_NUMBER: the number; TREE_SYMBOL: the unit, if the name has one */
     const char *name, *key;    /* TREE_NAME: "ans" and "margin" for "ans.margin"; the key may be NULL */
-    bool called;               /* TREE_NAME: arguments in parentheses follow the name */
+    bool called;               /* TREE_NAME: the name is followed by arguments in parentheses */
     int count;                 /* the number of children; only a chain has more than EXPRESSION_ARGUMENTS */
-    struct tree *child, *next; /* the first child of this node, and the next sibling of this node */
+    struct tree *child, *next; /* the first child and the next sibling of this node */
     const struct function *function; /* TREE_FUNCTION: the function */
-    int symbol, index; /* TREE_SYMBOL: `symbol`, `index` and `refers` are for the code that resolves names */
+    /* TREE_SYMBOL: the next three members are set by the code that resolves names */
+    int symbol, index;
     const void *refers;
 };
 
@@ -66,13 +68,13 @@ struct tree {
 struct expression_error {
     const char *at; /* the position of the error in the expression */
     bool of_value;  /* the error depends on the values of parameters, and may not occur with other values */
-    bool names_function; /* the message already names the function, defined by 'let', in which the error
-                            occurred */
-    /* "" if the function that failed has reported the error in another way, as a struct problem */
+    bool names_function; /* the message already names the 'let' function that has the error */
+    /* "" if the error has already been reported as a struct problem */
     char message[EXPRESSION_MESSAGE];
 };
 
-/* Stores an error. The two macros are false, so that a function can report an error and return. */
+/* Stores an error. The two macros have the value false, so that a function can store an error and return
+ * false in one statement. */
 void expression_report(struct expression_error *error, const char *at, bool of_value, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 #define expression_wrong(error, at, ...)    (expression_report(error, at, false, __VA_ARGS__), false)
@@ -84,11 +86,11 @@ struct parse {
     const char *end;  /* the end of the expression, or the position of an error */
     struct expression_error *error;
     struct arena *arena;
-    /* single letters that are names instead of units when they follow a blank; may be NULL */
+    /* letters that are names, not units, when they stand alone after a blank; may be NULL */
     const char *no_unit;
-    /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses, and returns a tree that
-     * replaces the tree of the value. Returns NULL after an error. Set this pointer to NULL if "with" is not
-     * supported. */
+    /* Parses "with NAME VALUE ..." at parse->end, after a value in parentheses. Returns a tree for the value
+     * together with its "with", or NULL after an error. If this pointer is NULL, the parser does not accept
+     * "with". */
     struct tree *(*with)(struct parse *parse, struct tree *value);
     void *context;     /* for `with` */
     int depth, nested; /* the current depth of recursion, and the number of open parentheses */
@@ -105,7 +107,7 @@ struct evaluation {
     /* Computes the value of a TREE_SYMBOL. Returns false after an error. */
     bool (*symbol)(struct evaluation *evaluation, const struct tree *tree, struct quantity *result);
     void *context; /* for `symbol` */
-    /* the session's unit of angles, in radians; it applies to angles that are given without a unit */
+    /* the session's unit of angles in radians, which is the unit of angles without a unit */
     domq_real angle;
 };
 

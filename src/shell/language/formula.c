@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The binding strengths of operators. An operand is put in parentheses if it binds less tightly than its
- * position requires. */
+/* How tightly operators bind, in increasing order. An operand that binds less tightly than its operator
+ * requires gets parentheses. */
 enum binding { BINDS_COMPARE, BINDS_SUM, BINDS_PRODUCT, BINDS_POWER, BINDS_WORD };
 
 static enum binding binding(const struct tree *t);
@@ -30,7 +30,8 @@ static enum binding binding(const struct tree *t)
                                                           : BINDS_WORD;
 }
 
-/* Returns how tightly the first operand of a chain must bind. A minus sign may stand before a product. */
+/* Returns how tightly the first operand of a chain must bind to need no parentheses. A product may begin with
+ * a minus sign. */
 static enum binding first_binding(const struct tree *chain)
 {
     enum binding level = chain_binding(chain);
@@ -62,8 +63,8 @@ void formula_number(const struct formula *f, domq_real number, int digits)
     fprintf(f->out, "%.*s \\cdot 10^{%d}", (int)(power - text), text, atoi(power + 1));
 }
 
-/* Writes the factors of a product that stand above or below the fraction bar. A single factor in braces needs
- * no parentheses. */
+/* Writes the factors of a product that are above the fraction bar, or those that are below it. A single
+ * factor in braces needs no parentheses. */
 static void factors(const struct formula *f, const struct tree *chain, bool below, bool braces)
 {
     int count = 0;
@@ -83,7 +84,7 @@ static void factors(const struct formula *f, const struct tree *chain, bool belo
     }
 }
 
-/* Writes a product in TeX, with a fraction bar. */
+/* Writes a product in TeX, with a fraction bar above the divisors. */
 static void fraction(const struct formula *f, const struct tree *chain)
 {
     bool divides = false;

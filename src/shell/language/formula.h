@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes the tree of an expression as a formula: as it is typed, with Greek letters, or for TeX. */
+/* Writes the tree of an expression as a formula in one of three styles: as the user types it, with Greek
+ * letters, or in TeX. */
 #ifndef SHELL_FORMULA_H
 #define SHELL_FORMULA_H
 
@@ -11,15 +12,15 @@ enum formula_style { FORMULA_PLAIN, FORMULA_LETTERS, FORMULA_TEX, FORMULA_STYLES
 struct formula {
     FILE *out;
     enum formula_style style;
-    /* Writes a name that the parser did not know, which is a TREE_NAME or a TREE_SYMBOL, or the number for
-     * which the name stands. A negative number needs parentheses. */
+    /* Writes a name that is not built in (a TREE_NAME or TREE_SYMBOL), or the number that the name stands
+     * for. A negative number needs parentheses. */
     void (*name)(const struct formula *formula, const struct tree *tree);
     void *context; /* for `name` */
 };
 
 void formula_write(const struct formula *formula, const struct tree *tree);
 
-/* Writes a number in the form that the parser reads, or in TeX with a power of ten. */
+/* Writes a number in the form that the parser reads or, in TeX, with a power of ten. */
 void formula_number(const struct formula *formula, domq_real number, int digits);
 
 #endif

@@ -14,8 +14,8 @@ typedef const char *names_list(const void *context, int k);
 /* Returns the index of the name that equals the text, or -1. */
 int names_exact(names_list *list, const void *context, const char *text);
 
-/* Returns the index of a name in a text such as "gap separation spacing", in which the character `separator`
- * stands between the names, or -1. The text may be NULL. */
+/* Returns the index of a name in a text such as "gap separation spacing", or -1 if the text does not contain
+ * the name. `separator` is the character between the names of the text. The text may be NULL. */
 int names_index(const char *list, char separator, const char *name);
 
 enum { NAMES_MESSAGE = 256 };
@@ -29,8 +29,9 @@ enum {
 
 /*
  * Returns the index of the name that equals the text, or of the only name that begins with the text.
- * Otherwise returns one of the results above, and writes a message such as "unknown command 'barier'; did you
- * mean 'barrier'?". `what` is the noun for the names in the message, here "command".
+ * Otherwise returns NAMES_UNKNOWN, NAMES_CLOSE or NAMES_SEVERAL, and writes a message such as "unknown
+ * command 'barier'; did you mean 'barrier'?". `what` is the noun for the names in the message, here
+ * "command".
  */
 int names_find(names_list *list, const void *context, const char *what, const char *text,
                char message[NAMES_MESSAGE]);

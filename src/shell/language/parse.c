@@ -35,7 +35,7 @@ static struct tree *make_parent(struct parse *p, enum tree_kind kind, const char
     return t;
 }
 
-/* Appends an operator and its operand to a chain, after its last child. */
+/* Appends an operand, with the operator before it, to a chain. `last` is the last child of the chain. */
 static void append(struct tree *chain, struct tree *last, enum tree_operator op, const char *at,
                    struct tree *value)
 {
@@ -66,7 +66,7 @@ static struct tree *parse_unit(struct parse *p, struct tree *value)
     const char *c = skip_blanks(p->end);
     if (c > p->end && p->no_unit && name_length(c) == 1 && strchr(p->no_unit, *c))
         return value;
-    /* Where names alternate with values, "feet" is the name of an effect and not a unit. */
+    /* In a list of names and values, "feet" is the name of an effect and not a unit. */
     if (c > p->end && p->no_unit && is_word(c, "feet"))
         return value;
     if (*c == '%' && value->kind == TREE_NUMBER && quantity_bare(value->value)) {
@@ -237,9 +237,9 @@ static const struct op {
 };
 
 /*
- * Returns the operator at `at`, a position after a value and any blanks, or NULL if there is none. Outside
- * parentheses, '>' is not an operator, because it redirects the answer to a file. A sign with a blank before
- * it and none after it begins another value: "1 -2" is two values.
+ * Returns the operator at `at`, or NULL if there is none. `at` is the position after a value and any blanks.
+ * Outside parentheses, '>' is not an operator, because it redirects the answer to a file. A sign with a blank
+ * before it and none after it begins another value: "1 -2" is two values.
  */
 static const struct op *op_at(const struct parse *p, const char *at)
 {
@@ -256,8 +256,7 @@ static const struct op *op_at(const struct parse *p, const char *at)
     return is_sign || redirects ? NULL : op;
 }
 
-/* Parses a value together with the signs or the 'not' before the value and the exponent after it. -2^2 is
- * -(2^2). */
+/* Parses a value with its exponent, and with the signs or the 'not' before it. -2^2 is -(2^2). */
 static struct tree *parse_factor(struct parse *p)
 {
     const char *at = p->end;
@@ -287,7 +286,7 @@ static struct tree *parse_factor(struct parse *p)
     return t;
 }
 
-/* Parses values joined by operators of the level `least` and of levels that bind more tightly. */
+/* Parses values that are joined by operators of the level `least` or of levels that bind more tightly. */
 static struct tree *parse_chain(struct parse *p, enum level least)
 {
     struct tree *left = parse_factor(p), *last = NULL;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mathematical functions and text conversion for domq_real, the type of the widest arithmetic. quad(sqrt)(x)
- * is the square root of a domq_real. */
+/* Mathematical functions and text conversion for domq_real, the floating-point type of quad precision.
+ * quad(sqrt)(x) is the square root of a domq_real. */
 #ifndef SHELL_QUAD_H
 #define SHELL_QUAD_H
 
@@ -39,11 +39,11 @@ static inline domq_real quad_smaller(domq_real a, domq_real b)
 enum { WIDE_DIGITS = 36, WIDE_TEXT = 48 };
 
 /* Writes a number with `digits` significant digits, as printf does with "%.*g". Returns `text`. The text that
- * quad_text returns lives until the end of the block that contains the call. Messages show 10 digits. */
+ * quad_text returns lives until the end of the block that contains the call. Messages use 10 digits. */
 const char *quad_write(domq_real value, int digits, char text[WIDE_TEXT]);
 #define quad_text(value, digits) quad_write(value, digits, (char[WIDE_TEXT]){""})
 
-/* Like quad_write, but for a growth, with more digits if a growth other than 1 would be rounded to 1. */
+/* Like quad_write, but writes more digits if a growth that is not 1 would be rounded to 1. */
 const char *quad_growth_write(domq_real growth, int digits, char text[WIDE_TEXT]);
 #define quad_growth(growth, digits) quad_growth_write(growth, digits, (char[WIDE_TEXT]){""})
 

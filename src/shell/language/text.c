@@ -13,7 +13,7 @@ static const struct {
     {"∞", "inf"},   {"\xc2\xa0", " "}, {"\xe2\x80\xaf", " "}, {"\xef\xbb\xbf", " "}, /* the byte order mark */
 };
 
-enum { PLAIN_MOST = 5 }; /* the length of "theta" and "omega" */
+enum { PLAIN_MOST = 5 }; /* the length of the longest names, "theta" and "omega" */
 
 /* Returns the ASCII text for the character at the beginning of `typed`, of which `left` bytes remain, and
  * stores the length of the character in bytes in *length. A byte without a replacement is returned unchanged,
@@ -72,7 +72,7 @@ void text_free(struct text *text)
 
 ssize_t text_read(char **line, size_t *size, FILE *in, long *joined)
 {
-    size_t n = 0, begin = 0; /* `begin` is the offset of the last of the joined lines */
+    size_t n = 0, begin = 0; /* the last of the joined lines begins at the offset `begin` */
     int c = 0;
     for (bool has_nul = false; !(has_nul && n > TEXT_MOST);) {
         if (n + 1 >= *size) {

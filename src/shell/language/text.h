@@ -15,11 +15,11 @@
 struct text {
     const char *typed;
     char *line;
+    /* The origin of each byte of `line`, including the terminating NUL byte. NULL if all characters are
+     * ASCII. */
     struct origin {
-        int column; /* the column of the character in `typed`, from 1 */
+        int column; /* the column of the character in `typed`, counted from 1 */
         int offset; /* the offset of the character in `typed`, in bytes */
-        /* where each byte of `line`, including its terminating NUL byte, comes from; NULL if all characters
-         * are ASCII */
     } * origin;
 };
 
@@ -41,7 +41,7 @@ void text_free(struct text *text);
  */
 ssize_t text_read(char **line, size_t *size, FILE *in, long *joined);
 
-/* Appends formatted text to a text in a buffer of `size` bytes, as far as there is room. */
+/* Appends formatted text to `text`, as far as there is room in its buffer of `size` bytes. */
 void text_add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Returns a pointer to the first character at or after c that is not a blank. A newline is not a blank. */
@@ -52,9 +52,9 @@ const char *skip_blanks(const char *c);
 const char *text_quote(const char *c);
 
 /*
- * Returns a pointer to the first character at or after c that is in `ends`, or that is a '#' which begins a
- * comment. Such a '#' is at c itself or follows a blank. Characters in quotes do not count. Returns the end
- * of the text if there is no such character, or if a quote is never closed.
+ * Returns a pointer to the first character at or after c that is in `ends` or begins a comment. A comment
+ * begins with a '#' at c itself or after a blank. Characters in quotes do not count. Returns the end of the
+ * text if there is no such character, or if a quote is never closed.
  */
 const char *text_end(const char *c, const char *ends);
 

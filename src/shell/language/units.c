@@ -14,7 +14,7 @@ struct unit {
     struct quantity is;
 };
 
-/* A quotient of two integers is correctly rounded in any arithmetic, unlike a decimal constant. */
+/* A decimal constant would be rounded to a double, but a quotient of integers has all digits of domq_real. */
 #define PART(n, m) ((domq_real)(n) / (m))
 
 static const struct unit units[] = {
@@ -68,8 +68,8 @@ const char *unit_write(struct quantity q, const char *between, char text[UNIT_TE
     return text;
 }
 
-/* Kinds of quantities, with a name and an example of each kind. If the name is NULL, messages show the unit
- * instead, because it is shorter. */
+/* The kinds of quantities, with a name and an example of each. If the name is NULL, messages show the unit,
+ * which is shorter than a name. */
 static const struct kind {
     struct quantity is;
     const char *name, *example;
@@ -138,7 +138,7 @@ static const char *word_unit(const char *c, size_t length)
 
 static const struct unit *unit_at(const char *c, size_t length, bool first)
 {
-    /* after the first factor, g is the acceleration of gravity */
+    /* after the first factor, g is the acceleration of gravity, and not gram */
     if (!first && length == 1 && (*c == 'g' || *c == 't'))
         return NULL;
     for (const struct unit *u = units; u->name; u++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Quantities: numbers with units, so that it is an error to use a length where an angle is needed. */
+/* Quantities are numbers with units. Units are checked: a length is an error where an angle is needed. */
 #ifndef SHELL_UNITS_H
 #define SHELL_UNITS_H
 
@@ -40,12 +40,13 @@ void quantity_multiply(struct quantity *quantity, struct quantity by, int power)
 struct quantity expression_unit(const char *unit);
 
 /* Writes the unit of a quantity, or "" for a plain number. The base units are separated by `between`: " "
- * gives "m^2 s^-1" for people, and "*" gives "m^2*s^-1", which can be typed after a number. Returns `text`.
+ * gives "m^2 s^-1", for messages, and "*" gives "m^2*s^-1", which can be typed after a number. Returns
+ * `text`.
  */
 enum { UNIT_TEXT = 64 };
 const char *unit_write(struct quantity quantity, const char *between, char text[UNIT_TEXT]);
 
-/* Returns the unit of a quantity for people. The text lives until the end of the block that contains the
+/* Returns the unit of a quantity for messages. The text lives until the end of the block that contains the
  * call. */
 #define expression_unit_text(quantity) unit_write(quantity, " ", (char[UNIT_TEXT]){""})
 

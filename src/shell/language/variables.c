@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The text of a function. Copies of variables share it, since each step of undo holds all variables. */
+/* The text of a function. Copies of a variable share the text, because each step of 'undo' holds copies of
+ * all variables. */
 struct body {
     atomic_size_t users;
     char text[];
