@@ -64,7 +64,7 @@ END
 
 @test "design: what does not fit, and the number that would fit" {
     run -0 "$DOMINO" -e "$wood; design 8 m hall 18 m"
-    same hall "infeasible: the shortest row with safety 2 is 19.59 m long with its last domino fallen; 'hall 19.6 m' is long enough." "$output"
+    same hall "infeasible: the shortest row with safety 2 is 19.59 m long, including its fallen last domino; 'hall 19.6 m' is long enough." "$output"
     same 'hall 19.6 m' 11 "$(json "$wood; design 8 m hall 19.6 m" | values steps)"
     same 'less than that' 1 "$(json "$wood; design 8 m hall 19.58 m" | grep -c infeasible)"
     close shortest 19.591852 "$(json "$wood; design 8 m minimise length" | values length)" 1e-6
@@ -129,7 +129,7 @@ END
     run -0 "$DOMINO" -e "$scene; design 4 m falls 99 % hall 4.5 m"
     grep -qE '^infeasible: no .*(a longer hall may help|or the hall longer)\.$' <<<"$output"
     wrong 'design 1 m falls 90 %' "'falls' needs random errors; first enter 'effect placement 1 mm'"
-    wrong 'design 1 m grid 1 m' 'with a grid of 1 m no gap before domino 2 is narrower than domino 1 is tall, 4.8 cm'
+    wrong 'design 1 m grid 1 m' 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
     run -0 "$DOMINO" -e 'set q hollow; design 8 m boards 1 m'
     grep -q 'rows with safety 2 are possible, but no row with these boards and this grid was found' <<<"$output"
     run -0 "$DOMINO" -e 'effect placement 1 mm; design 1 m falls 90 % boards 40 cm'

@@ -24,7 +24,7 @@ check=$root/tests/derivations/check.py
 @test "explain shows symbols, numbers and the result, one below the other" {
     answer=$("$DOMINO" -e 'explain theta1 0.2')
     for words in '^    theta_1 = theta \+ asin\(X\)    \(12; b8\)$' '^      = 0\.2 \+ asin\(0\.58368\)$' '^      = 0\.823253 rad$' \
-        '^    X = 0\.58368: sine of the angle' '^    slope_1 = a/b    \(14; b10\)$' "'explain theta1 0.2 deep' goes on"; do
+        '^    X = 0\.58368: sine of the angle' '^    slope_1 = a/b    \(14; b10\)$' "'explain theta1 0.2 deep' also shows"; do
         grep -qE "$words" <<<"$answer" || same theta1 "$words" "$answer"
     done
     ! grep -q 'sqrt(1 - X^2)' <<<"$answer"

@@ -23,11 +23,11 @@ scene='set r 1.6; set s 0.45; set q 3; effect row 3; place 3 7.4 cm; effect plac
     wrong "$scene; improve mass 5 kg" "without 'sizes' only gaps change"
     wrong "$scene; improve sizes mass 5 kg" "the masses of this row are not known"
     wrong "$scene; improve sizes hall 9 cm" 'has no room for these dominoes'
-    wrong "$scene; improve grid 1 m" 'with a grid of 1 m no gap before domino 2 is narrower than domino 1 is tall, 4.8 cm'
+    wrong "$scene; improve grid 1 m" 'with a grid of 1 m, the gap before domino 2 cannot be shorter than the height of domino 1, 4.8 cm'
     wrong "$scene; improve sizes boards 1 m" 'no room for dominoes of these boards.*or thinner boards'
     wrong "$scene; effect walls 2 mm; improve sizes boards 3 mm" "no row that falls was found within these limits; enter other values of 'boards'"
     wrong "$scene; set mass 1 kg; improve sizes mass 1 g" "no row that falls was found within these limits.* of 'mass'"
     wrong "$scene; improve sizes boards" "the value of 'boards' is missing"
-    wrong "$scene; improve sizes boards 0" 'a board is a thickness above 0'
+    wrong "$scene; improve sizes boards 0" 'the thickness of a board must be a length above 0'
     wrong "$scene; improve safety 2" "unknown wish 'safety'"
 }

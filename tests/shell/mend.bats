@@ -34,7 +34,7 @@ load common
     mend=$("$DOMINO" -e 'effect row leans.csv; mend')
     sed -n 1p <<<"$mend" | grep -q '^The row needs a push: its first domino touches the second before it tips over\.$'
     push=$(sed -En "2s/^With 'effect push ([0-9.]+)' all fall\.$/\1/p" <<<"$mend")
-    grep -q '^Without another push, the smallest change: widen the gap before domino 2' <<<"$mend"
+    grep -q '^The smallest change, if the push stays as it is: widen the gap before domino 2' <<<"$mend"
     same 'that push' 'all fall' "$(json "effect row leans.csv; effect push $push; verdict" | values verdict)"
     less=$(awk -v push="$push" 'BEGIN { print 0.998 * push }')
     same 'a weaker one' stops "$(json "effect row leans.csv; effect push $less; verdict" | values verdict)"

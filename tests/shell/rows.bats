@@ -46,8 +46,8 @@ END
     verdict=$(json "$scene; verdict")
     same verdict 'stops 2 null' \
         "$(values verdict <<<"$verdict") $(values domino <<<"$verdict") $(values short_by <<<"$verdict")"
-    values reason <<<"$verdict" | grep -q 'farther on friction locks'
-    "$DOMINO" -e "$scene; fall" | grep -q '^The row ends at domino 2 of 2: .*locks, so that no energy is enough\.$'
+    values reason <<<"$verdict" | grep -q 'friction would lock the row'
+    "$DOMINO" -e "$scene; fall" | grep -q '^The row ends at domino 2 of 2: .*lock the row, so no amount of energy is enough\.$'
     "$DOMINO" -e "$scene; fall" | grep -qE '^ +2 .* -$'
     same placement 200 "$(json "$scene; effect placement 1 mm; placement 200" | values rows)"
     "$DOMINO" -e "$scene; mend" | grep -q '^No change of a single gap'

@@ -54,7 +54,7 @@ verdicts() { # COMMANDS...
     said=$("$DOMINO" -e 'effect row 5; tolerance')
     grep -qF 'Place domino 2 between 3.25 cm and 4.64 cm: it has the least room of all, and is at 3.58 cm now.' <<<"$said"
     grep -qE '^Make domino 1 between 4\.07 cm and 7\.75 cm tall' <<<"$said"
-    grep -qE '^All fall with a friction between the dominoes up to 0\.17' <<<"$said"
+    grep -qE '^All fall if the friction between the dominoes is at most 0\.17' <<<"$said"
     grep -qxF 'Set domino 2 up plumb: its top may be off by 1.7 mm backwards or 1.03 cm forwards, the least room of all.' <<<"$said"
     same marks '1 height 2 place' "$(awk '$NF ~ /^(place|height|both)$/ { print $1, $NF }' <<<"$said" | paste -sd ' ' -)"
     exact=$(json 'effect row 5; tolerance' | sed -n 2p)

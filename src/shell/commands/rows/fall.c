@@ -18,7 +18,7 @@ const struct column fall_columns[] = {
     {"energy", "share", "kinetic / barrier; at 100 % the domino just tips over", 6},
     {"floor", "", "friction that feet need while this domino falls (only with 'effect floor')", 5},
     {"floor_hit", "",
-     "friction that feet need in the instant when this domino is hit (only with 'effect floor')", 9},
+     "friction that feet need at the moment when this domino is hit (only with 'effect floor')", 9},
     {"slid", "m", "how far the foot of the domino has slid (negative: backwards) (only with 'effect feet')",
      7},
     {NULL, NULL, NULL, 0},
@@ -27,10 +27,10 @@ const struct column fall_columns[] = {
 const struct column verdict_columns[] = {
     {"verdict", "", "how the row ends: 'all fall', 'stops' or another outcome", 12},
     {"domino", "", "the last domino that is hit", 0},
-    {"short_by", "mgh/2", "the energy that this domino lacks; in J if masses are known", 0},
+    {"short_by", "mgh/2", "the energy that the last domino lacks; in J if masses are known", 0},
     {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
-    {"weakest", "", "the domino with the least energy to spare, of those that go on", 0},
-    {"spare", "share", "the spare energy of this domino, divided by the energy that it needs", 0},
+    {"weakest", "", "the domino with the least energy to spare, among those that tip over", 0},
+    {"spare", "share", "the spare energy of the weakest domino, divided by the energy that it needs", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -66,7 +66,7 @@ static void all_fall_say(struct answer *a, const struct falling *f)
         answer_say(a, "%s%s lies %s after the %s.", fall.text, count == 1 ? ", and" : "; the last",
                    measured(f->run.verdict.seconds, "s", 4).text, pushed ? "push" : "first hit");
     else
-        answer_say(a, "%s, but one almost stops, so that the time of its fall cannot be computed.",
+        answer_say(a, "%s, but one of them almost stops, so the time of its fall cannot be computed.",
                    fall.text);
 }
 
@@ -77,7 +77,8 @@ static const char *end_reason(const struct row_run *run)
     if (run->scene.row.engine && v->end == DOM_ROW_STOPS && run->scene.report.settled.fall.lies)
         return "this domino falls, and the next one stays upright";
     if (!run->scene.row.engine && v->end == DOM_ROW_STOPS && !isfinite(v->short_by))
-        return "its energy is too small, and farther on friction locks, so that no energy is enough";
+        return "its energy is too small, and at a larger tilt friction would lock the row, so no amount of "
+               "energy is enough";
     return dom_row_end_text(v->end);
 }
 
@@ -96,7 +97,7 @@ static void verdict_say(struct answer *a, const struct falling *f)
     weakest_say(a, v);
 }
 
-/* Prints which foot slides the farthest relative to the height of its domino. */
+/* Prints which foot slides farthest relative to the height of its domino. */
 static void slide_say(struct answer *a, const struct scene_row *scene, size_t hits)
 {
     size_t most = 0;
@@ -129,13 +130,13 @@ static void engine_say(struct answer *a, const struct row_run *run)
 
 /* ---- The run ---- */
 
-/* Leaves out the columns that are not needed. For people, energies are percentages, and also in J if masses
- * are known. */
+/* Leaves out the columns that are not needed. A table shows energies as percentages, and also in J if the
+ * masses are known. */
 static void columns_choose(struct answer *a, const struct scene_row *scene, bool weighed)
 {
     if (answer_for_people(a)) {
         answer_leave_out(a, weighed ? "margin" : "kinetic barrier margin");
-        answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine computes no barrier */
+        answer_leave_out(a, scene->row.engine ? "energy" : ""); /* the engine does not compute barriers */
     }
     if (!scene->row.floor)
         answer_leave_out(a, "floor floor_hit");
@@ -187,7 +188,7 @@ static void verdict_row(struct answer *a, const struct row_run *run)
         v->weakest ? cell_count((domq_real)v->weakest) : cell_real(DOMQ_NAN),
         cell_bound(v->spare, DOMQ_NAN)};
     snprintf(reason, sizeof reason, "domino %zu: %s", v->domino, end_reason(run));
-    if (answer_for_people(a)) /* people get the same result in sentences */
+    if (answer_for_people(a)) /* sentences give the result, so the row is not printed */
         answer_keep(a, cells);
     else
         answer_row(a, cells, falls ? NULL : reason);

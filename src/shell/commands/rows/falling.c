@@ -33,7 +33,7 @@ bool row_run(const struct query *query, struct problem *problem, bool timed, str
 {
     if (!row_run_begin(query, problem, run))
         return false;
-    run->scene.row.floor = false; /* no picture shows the friction that feet need */
+    run->scene.row.floor = false; /* pictures do not show the friction that feet need */
     run->fall = calloc(run->scene.row.count, sizeof *run->fall);
     enum dom_status status =
         run->fall ? domq_row_run(&run->scene.row, &run->scene.compute, timed, fall_keep, run, &run->verdict)
@@ -122,27 +122,27 @@ bool row_status(const struct query *query, struct problem *problem, enum dom_sta
     if (status == DOM_NOT_CONVERGED && engine)
         return problem_no_answer(
             problem, "the rigid-body engine cannot decide: this row does not come to rest, or its verdict "
-                     "still changes when the steps become shorter; try a slightly different row");
+                     "still changes when the time steps become shorter; try a slightly different row");
     if (status == DOM_NO_LEAN && engine)
         return problem_no_answer(
             problem,
-            "a domino of this row leans, and the rigid-body engine, which runs the row "
-            "because %s, needs upright ones; turn that off, or enter a row whose file has "
+            "a domino of this row leans, but the rigid-body engine, which is used because %s, needs upright "
+            "dominoes; turn the engine off, or enter a row whose file has "
             "no column lean",
             scene_engine_why(query->scene));
     if (status == DOM_NO_LEAN)
         return problem_no_answer(problem,
-                                 "a domino of this row leans, and rounded edges need upright ones; enter "
+                                 "a domino of this row leans, but rounded edges need upright dominoes; enter "
                                  "'effect edges off', or a row whose file has no column lean and no radius");
-    if (status < DOM_BAD_COUNT ||
-        status > DOM_BAD_MASS) /* the statuses between these two are about the size or mass of a domino */
+    /* The statuses from DOM_BAD_COUNT to DOM_BAD_MASS are about the sizes and masses of dominoes. */
+    if (status < DOM_BAD_COUNT || status > DOM_BAD_MASS)
         return query_status(query, problem, status);
     if (engine)
         return problem_no_answer(problem,
                                  "the dominoes of this row have no size or no mass in double precision");
-    return problem_no_answer(problem,
-                             "the dominoes of this row become larger or smaller than %s precision can hold; "
-                             "use fewer dominoes or a smaller r%s",
-                             domq_arithmetic(precision)->name,
-                             precision == DOM_QUAD ? "" : ", or 'set precision quad'");
+    return problem_no_answer(
+        problem,
+        "the dominoes of this row become larger or smaller than %s precision can represent; "
+        "use fewer dominoes or a smaller r%s",
+        domq_arithmetic(precision)->name, precision == DOM_QUAD ? "" : ", or 'set precision quad'");
 }

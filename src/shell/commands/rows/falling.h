@@ -17,21 +17,21 @@ struct row_run {
     bool timeless; /* a domino almost stops, so later times cannot be computed */
 };
 
-/* Makes the row of the scene without running it. If this fails, sets *problem and returns false; nothing
- * needs to be freed then. */
+/* Makes the row of the scene without running it. On failure, sets *problem and returns false, and nothing
+ * needs to be freed. */
 bool row_run_begin(const struct query *query, struct problem *problem, struct row_run *run);
 void row_run_free(struct row_run *run);
 
 /* Makes the row of the scene for a picture, runs it, and stores every hit. The hits have times only if
- * `timed` is true. If this fails, sets *problem and returns false; nothing needs to be freed then. */
+ * `timed` is true. On failure, sets *problem and returns false, and nothing needs to be freed. */
 bool row_run(const struct query *query, struct problem *problem, bool timed, struct row_run *run);
 
 /* Returns true if domino k, counted from 0, is the first domino and starts the row without a push: it is
  * tipped until it falls by itself. */
 bool row_run_tipped(const struct row_run *run, size_t k);
 
-/* A callback of domq_row_rmax, whose context is a scene. Fills in the row that this scene would have with
- * another growth r, including the measures that the user has changed. */
+/* A callback of domq_row_rmax, whose context is a scene. Fills in the row that the scene would have if its
+ * growth were r, including the measures that the user has changed. */
 void row_grow(domq_real r, struct domq_domino *domino, size_t count, void *scene);
 
 /* ---- Words and numbers ---- */
@@ -54,8 +54,8 @@ struct words energy_words(domq_real share);
 /* Returns a phrase such as "All 8 fall", "Both fall" or "It falls". */
 struct words all_fall_words(size_t count);
 
-/* Returns the energy of a domino just after it is hit, divided by the energy that it needs. Returns NaN if it
- * needs none, or if no energy is enough. */
+/* Returns the energy of a domino just after it is hit, divided by the energy that it needs. Returns NaN if
+ * the domino needs no energy, or if no amount of energy is enough. */
 domq_real fall_share(const struct domq_fall *fall);
 
 /* Prints which domino has the least energy to spare, if this is known. */

@@ -4,7 +4,7 @@
 #include "commands/rows/rows.h"
 #include "language/quad.h"
 
-const char foot_lifted[] = "a domino is lifted off the floor, which no friction prevents";
+const char foot_lifted[] = "a domino is lifted off the floor, and no friction can prevent this";
 
 struct feet feet_begin(const struct query *query)
 {
@@ -39,20 +39,20 @@ static struct words foot_words(const struct slip *slip, bool hit)
 
 static void needs_say(struct answer *a, const struct needs *n, bool hit, domq_real floor)
 {
-    const char *begin = hit ? "In the instant of a hit," : "While dominoes fall,";
+    const char *begin = hit ? "At the moment of a hit," : "While dominoes fall,";
     if (n->most.head == 0)
         return;
     if (isfinite(n->most.needs))
         answer_say(a, "%s feet need a friction of up to %s: the foot %s.", begin,
                    measured(n->most.needs, "", 4).text, foot_words(&n->most, hit).text);
     else
-        answer_say(a, "%s the foot %s, is lifted off, which no friction prevents.", begin,
+        answer_say(a, "%s the foot %s, is lifted off the floor, and no friction can prevent this.", begin,
                    foot_words(&n->most, hit).text);
     if (n->first.head == 0)
-        answer_say(a, "On a floor with a friction of %.4g no foot slips then.", (double)floor);
+        answer_say(a, "On a floor with a friction of %.4g, no foot slips %s.", (double)floor,
+                   hit ? "at a hit" : "while dominoes fall");
     else if (isfinite(n->first.needs))
-        answer_say(a,
-                   "On a floor with a friction of %.4g the foot %s, is the first to slip then; it needs %s.",
+        answer_say(a, "On a floor with a friction of %.4g, the foot %s, is the first to slip; it needs %s.",
                    (double)floor, foot_words(&n->first, hit).text, measured(n->first.needs, "", 4).text);
 }
 
@@ -89,12 +89,12 @@ void feet_say(struct answer *a, const struct feet *feet, size_t count)
 
 const struct column slip_columns[] = {
     {"motion", "", "the friction that feet need while dominoes fall: the largest |R_x| / R_z", 0},
-    {"theta", "rad", "the tilt of the head when they need it", 0},
-    {"domino", "", "the domino whose foot needs it: 0 = head, 1, 2, ... its followers", 0},
+    {"theta", "rad", "the tilt of the head at which feet need this friction", 0},
+    {"domino", "", "the domino whose foot needs this friction: 0 = head, 1, 2, ... its followers", 0},
     {"hit", "", "the friction that feet need in a collision: the largest ratio of impulses", 0},
-    {"hit_domino", "", "the domino whose foot needs it", 0},
-    {"slips", "", "yes if a foot slips while dominoes fall, on the floor of 'effect floor'", 0},
-    {"slips_hit", "", "yes if a foot slips in a collision, on the floor of 'effect floor'", 0},
+    {"hit_domino", "", "the domino whose foot needs this friction in a collision", 0},
+    {"slips", "", "yes if a foot slips while dominoes fall on the floor of 'effect floor'", 0},
+    {"slips_hit", "", "yes if a foot slips in a collision on the floor of 'effect floor'", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -114,7 +114,7 @@ bool run_slip(const struct query *query, struct answer *a, struct problem *probl
     if (!floor->on)
         answer_say(a, "'effect floor 0.5' sets the friction of the floor; 'fall' then checks a row.");
     else
-        answer_say(a, "On a floor with a friction of %.4g %s while dominoes fall, and %s in a collision.",
+        answer_say(a, "On a floor with a friction of %.4g, %s while dominoes fall, and %s in a collision.",
                    (double)floor->value[0], slips ? "feet slip" : "no foot slips",
                    slips_hit ? "feet slip" : "no foot slips");
     if (floor->on && (slips || slips_hit))

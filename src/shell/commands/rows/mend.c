@@ -7,9 +7,9 @@
 
 const struct column mend_columns[] = {
     {"domino", "", "number of the domino after the gap", 6},
-    {"gap", "m", "the gap as it is", 12},
+    {"gap", "m", "the present gap", 12},
     {"to", "m", "the nearest gap with which all fall", 12},
-    {"until", "m", "all fall with gaps from 'to' to this one", 12},
+    {"until", "m", "all fall with every gap between 'to' and 'until'", 12},
     {"change", "m", "to - gap", 12},
     {"relative", "share", "change / gap", 10},
     {NULL, NULL, NULL, 0},
@@ -30,9 +30,9 @@ static enum dom_status push_say(struct answer *a, const struct scene_row *scene,
         return status;
     answer_say(a, v->end == DOM_ROW_LEANS
                       ? "The row needs a push: its first domino touches the second before it tips over."
-                      : "The row needs a stronger push: with this one its first domino does not tip over.");
+                      : "The row needs a stronger push: with this push, its first domino does not tip over.");
     if (isnan(push))
-        answer_say(a, "No push alone saves this row; enter 'effect push on', then 'mend' again.");
+        answer_say(a, "No push is enough to save this row; enter 'effect push on', and then 'mend' again.");
     else
         answer_say(a, "With 'effect push %.4g' all fall.", (double)push);
     return DOM_OK;
@@ -44,7 +44,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
 {
     const struct measured to = measured(m->to, "m", 7);
     answer_say(a, "%s %s the gap before domino %zu by %s, from %s to %s.",
-               needs_push ? "Without another push, the smallest change:" : "The smallest change:",
+               needs_push ? "The smallest change, if the push stays as it is:" : "The smallest change:",
                m->to < m->gap ? "narrow" : "widen", m->domino,
                measured(quad(fabs)(m->to - m->gap), "m", 3).text, measured(m->gap, "m", 5).text, to.text);
     answer_say(a, "'place %zu %s' is just enough.", m->domino, to.text);
@@ -59,7 +59,7 @@ static void mend_say(struct answer *a, const struct domq_mend *m, bool needs_pus
                measured(room, "m", 4).text, measured(quad(fabs)(room - m->to), "m", 2).text);
 }
 
-/* Prints the changes that were found and, for people, how to make the smallest one. */
+/* Prints the changes that were found, and sentences on how to make the smallest one. */
 static void mends_answer(struct answer *a, const struct domq_mend *list, size_t found,
                          const struct domq_verdict *v, size_t count)
 {

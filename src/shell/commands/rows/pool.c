@@ -29,11 +29,11 @@ static const struct column block_columns[] = {
     {"of", "", "number of rows in the whole study", 8},
     {"first", "", "number of the first row of this block, from 1", 8},
     {"rows", "", "number of rows in this block", 4},
-    {"fall", "", "number of these rows that fall completely", 4},
-    {"unknown", "", "number of these rows that the model cannot decide", 7},
-    {"stops", "", "dominoes at which the other rows stop, each with the number of rows", 20},
+    {"fall", "", "number of rows in this block that fall completely", 4},
+    {"unknown", "", "number of rows in this block that the model cannot decide", 7},
+    {"stops", "", "dominoes at which other rows stop, each with the number of rows", 20},
     {"errors", "", "the errors of the rows", 20},
-    {"without", "", "for each error: how many rows fall without it, and where they stop because of it", 20},
+    {"without", "", "for each error: how many rows fall without the error, and where they stop with it", 20},
     {NULL, NULL, NULL, 0},
 };
 
@@ -86,8 +86,9 @@ static int stops_text(const size_t *stops, size_t count, const char *prefix, cha
     return n;
 }
 
-/* Writes how many rows stop because of each kind of error. For example, "gap:98 gap@5:1" means that 98 rows
- * fall if the gaps have no errors, and that one of these 98 stops at domino 5 if the gaps have errors. */
+/* Writes for each kind of error how many rows fall without it, and where these rows stop with it. For
+ * example, "gap:98 gap@5:1" means that 98 rows fall if the gaps have no errors, and that one of these 98
+ * stops at domino 5 if the gaps have errors. */
 static void without_text(const struct study *study, char text[WITHOUT_TEXT])
 {
     text[0] = '\0';
@@ -168,7 +169,7 @@ enum {
     FIELDS
 };
 
-_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a table of blocks has room for its columns");
+_Static_assert((int)FIELDS <= (int)CSV_COLUMNS_MOST, "a csv table can have all columns of a block");
 
 #define BLOCKS "'domino --shard I/N' with 'set output csv' writes blocks of a study"
 #define NUMBER CSV_REQUIRED, "", "none", "", BLOCKS, 0

@@ -209,8 +209,8 @@ struct changing {
     struct row_range range[];
 };
 
-/* Checks the unit of the value, and finds from the value how the measure changes. On failure, sets *problem
- * and returns false. */
+/* Checks the unit of the value, and decides whether the value replaces the old one, is added to it, or
+ * multiplies it. On failure, sets *problem and returns false. */
 static bool value_bind(const struct change_parsed *parsed, const struct quantity *value,
                        struct row_change *change, struct problem *problem)
 {
@@ -386,7 +386,7 @@ const struct command row_commands[] = {
          "is off plumb, or an angle; a negative lean is backwards). X is the new value. An X with a sign is "
          "added to the old value, as in 'change 4 gap +1 cm', or changes it by a share, as in 'change 4,5 "
          "thickness +10 %'. 'change 4 lean = -2 mm' sets a negative value. A domino that becomes taller or "
-         "thicker keeps the gaps beside it and its density, so that it becomes heavier. The change lasts "
+         "thicker keeps the gaps beside it and its density, so it becomes heavier. The change lasts "
          "until another row is entered; 'save FILE' and 'row > FILE.csv' keep it.",
      .example = "effect row 5; change 2,3 thickness +10 %; change 3-5 gap 25 mm; verdict",
      .see = "row place mend tolerance",

@@ -15,19 +15,20 @@ bool run_tolerance(const struct query *query, struct answer *a, struct problem *
 bool run_pool(const struct query *query, struct answer *a, struct problem *problem);
 bool run_slip(const struct query *query, struct answer *a, struct problem *problem);
 
-/* The friction that the floor must have so that the foot of a domino does not slip while the head falls or is
- * hit. This domino is often not the head itself. */
+/* The friction that the floor must have so that the foot of `domino` does not slip while `head` falls, or
+ * when it is hit. `domino` is often not the head itself. */
 struct slip {
-    domq_real needs;     /* the friction; infinite if the domino is lifted off the floor */
-    size_t domino, head; /* numbers from 1; head is 0 if no foot slips */
+    domq_real needs;     /* infinite if the domino is lifted off the floor */
+    size_t domino, head; /* numbers of dominoes, from 1; head is 0 if no foot slips */
 };
 
-/* The friction that the feet of a row need, and the friction of the floor on which they stand. */
+/* The friction that the feet of a row need while dominoes fall and at the moment of a hit, and the friction
+ * of the floor on which they stand. */
 struct feet {
     domq_real floor;
     struct needs {
         struct slip most, first; /* the foot that needs the most friction, and the first foot that slips */
-    } motion, hit;               /* while dominoes fall, and at the moment of a hit */
+    } motion, hit;
 };
 
 /* feet_begin takes the friction of the floor from the scene. The caller then calls feet_add for each domino
@@ -56,8 +57,8 @@ struct study {
 bool study_run(const struct query *query, struct problem *problem, size_t rows, struct domq_study *study,
                struct domq_error error[DOM_ERROR_COUNT]);
 
-/* Runs a study. If the rows have several kinds of errors, also finds what each kind costs. The caller frees
- * study->stops, even after a failure. */
+/* Runs a study. If the rows have several kinds of errors, also counts how many rows would fall without each
+ * kind. The caller frees study->stops, even after a failure. */
 enum dom_status study_make(const struct domq_row *row, const struct domq_compute *compute,
                            const struct domq_placement *placement, struct study *study);
 
@@ -80,11 +81,11 @@ enum { WINDOW_KINDS = DOM_WINDOW_THICKNESS + 1 };
 struct windows {
     const struct scene_row *scene;
     size_t count; /* the number of dominoes */
-    /* For each kind of window, in the order of enum dom_window_of, the windows of all dominoes. There is only
-     * one window of friction, which is the first element. */
+    /* The windows of all dominoes, for each kind of window in the order of enum dom_window_of. The friction
+     * between dominoes has a single window, which is the first element. */
     struct domq_window *kind[WINDOW_KINDS];
-    /* For each kind, the number of the domino with the least room, or 0. If the row does not fall, it is the
-     * domino that needs the smallest change. */
+    /* The number of the domino with the least room for each kind of window, or 0 if there is no window. If
+     * the row does not fall, the number of the domino that needs the smallest change. */
     size_t first[WINDOW_KINDS];
     bool falls;
 };

@@ -16,8 +16,8 @@ struct trials {
     struct task_pool pool;
 };
 
-/* Makes the row and the parameters of its random errors. If this fails, sets *problem and returns false;
- * nothing needs to be freed then. */
+/* Makes the row and the parameters of its random errors. On failure, sets *problem and returns false, and
+ * nothing needs to be freed. */
 static bool trials_make(const struct query *query, struct problem *problem, domq_real rows, bool progress,
                         struct trials *t)
 {
@@ -89,9 +89,9 @@ static bool run_placement(const struct query *query, struct answer *a, struct pr
 
 static const struct column budget_columns[] = {
     {"probability", "share", "the share of the rows that fall completely", 0},
-    {"sigma", "m", "the standard deviation of the gaps at which this share falls", 0},
+    {"sigma", "m", "the standard deviation of the gaps for this probability", 0},
     {"low", "m", "the lower end of the 95 % interval of sigma", 0},
-    {"high", "m", "the upper end of this interval; more rows make it narrower", 0},
+    {"high", "m", "the upper end of the 95 % interval of sigma; more rows make it narrower", 0},
     {"rows", "", "the number of rows that were set up at each sigma", 0},
     {"scaled", "", "the error whose size is sigma, or 'all' if sigma multiplies all errors", 0},
     {NULL, NULL, NULL, 0},
@@ -133,7 +133,8 @@ struct budget_call {
     enum dom_error_of kind; /* DOM_ERROR_COUNT for all errors */
 };
 
-/* Returns the size of an error in its unit or, for a budget of all errors, the factor for them. */
+/* Returns the size of an error with its unit. For a budget of all errors, the size is a factor without a
+ * unit. */
 static struct measured size_words(const struct budget_call *call, domq_real size)
 {
     const char *unit = error_unit((int)call->kind);
@@ -160,8 +161,8 @@ static void precision_say(const struct budget_call *call, domq_real size, char *
                  uniform ? "uniform limits" : "one standard deviation");
 }
 
-/* Runs a study with the size of the budget, rounded to two digits, and prints how precise the row must be and
- * how many rows then fall. */
+/* Runs a study with the error size of the budget, rounded to two digits. Prints how precise the row must be,
+ * and how many rows then fall. */
 static enum dom_status budget_say(struct answer *a, const struct budget_call *call,
                                   const struct domq_budget *budget)
 {
@@ -192,7 +193,7 @@ static void interrupted_say(struct answer *a, const struct budget_call *call, co
 {
     const bool open = !isfinite(b->high);
     const bool all = call->kind == DOM_ERROR_COUNT;
-    answer_say(a, "Interrupted: with %s%s%s at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
+    answer_say(a, "Interrupted: with %s%s%s, at least %s rows fall%s%s.", all ? "all errors " : "errors of ",
                size_words(call, two_digits(b->sigma)).text, all ? " times as large" : "",
                share_words(call->share).text,
                open ? "; how many fall with larger errors is not known" : ", and fewer with ",
@@ -207,9 +208,9 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
         others = others || (k != (int)call->kind && call->trials->placement.error[k].size > 0);
     return problem_no_answer(problem,
                              others
-                                 ? "even without the error of the %s fewer rows fall than P asks for; "
+                                 ? "even without the error of the %s, fewer rows fall than P asks for; "
                                    "enter a smaller P, or make the other errors smaller"
-                                 : "even with an exact %s the row does not fall; 'mend' finds a change that "
+                                 : "even with an exact %s, the row does not fall; 'mend' finds a change that "
                                    "saves it",
                              call->kind < DOM_ERROR_COUNT ? error_names(NULL, (int)call->kind) : "row");
 }
@@ -218,7 +219,7 @@ static bool budget_none(struct problem *problem, const struct budget_call *call)
 static bool budget_check(const struct query *query, const struct trials *t, enum dom_error_of kind,
                          struct problem *problem)
 {
-    struct scene with = *query->scene; /* the copy borrows the row */
+    struct scene with = *query->scene; /* the dominoes still belong to query->scene */
     if (kind == DOM_ERROR_COUNT)
         return t->has_errors ||
                problem_error(problem, "there are no errors to scale; first enter some, such as 'effect "
@@ -241,7 +242,7 @@ static void budget_row(struct answer *a, const struct budget_call *call, const s
             answer_describe(a, budget_columns[i].key, error_unit((int)call->kind), NULL);
     if (call->kind != DOM_ERROR_gap)
         answer_describe(a, "sigma", NULL,
-                        "the size of the error, or the factor for all errors, at which this share falls");
+                        "the size of the error, or the factor for all errors, for this probability");
     else if (answer_for_people(a))
         answer_leave_out(a, "scaled");
     answer_row(a,
@@ -267,7 +268,8 @@ static bool run_budget(const struct query *query, struct answer *a, struct probl
                              "P = %s is out of range; P is a probability between 0 and 1, such as 0.9",
                              quad_text(call.share, 10));
     if (!trials_make(query, problem, given->count > 1 ? given->number[1] : 1000,
-                     false /* the number of studies that the search takes is not known */, &t))
+                     false /* no progress is shown, because the number of studies is not known in advance */,
+                     &t))
         return false;
     bool good = budget_check(query, &t, call.kind, problem);
     enum dom_status status = good ? domq_placement_budget(&t.scene.row, &t.scene.compute, &t.placement,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs a study of random rows, and prints its answer: how many rows fall, where the others stop, and what
- * each kind of error costs. */
+/* Runs a study of random rows, and prints its answer: how many rows fall, where the others stop, and how many
+ * would fall without each kind of error. */
 #include "commands/rows/rows.h"
 #include "language/text.h"
 #include "session/random_errors.h"
@@ -13,8 +13,8 @@ const struct column placement_columns[] = {
     {"fall", "", "the number of rows that fall completely", 0},
     {"probability", "share", "fall / rows", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
-    {"high", "share", "the upper end of this interval", 0},
-    {"unknown", "", "the number of rows that the model cannot decide; they widen the interval", 0},
+    {"high", "share", "the upper end of the 95 % interval of the probability", 0},
+    {"unknown", "", "the number of rows that the model cannot decide, which widen the interval", 0},
     {"stops_most", "", "the domino at which most of the failed rows stop", 0},
     {"errors", "", "all errors of the rows, each with its size", 0},
     {"costs_most", "", "the error that makes the most rows fail, if there are several errors", 0},
@@ -49,9 +49,9 @@ enum dom_status study_make(const struct domq_row *row, const struct domq_compute
                : domq_placement_study(row, compute, p, &study->counts, study->stops);
 }
 
-/* Steps through an array of counts from the largest to the smallest, and leaves out counts of 0. Returns the
- * index that follows `last` in this order, the first index if `last` is `count`, or `count` if no index is
- * left. */
+/* Steps through an array of counts from the largest to the smallest, and skips counts of 0. Returns the index
+ * that follows `last` in this order, or the first index if `last` is `count`. Returns `count` after the last
+ * index. */
 static size_t most_next(const size_t *number, size_t count, size_t last)
 {
     size_t next = count;
@@ -68,7 +68,7 @@ static size_t most_next(const size_t *number, size_t count, size_t last)
  * DOM_ERROR_COUNT after the last kind. */
 static int cause_next(const struct study *s, int last)
 {
-    size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind that is left out */
+    size_t cost[DOM_ERROR_COUNT]; /* 0 for a kind of error that is off */
     for (int k = 0; k < DOM_ERROR_COUNT; k++)
         cost[k] = s->causes && s->is_on[k] ? s->without[k] + 1 : 0;
     return (int)most_next(cost, DOM_ERROR_COUNT, (size_t)last);
@@ -82,7 +82,7 @@ static size_t cause_stops(const struct study *s, int kind)
     return most < s->count ? most + 1 : 0;
 }
 
-/* Prints what each kind of error costs. */
+/* Prints how many rows would fall without each kind of error. */
 static void causes_say(struct answer *a, const struct study *s)
 {
     static const char *const names[] = {
@@ -105,13 +105,13 @@ static void causes_say(struct answer *a, const struct study *s)
     const char *it = worst < DOM_ERROR_friction ? "them" : "it";
     const size_t domino = cause_stops(s, worst);
     for (int k = cause_next(s, worst); k < DOM_ERROR_COUNT; k = cause_next(s, k))
-        text_add(others, sizeof others, *others ? ", without %s %zu" : "Without %s %zu would fall", names[k],
-                 s->without[k]);
+        text_add(others, sizeof others, *others ? "; without %s, %zu" : "Without %s, %zu would fall",
+                 names[k], s->without[k]);
     if (domino > 0)
-        snprintf(stops, sizeof stops, "; because of %s most rows stop at domino %zu", it, domino);
+        snprintf(stops, sizeof stops, "; because of %s, most rows stop at domino %zu", it, domino);
     if (s->without[worst] > s->counts.fall)
-        answer_say(a, "Most rows are lost to %s: without %s %zu of %zu would fall%s. %s.", names[worst], it,
-                   s->without[worst], s->counts.rows, stops, others);
+        answer_say(a, "Most rows are lost to %s: without %s, %zu of %zu rows would fall%s. %s.", names[worst],
+                   it, s->without[worst], s->counts.rows, stops, others);
     else
         answer_say(a, "Leaving out any one of the errors would not make more of these rows fall.");
 }
@@ -135,7 +135,7 @@ void study_answer(struct answer *a, const struct study *s, const char *reason)
     if (*text)
         answer_say(a, "The others stop at domino %s.", text);
     causes_say(a, s);
-    if (answer_for_people(a)) /* people read the same numbers in sentences */
+    if (answer_for_people(a)) /* sentences give the values of these columns */
         answer_leave_out(a, "errors costs_most without stops_there");
     const size_t there = costs ? cause_stops(s, worst) : 0;
     answer_row(a,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command tolerance, which finds how far each domino of a row may differ from its place, its size and its
- * upright position while all dominoes still fall. */
+/* The command tolerance, which finds how far the position, the size and the lean of each domino in a row may
+ * deviate while all dominoes still fall. */
 #include "commands/rows/rows.h"
 #include "io/terminal.h"
 #include "language/quad.h"
@@ -12,24 +12,28 @@
 const struct column tolerance_columns[] = {
     {"domino", "", "number of the domino, from 1", 6},
     {"place", "m", "position of the domino: from the back of domino 1 to the back of this one", 8},
-    {"from", "m", "the smallest place with which all fall, if only this domino moves", 8},
-    {"to", "m", "the largest such place", 8},
+    {"from", "m", "the smallest position at which all fall, if only this domino moves", 8},
+    {"to", "m", "the largest position at which all fall, if only this domino moves", 8},
     {"gap", "m", "free distance to the domino before it", 8},
     {"gap_low", "m", "the smallest gap at which all fall, if all dominoes after the gap move with it", 8},
-    {"gap_high", "m", "the largest such gap", 8},
+    {"gap_high", "m", "the largest gap at which all fall, if all dominoes after the gap move with it", 8},
     {"height", "m", "height of the domino", 8},
     {"height_low", "m", "the smallest height with which all fall", 10},
-    {"height_high", "m", "the largest such height; the search ends at 4 times the height now", 11},
+    {"height_high", "m",
+     "the largest height with which all fall; the search ends at 4 times the present height", 11},
     {"thickness", "m", "thickness of the domino", 8},
     {"thickness_low", "m", "the smallest thickness with which all fall", 10},
-    {"thickness_high", "m", "the largest such thickness; the search ends at 4 times the thickness now", 11},
+    {"thickness_high", "m",
+     "the largest thickness with which all fall; the search ends at 4 times the present thickness", 11},
     {"lean", "m", "how far the top of the domino is off plumb when it is set up", 8},
     {"lean_low", "m", "the smallest lean with which all fall (negative: backwards)", 8},
-    {"lean_high", "m", "the largest such value", 9},
+    {"lean_high", "m", "the largest lean with which all fall (negative: backwards)", 9},
     {"friction_low", "", "the smallest friction between dominoes with which all fall", 8},
-    {"friction_high", "", "the largest such friction; the search ends at 2, or at 4 times the friction now",
+    {"friction_high", "",
+     "the largest friction between dominoes with which all fall; the search ends at 2, or at 4 times the "
+     "present friction",
      8},
-    {"first", "", "what has the least room of all at this domino: 'place', 'height' or 'both'", 6},
+    {"first", "", "whether this domino has the least room of all: in its 'place', its 'height' or 'both'", 6},
     {NULL, NULL, NULL, 0},
 };
 
@@ -42,12 +46,9 @@ static domq_real room(const struct domq_window *w)
     return quad_smaller(w->now - w->low, w->high - w->now);
 }
 
-/*
- * Returns the number of the domino whose current value is closest to an end of its window, or 0 if there is
- * no window. If the row falls, this domino has the least room; if the row does not fall, this domino needs
- * the smallest change. Distances are compared as they are, except for heights and thicknesses, where they are
- * divided by the value.
- */
+/* Returns the number of the domino whose current value is closest to an end of its window, or 0 if there are
+ * no windows. This domino has the least room if the row falls, and needs the smallest change if it does not.
+ * Distances from the end are divided by the current value for heights and thicknesses. */
 static size_t least_room(const struct windows *w, enum dom_window_of kind)
 {
     domq_real least = DOMQ_NAN;
@@ -78,7 +79,7 @@ struct search {
     struct windows *windows;
     enum dom_status status[KINDS];
     atomic_size_t done; /* the number of windows found so far */
-    bool is_muted;      /* progress is muted in the thread that has started the search */
+    bool is_muted;      /* progress output is muted in the thread that started the search */
 };
 
 static void search_progress(size_t done, size_t of, void *context)
@@ -144,9 +145,10 @@ enum dom_status windows_find(const struct query *query, const struct scene_row *
     return status;
 }
 
-/* ---- For people: rounded inwards ---- */
+/* ---- Sentences, with windows rounded inwards ---- */
 
-/* Rounds both ends of a window inwards, by at most a hundredth of its width, so that they have few digits. */
+/* Rounds both ends of a window inwards so that they have few digits. An end moves by at most a hundredth of
+ * the width of the window. */
 static struct domq_window readable(const struct domq_window *w)
 {
     struct domq_window r = *w;
@@ -172,18 +174,16 @@ static void friction_say(struct answer *a, const struct windows *w)
     const struct measured now = measured(f.now, "", DIGITS_NOW);
     char range[2 * CELL_TEXT] = "";
     if (f.low > 0)
-        snprintf(range, sizeof range, "from %s ", measured(f.low, "", DIGITS).text);
-    text_add(range, sizeof range, "up to %s", measured(f.high, "", DIGITS).text);
+        snprintf(range, sizeof range, "at least %s and ", measured(f.low, "", DIGITS).text);
+    text_add(range, sizeof range, "at most %s", measured(f.high, "", DIGITS).text);
     if (isnan(f.low))
-        answer_say(
-            a, "No other value of the friction between the dominoes saves this row; the friction is %s now.",
-            now.text);
+        answer_say(a, "No other friction between the dominoes saves this row; it is %s now.", now.text);
     else if (!w->falls)
-        answer_say(a, "With a friction between the dominoes %s all would fall; it is %s now.", range,
+        answer_say(a, "All would fall if the friction between the dominoes were %s; it is %s now.", range,
                    now.text);
     else
-        answer_say(a, "All fall with a friction between the dominoes %s%s; it is %s now.", range,
-                   f.above == DOM_ROW_FALLS ? " (more is not tried)" : "", now.text);
+        answer_say(a, "All fall if the friction between the dominoes is %s%s; it is %s now.", range,
+                   f.above == DOM_ROW_FALLS ? " (larger values are not tried)" : "", now.text);
 }
 
 /* Returns a phrase such as "1.7 mm backwards" or "2 mm forwards". */
@@ -218,8 +218,8 @@ static void lean_say(struct answer *a, const struct windows *w)
                    off_plumb(l.now, DIGITS_NOW).text);
 }
 
-/* Prints how many windows of heights may really be wider, because they end where the search or the model
- * ends. */
+/* Prints how many windows of heights end only because the search stops there, or because the model does not
+ * cover taller dominoes. Such windows may be wider in reality. */
 static void heights_say(struct answer *a, const struct windows *w)
 {
     size_t open = 0, passing = 0;
@@ -256,9 +256,9 @@ static void place_change_say(struct answer *a, const struct windows *w, size_t k
 static const char *const size_names[] = {
     [DOM_WINDOW_GAP] = "gap", [DOM_WINDOW_HEIGHT] = "height", [DOM_WINDOW_THICKNESS] = "thickness"};
 
-/* Writes the command that changes the measure of domino k to the middle of its window. If the row does not
- * fall, the value is a third of the way into the window, as in 'mend', because a smaller change is better.
- */
+/* Writes the 'change' command that puts the gap, height or thickness of domino k into the middle of its
+ * window. If the row does not fall, the command goes only a third of the way into the window, as 'mend' does,
+ * because a smaller change is better. */
 static void change_say(struct answer *a, const struct windows *w, enum dom_window_of kind, size_t k)
 {
     const struct domq_window *of = &w->kind[kind][k - 1];
@@ -266,7 +266,7 @@ static void change_say(struct answer *a, const struct windows *w, enum dom_windo
                     far = of->now < of->low ? of->high : of->low,
                     value = w->falls ? (near + far) / 2 : near + (far - near) / 3;
     answer_say(a, "'change %zu %s %s' %s.", k, size_names[kind], measured(value, "m", 4).text,
-               w->falls ? "is in the middle" : "saves the row");
+               w->falls ? "sets the middle of this range" : "saves the row");
 }
 
 /* Prints the window of the domino whose height or thickness has the least room, if there is one. */
@@ -319,11 +319,11 @@ enum { COLUMN_KINDS = sizeof column_kinds / sizeof *column_kinds };
 
 static void columns_choose(struct answer *a, const struct windows *w)
 {
-    if (answer_for_people(a)) /* in output for people, sentences describe the other windows */
+    if (answer_for_people(a)) /* sentences describe the windows of these columns */
         answer_leave_out(a, "place gap height lean lean_low lean_high friction_low friction_high "
                             "thickness thickness_low thickness_high");
     for (size_t k = 0; k < w->count; k++)
-        for (int i = 0; i < COLUMN_KINDS; i++) { /* gives both ends of a window the same unit */
+        for (int i = 0; i < COLUMN_KINDS; i++) { /* so that both ends of a window have the same unit */
             domq_real high = w->kind[column_kinds[i]][k].high;
             answer_largest(a, tolerance_columns[3 * i + 2].key, high);
             answer_largest(a, tolerance_columns[3 * i + 3].key, high);
