@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Derivations: where a number comes from. A derivation is data. Each quantity has its equation as a text
- * that the expression parser reads, and a second text that computes the same number with the library. The
- * program shows the library's number. A test evaluates the equations, and compares the two numbers.
- */
+/* Derivations show where a number comes from. Each quantity has its equation as a text for the expression
+ * parser, and a second text that computes the same number with the library. The program shows the number of
+ * the library. A test evaluates the equations, and compares the two numbers. */
 #ifndef SHELL_DERIVATION_H
 #define SHELL_DERIVATION_H
 
@@ -23,7 +21,7 @@ enum {
 };
 
 /* Some quantities are sums over all dominoes i. The equation of such a quantity gives the term of one domino,
- * and enum sum tells at which tilt of the head the sum is taken. */
+ * and enum sum tells at which tilt of the head the sum is evaluated. */
 enum sum {
     SUM_NONE,
     SUM_LAUNCH, /* the tilt 0 */
@@ -36,18 +34,20 @@ struct symbol_names {
     const char *text[FORMULA_STYLES];
 };
 
-/* A quantity, and how it follows from other quantities. Several entries of the list may have the same name:
- * the first entry whose conditions the train fulfils is used. */
+/* A quantity, and how it follows from other quantities. If several entries of the list have the same name,
+ * the first one whose conditions the train fulfils is used. */
 struct derived {
     struct symbol_names names;
-    unsigned with; /* conditions, as bits */
-    unsigned ends; /* conditions: if any of them holds, there is no equation, and the derivation ends */
+    unsigned with; /* the conditions under which this entry is used, as bits */
+    unsigned ends; /* the conditions, as bits, each of which means that the equation does not hold; the
+                      derivation then ends */
     enum sum sum;
-    const char *equation; /* NULL if there is no equation in closed form; the derivation ends here */
+    const char *equation; /* NULL if there is no equation in closed form, so that the derivation ends with
+                             this quantity */
     /* Where the number comes from: '$' followed by the name of a parameter or effect, '#' followed by the
      * name of a member of struct domq_fall, or an expression that computes the number with the library. In
-     * the expression, '@' stands for the value that the user typed after the question. NULL if the number
-     * differs from term to term of a sum. */
+     * the expression, '@' stands for the value that the user typed after the question. This member is NULL
+     * for a quantity that differs from term to term of a sum. */
     const char *library;
     const char *unit;
     const char *number; /* the number and the label of the equation in the paper, or "" */
@@ -56,16 +56,15 @@ struct derived {
 };
 extern const struct derived derived_list[];
 
-/* A question, and the quantities that answer it. */
+/* A question of the command explain, and the quantities that answer it. */
 struct explained {
     const char *name;
     const char *value; /* which value follows the question, "theta", "s" or "H"; NULL if none does */
-    const char *roots; /* names of quantities, with blanks between them */
+    const char *roots; /* the names of these quantities, with blanks between them */
 };
 extern const struct explained explained_list[];
 
-/* Lists the names of the questions, and after them the names of the quantities, in the form that names.h
- * expects. */
+/* A names_list of the questions. */
 const char *explained_names(const void *context, int k);
 
 /* ---- A derivation ---- */
@@ -75,15 +74,16 @@ enum { STEPS_MOST = 40, NEEDS_MOST = 10, TERMS_SHOWN = 3 };
 /* One number in a derivation. */
 struct step {
     const struct derived *derived;
-    const char *name;                  /* derived->names.text[FORMULA_PLAIN] */
-    const char *number, *unit, *words; /* as in `derived`, but adapted to the train */
-    const struct tree *tree;           /* the parsed equation, or NULL */
+    const char *name; /* derived->names.text[FORMULA_PLAIN] */
+    const char *number, *unit,
+        *words;              /* the members of `derived` with the same names, adapted to the train */
+    const struct tree *tree; /* the parsed equation, or NULL */
     const struct step *needs[NEEDS_MOST];
     int count;       /* of `needs` */
     domq_real value; /* the number that the library computes; NaN if there is none */
     domq_real *term; /* the values of the terms if the step is a sum */
     size_t terms;
-    int depth; /* 0 for a quantity that answers the question */
+    int depth; /* the number of equations from the answer to this quantity; 0 for the answer itself */
 };
 
 struct derivation {
@@ -98,11 +98,11 @@ struct derivation {
     const char *energy_unit;      /* the unit of the energies in `fall` */
     struct step step[STEPS_MOST];
     int count;
-    /* The tilts and slopes of the dominoes at launch, and at the head's tilt for the current sum. */
+    /* The tilts and slopes of all dominoes: at launch, and when the head has the tilt of the current sum. */
     struct chain {
         struct domq_link *link;
         size_t count, room;
-        bool failed; /* there was no memory for another link */
+        bool failed; /* memory ran out, so the chain is incomplete */
     } launch, at;
     size_t i; /* index of the domino whose term is being computed */
 };
@@ -125,9 +125,9 @@ struct explain_bound {
     bool deep;
 };
 
-/* Writes a derivation for people or, if the answer goes to a lesson file, as a lesson. The text begins with
- * the sentence `verdict` unless `verdict` is "". Sets *problem and returns false if pdflatex is needed and
- * fails. */
+/* Writes a derivation as text or, if the answer goes to a .md, .tex or .pdf file, as a lesson. The text
+ * begins with the sentence `verdict` unless `verdict` is "". Sets *problem and returns false if pdflatex is
+ * needed and fails. */
 bool explain_write(struct answer *answer, const struct derivation *derivation,
                    const struct explained *explained, const struct explain_bound *bound, const char *verdict,
                    struct problem *problem);

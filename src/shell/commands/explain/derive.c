@@ -10,7 +10,7 @@
 
 /* ---- The numbers of the library ---- */
 
-/* Replaces '@' in a text by a number. */
+/* Copies a text, and replaces '@' by a number. */
 static void fill_in(const char *text, domq_real number, char *filled, size_t size)
 {
     char digits[WIDE_TEXT];
@@ -32,8 +32,8 @@ static domq_real fall_value(const struct domq_fall *fall, const char *name)
                                           : fall->kinetic + fall->lost;
 }
 
-/* Finds the number that the member `library` of a quantity describes. The result is NaN if the number does
- * not exist. On failure, sets *problem and returns false. */
+/* Finds the number that the member `library` of struct derived describes. The result is NaN if the number
+ * does not exist. On failure, sets *problem and returns false. */
 static bool library_value(struct derivation *d, const char *expression, domq_real *value)
 {
     char text[256];
@@ -100,9 +100,8 @@ static bool chain_add(const struct domq_link *link, void *context)
     return true;
 }
 
-/* Fills both chains with the tilts and slopes of all dominoes that matter: one when the head has this tilt,
- * and one at launch. Both end with the same number of dominoes at theta_f, which have detached or lie at the
- * end of the train, and whose terms are 0. */
+/* Fills d->at with the tilts and slopes of the dominoes when the head has this tilt, and d->launch with those
+ * at launch. Both chains get the same length: they end with dominoes at theta_f, whose terms are 0. */
 static enum dom_status chains_fill(struct derivation *d, domq_real tilt)
 {
     const struct scene *scene = &d->state->scene;
@@ -151,7 +150,7 @@ static bool sum_value(struct derivation *d, struct step *s)
 
 static struct step *step_add(struct derivation *d, const char *name, int depth);
 
-/* Adds a step for every name in a tree, and makes the names refer to these steps. */
+/* Adds a step for every name in the syntax tree of an equation, and makes the names refer to these steps. */
 static bool names_add(struct derivation *d, struct step *s, struct tree *t)
 {
     if (t->kind == TREE_NAME) {
@@ -245,9 +244,9 @@ static unsigned conditions(const struct domq_train *train, bool detached, bool r
            (reach && train->rho == 0 ? HAS_REACH : 0u);
 }
 
-/* If the question is about the largest growth at a separation, gives the train this separation and the
- * largest growth, and sets *reach to true if the reach limits this growth. On failure, sets *problem and
- * returns false. */
+/* If the question is about the largest growth at a separation, sets s of the train to this separation and r
+ * to the largest growth, and sets *reach to true if the reach limits the growth. On failure, sets *problem
+ * and returns false. */
 static bool train_set(struct derivation *d, const struct explained *e, domq_real value, bool *reach)
 {
     struct domq_train *train = &d->state->scene.train;
@@ -271,7 +270,7 @@ static bool conditions_find(struct derivation *d, bool reach)
     struct domq_angles angles;
     const struct scene *scene = &d->state->scene;
     if (d->fall)
-        return true; /* the sizes of a row need not be those of a train */
+        return true; /* the conditions are those of a train, but the dominoes of a row may have any sizes */
     enum dom_status status = domq_angles_find(&scene->train, &scene->compute, &angles);
     if (status != DOM_OK)
         return problem_status(d->problem, scene, status);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command explain: where a number comes from. */
+/* The command explain, which shows where a number comes from. */
 #include "commands/explain/derivation.h"
 #include "commands/explain/paper.h"
 #include "commands/rows/falling.h"
@@ -19,7 +19,7 @@ static const struct column explain_columns[] = {
     {"numbers", "", "the equation with numbers; for a sum, its first terms and the sum of the others", 40},
     {"value", "", "the number that the program computes", 0},
     {"unit", "", "its unit: h is the height of the head, mgh/2 its energy, tau its unit of time", 6},
-    {"needs", "", "the quantities from which it comes", 16},
+    {"needs", "", "the quantities that the equation contains", 16},
     {"reference", "", "the number and the label of the equation in the paper", 9},
     {"depth", "", "how many equations lie between this quantity and the answer", 5},
     {"meaning", "", "what the quantity is and, if it has no equation, why not", 40},
@@ -134,11 +134,10 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
 {
     struct row_run run;
     if (scene_has_engine(query->scene))
-        return problem_no_answer(
-            problem,
-            "the rigid-body engine runs the row, because %s, and has no equations; 'fall' "
-            "shows its run",
-            scene_engine_why(query->scene));
+        return problem_no_answer(problem,
+                                 "the rigid-body engine, which is used because %s, has no equations; 'fall' "
+                                 "shows how it runs the row",
+                                 scene_engine_why(query->scene));
     if (!row_run(query, problem, false, &run))
         return false;
     const struct domq_verdict v = run.verdict;
@@ -153,7 +152,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
                                      ? "all dominoes fall, and none of them has a barrier to climb"
                                      : "this row ends at domino %zu for a reason other than its energy: %s",
                                  v.domino, dom_row_end_text(v.end));
-    a->note = NULL; /* the note says that the answer is about the train, but this answer is about the row */
+    a->note = NULL; /* the note would say that the answer is about the train, but it is about the row */
     snprintf(verdict, VERDICT_TEXT,
              v.end == DOM_ROW_FALLS ? "All %zu dominoes fall; k = %zu is the weakest."
                                     : "Of %zu dominoes, k = %zu is the one at which the row stops.",
@@ -161,7 +160,7 @@ static bool deciding_find(const struct query *query, struct answer *a, struct do
     return true;
 }
 
-/* Writes the derivation in the form that the output needs. */
+/* Writes the derivation as text or as a lesson, or as rows of csv or json. */
 static bool explain_answer(struct answer *a, const struct derivation *d, const struct explained *e,
                            const struct explain_bound *bound, const char *verdict, struct problem *problem)
 {

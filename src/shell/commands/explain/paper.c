@@ -12,7 +12,7 @@ const struct column paper_columns[] = {
     {"paper", "", "with the paper's closed form of the fuel (25; c7)", 0},
     {"exact", "", "with the fuel from the balance of energy", 0},
     {"difference", "share", "paper / exact - 1", 0},
-    {"why", "", "why the two differ", 30},
+    {"why", "", "why the two numbers differ", 30},
     {NULL, NULL, NULL, 0},
 };
 
@@ -27,7 +27,7 @@ struct table {
 
 static const char weights[] = "weights r^(-q i) left out in (25; c7)";
 
-/* Writes a row unless an earlier one has failed. */
+/* Writes a row, unless the computation of an earlier row has failed. */
 static void paper_row(struct table *t, const char *where, const char *what, domq_real s, domq_real paper,
                       domq_real exact, const char *why)
 {
@@ -86,7 +86,7 @@ static void growth_rows(struct table *t)
     paper_row(t, "Fig. growth", "the drop-off r = 1/s begins at s", DOMQ_NAN, paper, exact, weights);
 }
 
-/* Writes rows for the figure of two dominoes, in which the fuel plays no part. */
+/* Writes rows for the figure of two dominoes, which does not depend on the fuel. */
 static void pair_rows(struct table *t)
 {
     for (int k = 2; k <= 9; k++) {

@@ -3,9 +3,8 @@
 #include "commands/explain/derivation.h"
 #include <stddef.h>
 
-/* An entry of the list: the name in three forms, the conditions, the sum, the equation, the expression for
- * the library's number, the unit, the number of the equation in the paper, and the words. GIVEN makes the
- * entry of a number that is not derived. */
+/* Q makes an entry of the list from values for all members of struct derived. GIVEN makes the entry of a
+ * number that is given rather than derived. */
 #define Q(plain, letters, tex, with_, ends_, sum_, equation_, library_, unit_, number_, words_)              \
     {                                                                                                        \
         {{plain, letters, tex}}, with_, ends_, sum_, equation_, library_, unit_, number_, words_, false      \
@@ -55,18 +54,18 @@ const struct derived derived_list[] = {
     Q("theta_f", "θ_f", "\\theta_f", HAS_EDGES, HAS_EDGES, SUM_NONE, NULL, "thetac.theta_f", "rad", "",
       "the largest tilt of a follower"),
     Q("theta_f", "θ_f", "\\theta_f", HAS_DETACHED, 0, SUM_NONE, "asin((1/r^2 + L^2 - d^2)/(2*L/r))",
-      "thetac.theta_f", "rad", "42; A18", "the largest tilt of a follower: there it slides off its leader"),
+      "thetac.theta_f", "rad", "42; A18",
+      "the largest tilt of a follower, at which it slides off its leader"),
     Q("theta_f", "θ_f", "\\theta_f", 0, 0, SUM_NONE, "theta_inf", "thetac.theta_f", "rad", "41; A17",
-      "the largest tilt of a follower: none slides off its leader"),
+      "the largest tilt of a follower; no follower slides off its leader"),
     Q("X", "X", "X", 0, 0, SUM_NONE, "r*(L*cos(theta) - d)", "sin(theta1(@).theta_1 - @)", "", "30; A5",
       "sine of the angle between the head and its follower"),
     Q("Y", "Y", "Y", 0, 0, SUM_NONE, "sqrt(1 - X^2)", "cos(theta1(@).theta_1 - @)", "", "30; A5",
-      "cosine of that angle"),
+      "cosine of the angle between the head and its follower"),
     Q("theta_1", "θ_1", "\\theta_1", HAS_LEFT, 0, SUM_NONE, "theta_f", "theta1(@).theta_1", "rad", "42; A18",
       "tilt of the follower, which has slid off the head"),
     Q("slope_1", "θ'_1", "{\\theta'_1}", HAS_LEFT, 0, SUM_NONE, NULL, "theta1(@).slope", "", "",
-      "how fast the follower tilts compared with the head: it has slid off and no longer moves with the "
-      "head"),
+      "how fast the follower tilts compared with the head: not at all, because it has slid off the head"),
     Q("theta_1", "θ_1", "\\theta_1", 0, HAS_EDGES, SUM_NONE, "theta + asin(X)", "theta1(@).theta_1", "rad",
       "12; b8", "tilt of the follower that leans on the head"),
     Q("a", "a", "a", 0, 0, SUM_NONE, "Y/r - L*sin(theta)", "theta1(@).arm_a", "h", "14; b10",
@@ -89,7 +88,8 @@ const struct derived derived_list[] = {
     Q("J_0", "J(0)", "J(0)", 0, HAS_EDGES, SUM_LAUNCH, "r^(-(q + 1)*i)*slope_i^2", "launch.J0", "", "20; c2",
       "inertia of the train when the head is hit"),
     Q("w_0", "w(0)", "w(0)", 0, HAS_FRICTION | HAS_EDGES, SUM_NONE, "P*(J_0 - 1)/(J_0*(r^q*J_0 - J_0 + 1))",
-      "launch.omega0sq", "", "24; c6", "tau^2 omega(0)^2, the speed after the collision"),
+      "launch.omega0sq", "", "24; c6",
+      "tau^2 omega(0)^2, where omega(0) is the angular velocity after the collision"),
     Q("tau", "τ", "\\tau", HAS_WALLS, 0, SUM_NONE, NULL, "duration.tau", "s", "",
       "unit of time of a domino; it is longer for a box of six walls: 'help walls'"),
     Q("tau", "τ", "\\tau", 0, 0, SUM_NONE, "sqrt((h^2 + (d*h)^2)/(3*g*h))", "duration.tau", "s", "1; a1",
@@ -123,7 +123,7 @@ const struct derived derived_list[] = {
     Q("J", "J", "J", 0, HAS_EDGES, SUM_TILT, "r^(-(q + 1)*i)*slope_i^2", "energy(@).J", "", "20; c2",
       "inertia of the train"),
     Q("w", "w", "w", 0, HAS_FRICTION, SUM_NONE, "(K - dH)/J", "omega(@).omegasq", "", "21; c3",
-      "tau^2 omega^2, the speed at this tilt"),
+      "tau^2 omega^2, where omega is the angular velocity at this tilt"),
     Q("omega", "ω", "\\omega", 0, 0, SUM_NONE, "sqrt(w)/tau", "omega(@).omega", "rad/s", "",
       "angular velocity of the head"),
     Q("t_f", "t_f", "t_f", 0, 0, SUM_NONE, NULL, "duration.duration", "tau", "",
@@ -134,7 +134,8 @@ const struct derived derived_list[] = {
     Q("r_max", "r_max", "r_{\\max}", HAS_REACH, 0, SUM_NONE, "1/s", "rmax.r_max", "", "2; a2",
       "the largest growth: with more, the head misses the next domino"),
     Q("r_max", "r_max", "r_{\\max}", 0, 0, SUM_NONE, NULL, "rmax.r_max", "", "26; c8",
-      "the largest growth, found by a search that raises r from 1 until no energy is to spare. The lines "
+      "the largest growth, found by a search that raises r from 1 until no energy is left to spare. The "
+      "lines "
       "below are for r = r_max"),
     Q("n_exact", "x", "x", 0, 0, SUM_NONE, "ln(H/h)/ln(r)", "count(@).exact", "", "",
       "the number of steps, before it is rounded up"),
@@ -148,10 +149,10 @@ const struct derived derived_list[] = {
     Q("K_k", "K_k", "K_k", 0, 0, SUM_NONE, "E_k - D_k", "#kinetic", "mgh/2", "22; c4",
       "kinetic energy of all moving dominoes just after domino k was hit"),
     Q("E_k", "E_k", "E_k", 0, 0, SUM_NONE, NULL, "#before", "mgh/2", "21; c3",
-      "kinetic energy of the moving dominoes just before that hit, from a run of dominoes 1 to k - 1: 'fall' "
-      "lists it domino by domino"),
+      "kinetic energy of the moving dominoes just before domino k is hit, from a run of dominoes 1 to k - 1, "
+      "which 'fall' lists"),
     Q("D_k", "D_k", "D_k", 0, 0, SUM_NONE, NULL, "#lost", "mgh/2", "22; c4",
-      "kinetic energy lost in the hit: the dominoes stay together, so that the collision is fully inelastic"),
+      "kinetic energy lost in the hit: the dominoes stay together, so the collision is fully inelastic"),
     Q("B_k", "B_k", "B_k", 0, 0, SUM_NONE, NULL, "#barrier", "mgh/2", "26; c8",
       "barrier: how high the row climbs before domino k tips over, found by a search over all of its tilts"),
     {.names = {{NULL}}},

@@ -8,26 +8,28 @@
 const struct column recipe_columns[] = {
     {"step", "", "the step of the recipe, from 1 to 5", 4},
     {"quantity", "", "what the step finds", 31},
-    {"paper", "", "the number from the recipe, with its steps in theta and r and its closed form of the fuel",
+    {"paper", "",
+     "the number from the paper's recipe, with the paper's steps in theta and r and its closed form of the "
+     "fuel",
      0},
     {"program", "", "the number from this program", 0},
-    {"why", "", "why the two differ, or where the program does something else", 40},
+    {"why", "", "why the two numbers differ, or where the program does something else", 40},
     {NULL, NULL, NULL, 0},
 };
 
-/* The recipe raises theta and r in steps whose size gives about this error. */
+/* The tolerance of the recipe, which determines the steps in which theta and r are raised. */
 #define RECIPE_TOL ((domq_real)1e-6)
 
-/* Two values whose relative difference is below this count as equal. */
+/* The largest relative difference between two values that count as equal. */
 #define RECIPE_SAME ((domq_real)1e-4)
 
-/* The results of the recipe, or of the program. Numbers that do not exist are NaN. */
+/* The results of the recipe or of the program. A number that does not exist is NaN. */
 struct results {
     domq_real J0, P, w0, theta_m, barrier, wm, r_max, best_s, best_r;
 };
 
-/* Finds theta_m, the tilt at which the train climbs highest, its barrier, and tau^2 omega^2 at theta_m, which
- * is (K - B) / J(theta_m). */
+/* Finds theta_m (the tilt at which the train is highest), the barrier, and tau^2 omega^2 at theta_m, which is
+ * (K - B) / J(theta_m). */
 static enum dom_status highest_find(const struct domq_train *train, const struct domq_compute *compute,
                                     const struct domq_compute *ours, struct results *f)
 {
@@ -82,8 +84,8 @@ static bool differs(domq_real paper, domq_real program)
     return !(quad(fabs)(paper - program) <= RECIPE_SAME * quad(fabs)(program));
 }
 
-/* Writes a row. If the two values differ, or if there is more to say, the output for people has the reason
- * below the row. */
+/* Writes a row with the values of the paper and of the program. If the values differ, or if `always` is true,
+ * also writes `why`; in a table, `why` is a sentence below the row. */
 static void recipe_row(struct answer *a, int step, const char *quantity, domq_real paper, domq_real program,
                        const char *why, bool always)
 {
@@ -119,7 +121,7 @@ static void steps_write(struct answer *a, const struct domq_train *t, const stru
     recipe_row(a, 3, "H(theta_m) - H(0) (26; c8)", paper->barrier, ours->barrier,
                "the paper takes the first maximum of H, and the program the largest one", false);
     recipe_row(a, 3, "tau^2 omega(theta_m)^2 (21; c3)", paper->wm, ours->wm,
-               "this differs because the fuel differs; below 0 the train stops", false);
+               "this speed differs because the fuel differs; below 0 the train stops", false);
     recipe_row(a, 4, "r_max at this s", paper->r_max, ours->r_max, weights, false);
     recipe_row(a, 5, "s of the largest growth", paper->best_s, ours->best_s, weights, false);
     recipe_row(a, 5, "the largest growth", paper->best_r, ours->best_r, NULL, false);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writes derivations for people, and for lessons. */
+/* Writes derivations as text and as lessons. */
 #include "answer/wrap.h"
 #include "commands/explain/derivation.h"
 #include "io/escape.h"
@@ -78,7 +78,7 @@ void step_numbers(const struct derivation *d, const struct step *s, const struct
 
 /* ---- The whole derivation ---- */
 
-/* The texts around an equation, its numbers and its value, and around a list of quantities. */
+/* The texts between the parts of a derivation, such as equations, numbers, values and lists of quantities. */
 enum text { HEADING, OPEN, EQUALS, JOIN, CLOSE, FROM, GIVEN, LIST, ITEM, MEANING, END, NO_VALUE };
 enum dialect { PLAIN, MARKDOWN, TEX, DIALECTS };
 
@@ -98,7 +98,7 @@ static const char *const texts[][DIALECTS] = {
                   "\\text{no value}"},
 };
 
-/* How a derivation is written. */
+/* A derivation, and the form in which to write it. */
 struct writer {
     const struct derivation *derivation;
     struct formula formula;
@@ -112,7 +112,7 @@ static void put(const struct writer *w, enum text text)
     fputs(texts[text][w->dialect], w->formula.out);
 }
 
-/* Writes what a quantity is, in words. */
+/* Writes the description of a quantity. */
 static void words_write(const struct writer *w, const struct step *s)
 {
     char piece[ESCAPE_PIECE];
@@ -127,8 +127,8 @@ static void words_write(const struct writer *w, const struct step *s)
  * of the larger number, because each number is the result of a few dozen operations. */
 #define ROUNDINGS 64
 
-/* Returns true if a value is only the rounding error of the numbers that it comes from, as the margin is at
- * the largest growth. */
+/* Returns true if a value is nothing but rounding error, because it would be 0 in exact arithmetic, as the
+ * margin is at the largest growth. */
 static bool is_rounding(const struct writer *w, const struct step *s)
 {
     domq_real largest = 0;
@@ -189,7 +189,8 @@ static void list_write(const struct writer *w, const struct step *const *list, i
     for (int k = 0; k < count; k++) {
         put(w, ITEM);
         step_name(list[k], &w->formula);
-        if (isfinite(list[k]->value)) { /* a name in the terms of a sum has no single value */
+        if (isfinite(list[k]->value)) { /* a quantity that differs from term to term of a sum has no single
+                                           value */
             fputs(" = ", out);
             value_write(w, list[k]);
         }
@@ -222,7 +223,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
             more = more || (!s->needs[i]->derived->is_given && !deep);
     }
     if (more && !w->dialect)
-        fprintf(out, "'explain %s%s%s deep' goes on to the equations of these.\n", e->name,
+        fprintf(out, "'explain %s%s%s deep' also shows the equations of these quantities.\n", e->name,
                 isnan(w->value) ? "" : " ", isnan(w->value) ? "" : quad_text(w->value, 10));
     if (deep && count > 0) {
         put(w, GIVEN);
@@ -230,7 +231,7 @@ static void derivation_write(const struct writer *w, const struct explained *e, 
     }
 }
 
-/* Writes a file for a lesson. */
+/* Writes a lesson in Markdown or TeX. */
 static void document_write(const struct writer *w, const struct explained *e, bool deep, const char *verdict)
 {
     FILE *out = w->formula.out;
@@ -275,7 +276,7 @@ static void lines_write(FILE *out, char *text, int width)
     }
 }
 
-/* Writes a derivation on the terminal or as plain text. */
+/* Writes a derivation as plain text, broken into lines that fit the terminal. */
 static bool text_write(struct writer *w, const struct explained *e, bool deep, struct answer *a,
                        struct problem *problem)
 {

@@ -25,14 +25,15 @@ struct fit_point {
     double gap;      /* for a speed: the gap of the row */
     size_t domino;   /* for a hit or an angle: the number of the domino, from 1 */
     double time;     /* for an angle: when it was measured, on the clock of its run */
-    double measured; /* the speed, the time of the hit on the clock of its run, or the angle */
+    double measured; /* a speed, the time of a hit on the clock of its run, or an angle */
     double error;    /* the standard error of `measured`, or NaN if it is not known */
 };
 
-/* The measurements of one run of a row, which share a clock. All speeds belong to a single run. */
+/* The measurements of one run of a row. Each run has its own clock, which starts at an unknown time. All
+ * speeds belong to a single run. */
 struct fit_run {
     double number; /* the number of the run in the file */
-    double gap;    /* the gap of this run's row, or NaN if the row is that of the scene */
+    double gap;    /* the gap of the row in this run, or NaN if the scene gives the row */
     size_t first, count;
     size_t dominoes; /* the highest number of a measured domino */
 };
@@ -57,7 +58,7 @@ void fit_data_free(struct fit_data *data);
 /* An unknown parameter, and what the fit finds out about it. */
 struct fit_unknown {
     const struct parameter *parameter;
-    double lowest, highest;  /* the range in which the search begins */
+    double lowest, highest;  /* the range of the starting values */
     double value, deviation; /* the best value, and its standard deviation */
     bool is_at_limit; /* the best value is a limit of the parameter's range; `deviation` is then not known */
 };
@@ -72,20 +73,18 @@ struct fit {
     double correlation[FIT_UNKNOWNS][FIT_UNKNOWNS]; /* NaN for an unknown at a limit */
     double spread;    /* the sum of the squares of residual / error, divided by the degrees of freedom */
     size_t freedom;   /* the degrees of freedom: how many more measurements there are than fitted numbers */
-    double *computed; /* for each measurement: what the model gives with the best values */
+    double *computed; /* what the model gives for each measurement with the best values */
     struct problem problem; /* why the last computation gave no answer */
 };
 
-/*
- * Computes what the model gives for each measurement with these values of the unknowns. The clock of each
- * run of hits is set so that the sum of the squared residuals of its times is smallest. For angles,
- * clock[k] is the time at which the motion of run k begins. Returns false and sets fit->problem if there is
- * no answer, or if the row of the model ends before the last domino that was measured.
- */
+/* Computes what the model gives for each measurement, with these values of the unknowns. Times of hits are
+ * counted from a start time that is chosen for each run so that the sum of its squared residuals is smallest.
+ * For angles, clock[k] is the time at which the motion of run k begins. Returns false and sets fit->problem
+ * if there is no answer, or if the row of the model ends before the last domino that was measured. */
 bool fit_compute(struct fit *fit, const double *value, const double *clock, double *computed);
 
-/* For angles, estimates the times at which the motions of the runs begin. On failure, sets fit->problem
- * and returns false. */
+/* For angles, estimates when the motion of each run begins. On failure, sets fit->problem and returns false.
+ */
 bool fit_clocks(struct fit *fit, const double *value, double *clock);
 
 /* Returns true if measurement k is the first one of its run. */
@@ -94,8 +93,9 @@ static inline bool fit_is_first(const struct fit *fit, size_t k)
     return k == fit->data.run[fit->data.point[k].run].first;
 }
 
-/* Returns the error by which the residual of measurement k is divided. If errors are not known, all speeds
- * have the same relative error, and all times and angles the same error. */
+/* Returns the error by which the residual of measurement k is divided. If the errors are not known, returns
+ * the measured value for a speed, so that all speeds have the same relative error, and 1 for a time or an
+ * angle. */
 double fit_error(const struct fit *fit, size_t k);
 
 /* Finds the values with the least sum of squares, their standard deviations and correlations. On failure,

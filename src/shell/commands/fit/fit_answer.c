@@ -77,13 +77,13 @@ const struct column fit_columns[] = {
 };
 enum { GAP, RUN, DOMINO, TIME, MEASURED, FITTED, RESIDUAL, UNKNOWN };
 
-/* The names of the columns of the unknowns. */
+/* The keys of the columns for standard deviations and correlations. */
 struct fit_keys {
     char deviation[FIT_UNKNOWNS][32], correlation[FIT_UNKNOWNS * FIT_UNKNOWNS][64];
 };
 
-/* Makes the columns for the kind of measurement and for the unknowns of the fit. People read the fitted
- * values in sentences. */
+/* Makes the columns for the kind of measurement. Csv and json also have columns for the fitted values, which
+ * are sentences otherwise. */
 static void columns_make(struct answer *a, const struct fit *f, struct fit_keys *keys)
 {
     static const char *const units[] = {"m/s", "rad", "s"};
@@ -108,8 +108,8 @@ static void columns_make(struct answer *a, const struct fit *f, struct fit_keys 
 }
 
 /* Finds the measured number, the fitted number and the residual of point k. If times are compared as
- * intervals, these numbers are differences of times. Returns false for the first hit of a run, which has no
- * such difference. */
+ * intervals, these numbers are differences between successive times. Returns false for the first hit of a
+ * run, because there is no hit before it. */
 static bool compared(const struct fit *f, size_t k, double *measured_, double *fitted, double *residual)
 {
     *measured_ = f->data.point[k].measured - (f->data.intervals && k > 0 ? f->data.point[k - 1].measured : 0);
@@ -223,7 +223,8 @@ static bool speeds_check(const struct fit *f, const char *shown, struct problem 
         several = several || f->data.point[k].gap != f->data.point[0].gap;
         if (gap > h)
             return problem_no_answer(
-                problem, "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes that",
+                problem,
+                "%s: the gap %s is longer than the domino is tall, h = %s; 'set h' changes this height",
                 shown, measured(gap, "m", 6).text, measured(h, "m", 6).text);
     }
     return several ||

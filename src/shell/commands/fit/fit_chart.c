@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The picture of a fit, for 'plot fit' and for 'fit ... > FILE': measurements against the values that the
- * model gives with the fitted parameters. */
+/* Draws the picture of a fit, for 'plot fit' and for 'fit ... > FILE': the measured values against those that
+ * the model gives with the fitted parameters. */
 #include "commands/fit/fit.h"
 #include "commands/plots/plots.h"
 #include "language/text.h"
@@ -33,7 +33,7 @@ static void run_points(struct chart *chart, const struct fit *f, size_t i, size_
     }
 }
 
-/* Makes a chart with a point for each measurement, whose distance from the straight line is the residual. */
+/* Draws a point for each measurement, and the line on which measured and fitted values are equal. */
 static void points_draw(struct chart *chart, const struct fit *f, const struct answer_style *style)
 {
     static const char *const what[] = {"speed", "angle", "time"}, *const units[] = {"m/s", NULL, "s"};

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the model gives for each measurement of 'fit'. */
+/* Computes what the model gives for each measurement of 'fit'. */
 #include "commands/fit/fit.h"
 #include "commands/rows/falling.h"
 #include <stdlib.h>
 
-/* The scene with the values of the unknowns, in a copy of the state. */
+/* A copy of the state of the session in which the unknowns have trial values, and a query about this copy. */
 struct trial {
     struct state state;
     struct query query;
 };
 
-/* Prepares the scene for a run. For a speed, the scene has equal dominoes with the gap of the point. On
- * failure, sets f->problem and returns false. */
+/* Makes a scene with these values of the unknowns. For hits and angles, the scene has a row, with the gap of
+ * the run if the gap is known. On failure, sets f->problem and returns false. */
 static bool trial_make(struct fit *f, const double *value, const struct fit_run *run, struct trial *t)
 {
     const struct scene *scene = f->query->scene;
@@ -58,7 +58,7 @@ static bool row_long_enough(struct fit *f, const struct fit_run *run, size_t dom
            problem_no_answer(
                &f->problem,
                "domino %zu was measured in run %g, but the row of the scene ends at domino %zu: 'fall' "
-               "shows why; a row that was pushed needs 'effect push', or push as an unknown",
+               "shows why; if the row was pushed, enter 'effect push', or fit push as well",
                run->dominoes, run->number, dominoes);
 }
 
@@ -137,8 +137,8 @@ static bool tilts_find(struct fit *f, const double *value, const struct fit_run 
            (status == DOM_OK || row_status(&t.query, &f->problem, status));
 }
 
-/* Returns the time, by linear interpolation, at which the domino of the first point in a list first reaches
- * an angle, or NaN. */
+/* Returns the time at which the domino of the first point in a list first reaches an angle, by linear
+ * interpolation. Returns NaN if the domino never reaches this angle. */
 static double angle_time(const struct fit_point *point, size_t count, double angle)
 {
     const struct fit_point *last = point;
@@ -198,7 +198,7 @@ double fit_error(const struct fit *f, size_t k)
     return f->data.has_errors ? point->error : f->data.kind == FIT_SPEEDS ? point->measured : 1;
 }
 
-/* Adds the same time to all computed times of a run, so that the sum of the squared residuals becomes
+/* Shifts all computed times of a run by the same amount, so that the sum of the squared residuals is
  * smallest. */
 static void clock_add(const struct fit *f, const struct fit_run *run, double *computed)
 {

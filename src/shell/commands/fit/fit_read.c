@@ -147,7 +147,7 @@ static bool time_find(struct csv_table *csv, double rate, double *time)
     return true;
 }
 
-/* Adds the measurement of the current row of the file, unless its cell or its time is empty. */
+/* Adds the measurement in the current row of the file, unless the measured value or its time is missing. */
 static bool row_add(struct fit_data *d, struct csv_table *csv, double rate)
 {
     const domq_real *value = csv->value;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the parameters of 'fit' with the smallest sum of squares. A coarse grid of starting values is tried
- * first. GSL's method of Levenberg and Marquardt then continues from the best of them. */
+/* Finds the parameter values with the smallest sum of squared residuals. A coarse grid of starting values is
+ * tried first. From the best of them, the search continues with the Levenberg-Marquardt method of GSL. */
 #include "commands/fit/fit.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>
@@ -20,7 +20,7 @@ static void free_find(struct fit *f)
     }
 }
 
-/* Returns how many numbers are fitted: the free unknowns and, for angles, the clocks of the runs. */
+/* Returns how many numbers are fitted: the free unknowns and, for angles, the start time of each run. */
 static size_t numbers_of(const struct fit *f)
 {
     return f->free_count + (f->data.kind == FIT_ANGLES ? f->data.runs : 0);
@@ -36,8 +36,9 @@ static bool is_interrupted(const struct fit *f)
     return dom_raised(f->query->scene->compute.interrupt);
 }
 
-/* Reflects a value outside the range of its parameter at the limit of the range. The sum of squares is then
- * defined for all values, and has a minimum at the limit if it decreases towards the limit. */
+/* If a value is outside the range of its parameter, reflects it back into the range, so that the sum of
+ * squares is defined for all values. A sum that decreases towards a limit of the range then has its minimum
+ * at this limit. */
 static double inside(const struct fit_unknown *u, double value)
 {
     const double lowest = (double)u->parameter->value->lowest, highest = (double)u->parameter->value->highest;
@@ -64,8 +65,8 @@ static double residuals_fill(const struct fit *f, gsl_vector *residual)
     return squares;
 }
 
-/* Fills in the values of all unknowns. Returns the clocks of the runs, which follow the free unknowns in *x.
- */
+/* Fills in the values of all unknowns from *x. Returns the start times of the runs, which follow the free
+ * unknowns in *x. */
 static const double *values_of(const struct fit *f, const gsl_vector *x, double *value)
 {
     for (int i = 0; i < f->unknowns; i++)
@@ -75,7 +76,8 @@ static const double *values_of(const struct fit *f, const gsl_vector *x, double 
     return x->data + f->free_count;
 }
 
-/* Returns false where the model has no answer. The residuals are then so large that the search turns back. */
+/* Fills in the residuals. Where the model has no answer, makes the residuals so large that the search turns
+ * back, and returns false. */
 static bool residuals_at(struct fit *f, const gsl_vector *x, gsl_vector *residual)
 {
     double value[FIT_UNKNOWNS];
@@ -94,8 +96,8 @@ static int residuals_of_gsl(const gsl_vector *x, void *context, gsl_vector *resi
     return GSL_SUCCESS;
 }
 
-/* Returns the step of the difference quotients. The error of a quotient with the step h is of the order h^2 +
- * tol / h. The engine's answers have about three digits. */
+/* Returns the step h of the difference quotients, whose error is of the order h^2 + tol / h. The step is much
+ * larger for the engine, whose answers have about three digits. */
 static double step_of(const struct fit *f, size_t i, double x)
 {
     const bool engine = scene_has_engine(f->query->scene);
@@ -249,7 +251,7 @@ static int minimum_search(struct fit *f, double *clock, gsl_vector *residual)
     if (w && !is_interrupted(f)) {
         double value[FIT_UNKNOWNS];
         gsl_vector_memcpy(x, gsl_multifit_nlinear_position(w));
-        residuals_at(f, x, residual); /* computes the measurements at the minimum once more */
+        residuals_at(f, x, residual); /* recomputes f->computed at the minimum */
         f->spread = residuals_fill(f, residual) / (double)f->freedom;
         memcpy(clock, values_of(f, x, value), (x->size - f->free_count) * sizeof *clock);
         for (int i = 0; i < f->unknowns; i++)
@@ -347,7 +349,7 @@ bool fit_solve(struct fit *f, struct problem *problem)
             "%zu measurements are too few for %d unknown%s%s; measure more, or name fewer "
             "unknowns",
             f->data.points, f->unknowns, f->unknowns > 1 ? "s" : "",
-            f->data.kind == FIT_SPEEDS ? "" : " and the clock of each run");
+            f->data.kind == FIT_SPEEDS ? "" : " and the start time of each run");
     f->computed = malloc(f->data.points * sizeof *f->computed);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
     int status = f->computed ? fit_once(f) : GSL_ENOMEM;

@@ -37,8 +37,8 @@ bool assert_parse(struct reader *r, struct question *q)
     asserted->name = question_name(r, begin, r->at);
     if (good && !asserted->command->holds && *skip_blanks(r->at) == '>')
         return problem_error(r->problem,
-                             "'>' names a file, and a condition has no answer to write; compare between "
-                             "parentheses, as in 'assert (rmax(0.4) > 1.6)'");
+                             "'>' is followed by a file name, but a condition has no answer to write; put "
+                             "the comparison in parentheses, as in 'assert (rmax(0.4) > 1.6)'");
     return good;
 }
 

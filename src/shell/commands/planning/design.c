@@ -28,8 +28,8 @@ static domq_real equal_ratio(const struct query *query, domq_real mu)
     return most;
 }
 
-/* Returns the largest friction, to three digits, with which equal dominoes have this safety. Considers only
- * values below the friction of the scene. Returns 0 if there is none. */
+/* Returns the largest friction below that of the scene with which equal dominoes have this safety, to three
+ * digits. Returns 0 if there is no such friction. */
 static domq_real friction_most(const struct query *query, domq_real safety)
 {
     domq_real low = 0, high = query->scene->train.mu;
@@ -42,7 +42,7 @@ static domq_real friction_most(const struct query *query, domq_real safety)
     return low;
 }
 
-/* Returns the push in rad/s above which the first domino is lifted off the floor, and thrown. */
+/* Returns the push in rad/s above which the first domino is thrown off the floor. */
 static domq_real push_most(const struct domq_wish *wish)
 {
     return quad(sqrt)(2 * wish->g / wish->first);
@@ -56,13 +56,14 @@ static domq_real push_stronger(const struct domq_wish *wish)
     return !(wish->push > most / 2) ? most * 2 / 3 : wish->push < most * 9 / 10 ? most : DOMQ_NAN;
 }
 
-/* Returns a push as the speed of the upper edge of the first domino, which people can judge. */
+/* Converts a push to the speed of the upper edge of the first domino, which is easier to imagine than an
+ * angular velocity. */
 static struct measured push_speed(const struct domq_wish *wish, domq_real push)
 {
     return measured(push * wish->first, "m/s", 2);
 }
 
-/* Reports that the search failed, and which effect to turn off because it makes the search hard. Returns
+/* Reports that the search failed, and suggests turning off the effect that makes the search hard. Returns
  * false. */
 static bool search_failed(const struct scene *scene, const struct domq_design *d, struct problem *problem)
 {
@@ -84,11 +85,12 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     const struct measured safety = measured(wish->safety, "", 6);
     char more[192] = "";
     if (d->limit == DOM_DESIGN_HALL) {
-        snprintf(text, size,
-                 "infeasible: the shortest row with safety %s is %s m long with its last domino fallen; "
-                 "'hall %s m' is long enough",
-                 safety.text, measured(d->needs, "", 4).text,
-                 measured(round_digits(d->needs, 4, true), "", 4).text);
+        snprintf(
+            text, size,
+            "infeasible: the shortest row with safety %s is %s m long, including its fallen last domino; "
+            "'hall %s m' is long enough",
+            safety.text, measured(d->needs, "", 4).text,
+            measured(round_digits(d->needs, 4, true), "", 4).text);
     } else if (d->limit == DOM_DESIGN_START && d->needs > push_most(wish)) {
         snprintf(
             text, size,
@@ -132,8 +134,8 @@ static void infeasible_text(const struct query *query, const struct domq_wish *w
     }
 }
 
-/* Tries the wish without its boards and its grid. If that gives a design, writes that the boards and the grid
- * are the reason why there is none with them, and returns true. */
+/* Tries the wish without its boards and its grid. If this gives a design, writes that the boards and the grid
+ * rule out any design, and returns true. */
 static bool limits_forbid(const struct query *query, const struct domq_wish *wish, char reason[REASON])
 {
     struct domq_design d;
@@ -162,7 +164,7 @@ static bool wish_check(struct problem *problem, const struct domq_wish *w, domq_
             measured(w->height, "m", 6).text, measured(w->first, "m", 6).text);
     if (!(w->safety > 1))
         return problem_no_answer(
-            problem, "safety %s is not above 1, with which a domino just falls; 'safety 2' is usual",
+            problem, "safety %s is not above 1, and at 1 a domino only just falls; 'safety 2' is usual",
             quad_text(w->safety, 10));
     return w->hall > w->height ||
            problem_no_answer(problem,
@@ -230,7 +232,7 @@ static bool design_keep(const struct query *query, struct problem *problem, cons
             (!plan->limits || dominoes_keep(&next->scene, plan->domino, plan->count, true, problem)));
 }
 
-/* Improves the row of the session, which is the design, and makes the improved row the row of the plan. */
+/* Improves the design, which is already the row of the session, and copies the improved row to the plan. */
 static bool design_improve(const struct query *query, const struct wishes *w, struct answer *a,
                            struct designed_row *plan, struct domq_design *d, struct domq_study *study,
                            struct problem *problem)
@@ -251,7 +253,7 @@ static bool design_improve(const struct query *query, const struct wishes *w, st
     if (found.study[1].rows >= study->rows || found.changed > 0)
         *study = found.study[1];
     plan->is_improved = found.changed > 0;
-    if (plan->is_improved) { /* the numbers of the design are not valid for the improved row */
+    if (plan->is_improved) { /* these numbers are not known for the improved row */
         d->row = d->train = d->seconds = DOMQ_NAN;
         d->weakest = 0;
     }
@@ -270,8 +272,8 @@ static struct domq_limits design_limits(const struct query *query, const struct 
                                 .boards = w->boards};
 }
 
-/* Writes why there is no design. Sets *problem and returns false if the answer was to be written to a file.
- */
+/* Writes why there is no design. Sets *problem and returns false if the answer should have been written to a
+ * file. */
 static bool design_none(struct answer *a, const struct domq_design *d, const char *reason, bool file,
                         struct problem *problem)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finds the design that falls with a given probability, by counting how many random rows fall with more and
- * more dominoes. */
+/* Finds the design that falls with a given probability: tries more and more dominoes, and counts for each
+ * number how many random rows fall. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/rows.h"
@@ -9,22 +9,21 @@
 #include "session/random_errors.h"
 #include <stdlib.h>
 
-/* The search tries rows of at most DOMINOES_MOST dominoes, and at most MORE designs whose row falls if its
- * dimensions are exact. */
+/* The search tries rows of at most DOMINOES_MOST dominoes, and runs random rows for at most MORE designs. */
 enum { DOMINOES_MOST = 200, MORE = 40 };
 
-/* The table ends with this many dominoes more than are needed, so that a user can choose. */
+/* The table goes on for this many dominoes after the number that is needed, so that a user can choose. */
 enum { BEYOND = 2 };
 
-/* One number of dominoes. */
+/* The results for one number of dominoes. */
 struct tried {
     size_t count;
     domq_real length, mass;
     struct domq_study study;
 };
 
-/* Returns how many random rows to run for a probability. About 20 of them may fail, or 10 with the engine,
- * because the engine takes thousands of times as long for a row. */
+/* Returns how many random rows to run so that about 20 of them fail if the probability is `falls`. The engine
+ * takes thousands of times as long for a row, so 10 must be enough there. */
 static size_t rows_for(domq_real falls, bool engine)
 {
     const size_t rows = (size_t)(double)quad(ceil)((engine ? 10 : 20) / (1 - falls)),
@@ -58,8 +57,8 @@ static void table_write(struct answer *a, const struct tried *tried, size_t coun
     }
 }
 
-/* Counts how many random rows of a design fall. Runs a few rows first, and then more if the probability may
- * be as high as `falls`. */
+/* Counts how many random rows of a design fall. Runs more rows after the first ones if the probability may
+ * reach `falls`. */
 static bool design_count(const struct query *query, const struct domq_wish *wish,
                          const struct domq_limits *limits, const struct domq_design *d, domq_real falls,
                          struct tried *t, struct problem *problem)
@@ -82,8 +81,7 @@ static bool design_count(const struct query *query, const struct domq_wish *wish
     return good;
 }
 
-/* Reports that no number of dominoes is enough, and with how many dominoes the largest share of the rows
- * falls. */
+/* Reports that no number of dominoes is enough, and which number is the best. */
 static void none_write(const struct tried *tried, size_t count, const struct domq_wish *wish,
                        const struct domq_limits *limits, domq_real falls, char reason[REASON])
 {
@@ -128,7 +126,7 @@ bool design_falls(const struct query *query, struct answer *a, const struct domq
         if (design->limit != DOM_DESIGN_FITS && d.limit != DOM_DESIGN_FITS)
             *design = d;
         if (d.limit == DOM_DESIGN_HALL || (d.limit != DOM_DESIGN_FITS && count > 0))
-            break; /* more dominoes need more room */
+            break; /* rows with more dominoes do not fit either */
         if (d.limit != DOM_DESIGN_FITS)
             continue;
         if (!design_count(query, wish, limits, &d, falls, &tried[count], problem))

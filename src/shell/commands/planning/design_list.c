@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dominoes and the numbers of a design. */
+/* Makes the dominoes of a design, lists them, and writes the row of its numbers. */
 #include "commands/planning/designs.h"
 #include "commands/planning/planning.h"
 #include "commands/rows/falling.h"
@@ -10,12 +10,12 @@ const struct column design_columns[] = {
     {"r", "", "the growth from domino to domino", 0},
     {"steps", "", "n, with h r^n = H: the row has n + 1 dominoes", 0},
     {"feet", "m", "the length from the back of the first domino to the front of the last one", 0},
-    {"length", "m", "the length with the last domino fallen", 0},
+    {"length", "m", "the length of the row, including its fallen last domino", 0},
     {"mass", "kg", "the mass of all dominoes, if masses are known", 0},
     {"surface", "m^2", "the surface area of the walls of all dominoes, if q is 3", 0},
     {"volume", "m^3", "the volume of all dominoes, if q is not 3", 0},
     {"safety", "", "the energy of the weakest domino, divided by the energy that it needs", 0},
-    {"weakest", "", "the weakest domino, which has this safety", 0},
+    {"weakest", "", "the number of the weakest domino", 0},
     {"train", "", "the safety of the endless train", 0},
     {"seconds", "s", "the time until the last domino lies, as 'fall' measures it", 0},
     {"probability", "share", "the share of the random rows that fall", 0},

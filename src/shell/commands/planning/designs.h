@@ -12,8 +12,10 @@ struct designed_row {
     size_t count;
     bool has_masses; /* masses are in kg; otherwise the first domino has the mass 1 */
     bool hollow;
-    bool is_improved; /* 'improve sizes' has changed the dominoes, so they are not part of a train any more */
-    const struct domq_limits *limits; /* the sizes that the dominoes may have, or NULL for any */
+    bool is_improved; /* 'improve sizes' has changed the dominoes, so their sizes no longer grow by a constant
+                         factor */
+    const struct domq_limits
+        *limits; /* the sizes that the dominoes may have, or NULL if any size is allowed */
 };
 
 /* Makes the dominoes of a design. Sets *problem and returns false if memory runs out; otherwise the caller
@@ -25,8 +27,8 @@ bool designed_make(const struct query *query, struct problem *problem, const str
 /* Returns the mass of all dominoes in kg or, if masses are not known, relative to the first domino. */
 domq_real designed_mass(const struct designed_row *plan);
 
-/* Lists the dominoes. For people, the list has the sizes to saw, and the places where the dominoes stand.
- * For a file, the list has the columns that 'effect row FILE' reads. */
+/* Lists the dominoes. If `file` is true, the list has the columns that 'effect row FILE' reads. Otherwise it
+ * has the sizes to saw and the positions of the dominoes. */
 void designed_list(struct answer *a, const struct designed_row *plan, bool file);
 
 /* Leaves out the columns about random rows unless `falls` is true. */
@@ -44,13 +46,11 @@ bool design_scene(const struct scene *from, const struct domq_design *design, co
 
 enum { REASON = 640 };
 
-/*
- * Finds the design with the fewest dominoes that falls with at least the probability `falls` under the
- * random errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. For
- * people, prints a table of the numbers of dominoes that were tried. If there is no such design,
- * design->limit is not DOM_DESIGN_FITS, and `reason` says why. Sets *problem and returns false if rows
- * cannot be run.
- */
+/* Finds the design with the fewest dominoes that falls with at least the probability `falls` under the random
+ * errors of the scene. The lower end of the 95 % interval of the probability must reach `falls`. Unless the
+ * output is csv or json, prints a table of the numbers of dominoes that were tried. If there is no such
+ * design, design->limit is not DOM_DESIGN_FITS, and `reason` says why. Sets *problem and returns false if
+ * rows cannot be run. */
 bool design_falls(const struct query *query, struct answer *a, const struct domq_wish *wish,
                   const struct domq_limits *limits, domq_real falls, struct domq_design *design,
                   struct domq_study *study, char reason[REASON], struct problem *problem);

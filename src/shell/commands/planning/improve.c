@@ -10,14 +10,14 @@
 
 const struct column improve_columns[] = {
     {"before", "share", "the share of the rows that fell before the changes", 0},
-    {"before_low", "share", "the lower end of the 95 % interval of that probability", 0},
-    {"before_high", "share", "the upper end of this interval", 0},
+    {"before_low", "share", "the lower end of the 95 % interval before the changes", 0},
+    {"before_high", "share", "the upper end of the 95 % interval before the changes", 0},
     {"probability", "share", "the share of the rows that fall after the changes", 0},
     {"low", "share", "the lower end of the 95 % interval of the probability", 0},
-    {"high", "share", "the upper end of this interval", 0},
-    {"rows", "", "the number of rows that were set up; the search used others", 0},
+    {"high", "share", "the upper end of the 95 % interval of the probability", 0},
+    {"rows", "", "the number of random rows that were set up; the search used other rows", 0},
     {"changed", "", "the number of dominoes that have changed", 0},
-    {"length", "m", "the length with the last domino fallen", 0},
+    {"length", "m", "the length of the row, including its fallen last domino", 0},
     {NULL, NULL, NULL, 0},
 };
 
@@ -33,8 +33,9 @@ struct improvement {
     struct domq_placement placement;
     struct task_pool pool;
     struct domq_study study[2];
-    domq_real before, after; /* length in m with the last domino fallen, before and after the changes */
-    size_t changed;          /* the number of dominoes that have changed */
+    domq_real before,
+        after; /* the length of the row in m before and after the changes, including its fallen last domino */
+    size_t changed; /* the number of dominoes that have changed */
 };
 
 static domq_real length_of(const struct domq_domino *d, size_t count)
@@ -88,8 +89,8 @@ static bool improvement_make(const struct query *query, const struct wishes *w, 
     if (!grid_check(w->grid, i->scene.domino[0].height, problem))
         return false;
     if (isfinite(w->mass) && !scene_has_masses(query->scene))
-        return problem_error(problem, "the masses of this row are not known; 'set mass' gives that of its "
-                                      "first domino, or leave out the wish 'mass'");
+        return problem_error(problem, "the masses of this row are not known; set the mass of its first "
+                                      "domino with 'set mass', or leave out the wish 'mass'");
     return true;
 }
 
@@ -156,7 +157,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     else if (count < 2)
         answer_say(a, "A row of one domino has nothing to change.");
     else if (i->changed == 0)
-        answer_say(a, "No better row was found: for this one, %s.%s", study_words(&i->study[0]).text,
+        answer_say(a, "No better row was found. For the present row, %s.%s", study_words(&i->study[0]).text,
                    i->limits.sizes ? "" : " 'improve sizes' also changes the sizes of the dominoes.");
     else
         answer_say(a, "Before, %s; now %s, with 95 %% confidence. The search used other random rows.",
@@ -169,7 +170,7 @@ static void improvement_say(const struct query *query, struct answer *a, const s
     if (i->changed == 0)
         return;
     if (i->study[1].fall < i->study[0].fall)
-        answer_say(a, "The row as it was is outside these limits.");
+        answer_say(a, "The old row was outside these limits.");
     changes_list(a, i);
     answer_say(a, "Including the fallen last domino, the row is %s long; it was %s.%s",
                measured(i->after, "m", 4).text, measured(i->before, "m", 4).text,

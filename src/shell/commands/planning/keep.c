@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gives the row of the scene the dimensions of other dominoes, as 'change' does. */
+/* Copies the dimensions of other dominoes to the row of the scene, in the same way as 'change'. */
 #include "commands/planning/planning.h"
 #include "language/quad.h"
 #include <stdlib.h>
 
-/* Changes one measure of domino k, counted from 0, to a value or, if `times` is true, by a factor. */
+/* Changes one measure of domino k, counted from 0. `value` is a factor if `times` is true, and otherwise the
+ * new value. */
 static bool change_to(struct scene *scene, size_t k, enum row_measure measure, bool times, domq_real value,
                       struct problem *problem)
 {
@@ -34,7 +35,8 @@ bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t cou
             (is_near(a->radius, b->radius) || change_to(scene, k, MEASURE_RADIUS, false, b->radius, problem));
     }
     free(now.domino);
-    /* The changes above keep the density of each domino. Now the masses are changed. */
+    /* The changes above keep the density of each domino, so the masses may still differ from those of `to`.
+     */
     if (!good || !sizes || !scene_row_list(scene, &now, problem))
         return good && !sizes;
     for (size_t k = 0; k < count && good; k++) {

@@ -13,7 +13,7 @@ struct probe {
     const char *command; /* the name of the command that uses the probe, for messages */
     const struct question *question;
     const struct parameter *parameter; /* NULL to leave all parameters as they are */
-    bool verdict;                      /* evaluate the verdict of the command, as 1 or -1, and not a number */
+    bool verdict;                      /* the answer is the verdict of the command as 1 or -1 */
     struct problem problem;            /* why the last evaluation gave no answer */
     bool wrong;                        /* the question has an error at every value of the parameter */
     struct quantity unit;              /* the unit of the last answer */
@@ -31,7 +31,7 @@ struct solve {
     const struct parameter *parameter;
     domq_real from, to;
     const struct question *question;
-    bool verdict;          /* find where the verdict of a command changes; `value` is not used */
+    bool verdict;          /* search for changes of the verdict of a command; `value` is not used */
     struct quantity value; /* the value to solve for */
 };
 
@@ -64,7 +64,7 @@ enum { BOARDS_MOST = 32 };
 
 struct wishes {
     domq_real safety; /* the minimum safety that a design must have */
-    domq_real hall;   /* the maximum length that the row may have, in m */
+    domq_real hall;   /* the maximum length of the row in m */
     enum dom_least least;
     bool has_hall;   /* the user has typed 'hall' */
     domq_real falls; /* the minimum probability with which a design must fall, or 0 if there is no minimum */
@@ -74,28 +74,28 @@ struct wishes {
 };
 extern const struct wishes usual_wishes;
 
-/* Returns true if a row whose first domino has this height can have gaps on the grid. Otherwise reports the
- * problem. */
+/* Returns true if a gap that is a multiple of `grid` can be shorter than the height of the first domino.
+ * Otherwise reports the problem. */
 bool grid_check(domq_real grid, domq_real first, struct problem *problem);
 
 /* ---- The row of 'design' and 'improve' ---- */
 
-/* Gives the row of the scene the gaps of other dominoes and, if `sizes` is true, their sizes and the ratios
- * of their masses. The row has `count` dominoes. */
+/* Changes the gaps in the row of the scene to those of other dominoes and, if `sizes` is true, also the sizes
+ * and the ratios of the masses. The row has `count` dominoes. */
 bool dominoes_keep(struct scene *scene, const struct domq_domino *to, size_t count, bool sizes,
                    struct problem *problem);
 
 /* The result of an improvement. */
 struct improved {
-    struct domq_study study[2]; /* before and after the changes */
+    struct domq_study study[2]; /* the studies before and after the changes */
     size_t changed;             /* the number of dominoes that have changed */
-    domq_real length;           /* the length of the row in m, with the last domino fallen */
-    bool interrupted;           /* ^C ended the search, and the row is the best that had been found */
+    domq_real length;           /* the length of the row in m, including its fallen last domino */
+    bool interrupted;           /* ^C ended the search, and the row is the best one found so far */
 };
 
-/* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if
- * there is one. On failure, sets *problem and returns false. If the problem is an interrupt,
- * found->interrupted is true when `found` and the next state have the best row so far. */
+/* Improves the row of the scene, prints what has changed, and stores the new row in the next state, if there
+ * is one. On failure, sets *problem and returns false. After an interrupt, found->interrupted is true if
+ * `found` and the next state have the best row so far. */
 bool improve_row(const struct query *query, const struct wishes *wishes, struct answer *a,
                  struct improved *found, struct problem *problem);
 

@@ -16,9 +16,9 @@ const struct command design_commands[] = {
                    .choices = design_wishes}},
      .summary = "a row whose last domino is H tall, with safety",
      .help =
-         "'design' finds the gaps and the growth with which each domino has at least 'safety' times the "
-         "energy that it needs, both in the endless train and in the row, except for the first domino. The "
-         "first domino, its h, d and q, friction, slope and push are those of the scene. WISHES, in any "
+         "'design' finds the gaps and the growth with which each domino but the first has at least 'safety' "
+         "times the energy that it needs, both in the endless train and in the row. The first domino, its h, "
+         "d and q, friction, slope and push are those of the scene. WISHES, in any "
          "order, are 'safety 2' (the default), 'hall 20 m' (the greatest length of the row with its last "
          "domino fallen), 'minimise dominoes' (the default), 'minimise length' or 'minimise mass', 'boards "
          "9, 12, 15 mm' (the thicknesses to choose from; with 'effect walls 12 mm 30 cm' they are for the "

@@ -45,7 +45,8 @@ static bool step_choose(const struct query *query, const struct parameter *p, st
     return i->step > 0; /* the step is 0 if the mass is not known */
 }
 
-/* Returns the larger absolute value of the two changes, or -1 if neither change is known. */
+/* Returns the larger of |less| and |more|. Ignores a change that is not known, and returns -1 if neither is
+ * known. */
 static domq_real size_of(const struct influence *i)
 {
     domq_real less = isfinite(i->less) ? quad(fabs)(i->less) : -1,

@@ -182,18 +182,18 @@ bool solve_bind(const struct question *q, const struct query *query, struct argu
 
 const struct column solve_columns[] = {
     {"value", "", "the value of the parameter", 0},
-    {"answer", "", "the answer at this value; for a verdict, 1 is true", 0},
+    {"answer", "", "the answer at this value of the parameter; for a verdict, 1 means true", 0},
     {"branch", "", "whether the answer rises or falls with the parameter", 15},
     {NULL, NULL, NULL, 0},
 };
 
-/* Writes why the answer does not have the value anywhere in the range. */
+/* Writes why no root was found in the range. */
 static void no_root_text(const struct scan *s, char *text, size_t size)
 {
     const struct solve *v = s->solve;
     const char *name = v->parameter->name, *unit = v->parameter->value->unit, *question = v->question->name;
     const char *value = quad_text(v->value.value, 10);
-    const bool below = s->most.f < 0; /* the answer is always below the value */
+    const bool below = s->most.f < 0; /* the answer is below the value in the whole range */
     const struct scan_point *nearest = below ? &s->most : &s->least;
     char range[192];
     unit = strcmp(unit, "h") == 0 ? "" : unit;

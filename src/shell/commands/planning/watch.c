@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 enum {
-    STEPS = 200, /* number of small steps in the range */
-    COARSE = 5   /* number of small steps in a large step, and between two points of the curve */
+    STEPS = 200, /* the range has this many small steps */
+    COARSE = 5   /* a large step, and the distance between two points of the curve, in small steps */
 };
 
 struct watch {
@@ -67,7 +67,7 @@ static void watch_draw(struct watch *w, FILE *out)
     chart.x.low = w->from;
     chart.x.high = w->to;
     snprintf(chart.x.label, sizeof chart.x.label, "%s", w->solve->parameter->name);
-    (void)chart_fit(&chart); /* a chart is shown even if it has no points */
+    (void)chart_fit(&chart); /* an empty chart is shown if there are no points */
     fputs("\033[H\033[J", out);
     char answer[160];
     if (isfinite(y))
@@ -130,8 +130,8 @@ static void watch_run(struct watch *w, FILE *out)
     }
 }
 
-/* Sets *problem and returns false if nobody is at a prompt to press keys, or if the terminal cannot move
- * its cursor. */
+/* Sets *problem and returns false if the session is not at an interactive prompt, or if the terminal cannot
+ * move its cursor. */
 static bool watch_possible(const struct session *session, struct problem *problem)
 {
     int width, height;

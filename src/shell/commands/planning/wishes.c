@@ -142,12 +142,10 @@ bool improve_parse(struct reader *r, struct question *q)
 
 bool grid_check(domq_real grid, domq_real first, struct problem *problem)
 {
-    return grid < first ||
-           problem_no_answer(
-               problem,
-               "with a grid of %s no gap before domino 2 is narrower than domino 1 is tall, %s; "
-               "enter a finer grid",
-               measured(grid, "m", 6).text, measured(first, "m", 6).text);
+    return grid < first || problem_no_answer(problem,
+                                             "with a grid of %s, the gap before domino 2 cannot be shorter "
+                                             "than the height of domino 1, %s; enter a finer grid",
+                                             measured(grid, "m", 6).text, measured(first, "m", 6).text);
 }
 
 /* ---- Binding ---- */
@@ -173,7 +171,8 @@ static bool boards_bind(const struct question *q, const struct query *query, str
         const bool bare = quantity_bare(board[i]),
                    length = quantity_alike(board[i], (struct quantity){.length = 1});
         if (!(w->board[i] > 0) || (!bare && !length))
-            return problem_error(problem, "a board is a thickness above 0, as in 'boards 9, 12, 15 mm'");
+            return problem_error(
+                problem, "the thickness of a board must be a length above 0, as in 'boards 9, 12, 15 mm'");
         if (bare)
             w->board[i] *= (domq_real)1 / 1000;
     }

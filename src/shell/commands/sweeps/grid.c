@@ -94,7 +94,7 @@ static bool axes_parse(struct reader *r, struct grid_parsed *grid)
 bool grid_parse(struct reader *r, struct grid_parsed *grid)
 {
     const char *no_unit = r->no_unit;
-    r->no_unit = "sg"; /* after N, these letters are parameters and not units */
+    r->no_unit = "sg"; /* after N, 's' and 'g' are parameters, and not seconds and grams */
     r->stops = ":,";
     bool is_good = axes_parse(r, grid);
     r->stops = NULL;
@@ -135,9 +135,9 @@ static bool axis_bind(const struct axis_parsed *parsed, const struct text *text,
     domq_real step = n > 1 ? (axis->to - axis->from) / (n - 1) : 0;
     return !axis->parameter->value->whole || quad(fabs)(step - quad(round)(step)) < (domq_real)1e-9 ||
            problem_error(problem,
-                         "%s takes whole numbers, but not all values of %s to %s in %zu values are whole; "
+                         "%s takes whole numbers, but %zu values from %s to %s are not all whole; "
                          "enter another N",
-                         name, quad_text(axis->from, 10), quad_text(axis->to, 10), axis->count);
+                         name, axis->count, quad_text(axis->from, 10), quad_text(axis->to, 10));
 }
 
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
@@ -164,7 +164,7 @@ domq_real axis_value(const struct axis *axis, size_t k)
     if (axis->list)
         return axis->list[k];
     domq_real f = axis->count > 1 ? (domq_real)k / (domq_real)(axis->count - 1) : 0;
-    bool is_end = k == 0 || k == axis->count - 1; /* the two ends must be exactly as typed */
+    bool is_end = k == 0 || k == axis->count - 1; /* the first and the last value must be exactly as typed */
     domq_real value = axis->logarithmic && !is_end
                           ? quad(exp)((1 - f) * quad(log)(axis->from) + f * quad(log)(axis->to))
                           : (1 - f) * axis->from + f * axis->to;

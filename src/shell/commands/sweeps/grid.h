@@ -27,8 +27,8 @@ struct grid_parsed {
         struct value_parsed {
             struct item item;
             struct value_parsed *next;
-        } * first;    /* the first value of a list, or FROM */
-        size_t count; /* the number of values in a list, or 0 for FROM TO N */
+        } * first;    /* the values of a list, or only FROM */
+        size_t count; /* the number of values in a list, or 0 if the axis has the form FROM TO N */
         struct item to, steps;
         const char *log_at; /* points to the word 'log' in the command, or is NULL */
     } axis[ASSIGNED_MAX];
@@ -39,7 +39,8 @@ struct grid_parsed {
 /* Parses a grid up to the ':'. */
 bool grid_parse(struct reader *reader, struct grid_parsed *grid);
 
-/* Evaluates a parsed grid in the state of a query. `listed` must have room for the values of all lists. */
+/* Evaluates a parsed grid in the state of a query. The caller provides `listed`, with room for the values of
+ * all lists. */
 bool grid_bind(const struct grid_parsed *parsed, const struct text *text, const struct query *query,
                domq_real *listed, struct grid *grid, struct problem *problem);
 

@@ -43,8 +43,8 @@ static const struct column *answered_columns(const struct sweeper *w)
     return w->question->next ? w->columns.answer : w->question->question.command->columns;
 }
 
-/* Some commands repeat a parameter in a column of their answer. Returns true if an argument of the question
- * sets that parameter. */
+/* Returns true if an argument of the question sets the parameter that the command repeats in a column of its
+ * answer. */
 static bool is_replaced(const struct question *q)
 {
     for (int i = 0; q->command->echo && i < q->count; i++)
@@ -100,8 +100,7 @@ static void row_write(struct sweeper *w, const struct cell *row, const char *rea
     reason_keep(w, reason);
     if (!w->to)
         return;
-    /* A table for people has no column for reasons. In the other formats every row has a reason, which may be
-     * "". */
+    /* A table has no column for reasons. In csv and json every row has a reason, which may be "". */
     answer_row(w->to, row, w->to->style.format->for_people ? NULL : reason ? reason : "");
     if (*w->to->late_reason)
         reason_keep(w, w->to->late_reason);
@@ -229,7 +228,7 @@ bool point_write(void *sweeper, size_t k, FILE *out)
     w->to = &w->answer;
     w->to->out = out;
     w->to->columns =
-        w->columns.column; /* the units of this worker's answers may differ from the units of other workers */
+        w->columns.column; /* the units of a column may differ between the answers of two workers */
     if (k > 0)
         w->to->has_rows = w->to->is_open = true;
     if (!point_answer(w, k))

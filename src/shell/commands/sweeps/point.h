@@ -14,7 +14,7 @@ struct point_question {
 
 enum { SWEEP_REASON = 256 };
 
-/* The number of points that have no answer, and of points where a value is missing for a known reason. */
+/* Counts of the points that have no answer, and of the points where a value is missing for a known reason. */
 struct tally {
     size_t without_answer, with_reason;
     size_t first; /* index of the first point where a value is missing for a known reason */
@@ -25,7 +25,8 @@ struct tally {
 struct sweep_columns {
     struct column column[ANSWER_COLUMNS];
     const char *key[ANSWER_COLUMNS]; /* key of the column in the answer; NULL for a parameter of the grid */
-    /* Names such as "rmax.s" for columns of the answer that have the name of a parameter. */
+    /* Names such as "rmax.s" for those columns of the answer that would otherwise have the same name as a
+     * parameter of the grid. */
     char renamed[ASSIGNED_MAX][40];
     struct column answer[ANSWER_COLUMNS]; /* one column for each question of a list */
     char unit[ANSWER_COLUMNS][UNIT_TEXT]; /* the units of expressions in a list */
@@ -37,27 +38,25 @@ struct sweeper {
     const struct point_question *question;
     const struct query *query; /* the state of the session, which each point copies and changes */
     const char *command;       /* the name of the command that does the sweep, for messages */
-    struct means means; /* the means for computing one point, which do not include the shard of the sweep */
-    bool styled;        /* the grid changes the number of digits */
-    struct answer
-        answer; /* the worker's part of the answer; the answer at each point begins as a copy of it */
+    struct means means;   /* for the command at one point, so without the shard, which only selects points */
+    bool styled;          /* the grid changes the number of digits */
+    struct answer answer; /* this worker's part of the answer of the sweep, which is copied to begin the
+                             answer at each point */
     struct sweep_columns columns;
-    struct cell sample[ANSWER_COLUMNS]; /* a row of the sweep, set by point_probe */
+    struct cell sample[ANSWER_COLUMNS]; /* a sample row of the sweep, set by point_probe */
     struct tally tally;
     /* The point that is being computed. */
     struct assigned assigned[ASSIGNED_MAX];
     struct cell value[ASSIGNED_MAX];
-    struct answer *to;         /* receives the rows: `answer` above, or NULL to discard them */
+    struct answer *to;         /* receives the rows: &answer, or NULL to discard them */
     bool answered;             /* the answer at this point has at least one row */
     char reason[SWEEP_REASON]; /* why a value is missing, or "" */
     struct problem problem;
 };
 
-/*
- * Makes the columns of the sweep. If the command repeats a parameter of the grid in a column of its
- * answer, this column is left out, unless an argument of the command replaces the parameter. Sets *problem
- * and returns false if there are too many columns.
- */
+/* Makes the columns of the sweep: one for each parameter of the grid, and then those of the answer. Leaves
+ * out a column in which the command only repeats a parameter of the grid, and a column that takes much longer
+ * to compute than the others. Sets *problem and returns false if there are too many columns. */
 bool sweeper_columns(struct sweeper *w, struct problem *problem);
 
 /* Computes the values of the parameters at point k. */
@@ -67,9 +66,9 @@ void point_values(struct sweeper *w, size_t k);
  * and sets w->answered. If the question has an error, sets w->problem and returns false. */
 bool point_probe(struct sweeper *w);
 
-/* The callbacks `point` and `merge` of struct workers. point_write writes the rows of point k. It returns
- * false, with the problem in the sweeper, if the question has an error. sweeper_merge adds the tally of a
- * worker to the tally of another worker. */
+/* Callbacks of struct workers. point_write writes the rows of point k. If the question has an error, it
+ * stores the problem in the sweeper and returns false. sweeper_merge adds the tally of a worker to that of
+ * another worker. */
 bool point_write(void *sweeper, size_t k, FILE *out);
 void sweeper_merge(void *sweeper, const void *worker);
 

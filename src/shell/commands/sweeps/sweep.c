@@ -124,12 +124,12 @@ struct sweep_shape sweep_shape(const struct arguments *given)
 
 /* ---- The answer ---- */
 
-/* Announces the values of the grid to the answer, because they decide the units of its columns. */
+/* Announces the values of the grid to the answer, because the units of its columns depend on them. */
 static void values_announce(struct answer *a, const struct grid *grid)
 {
     for (int i = 0; i < grid->axes; i++) {
         const struct axis *axis = &grid->axis[i];
-        /* If the values are not a list, the two ends of the axis are enough. */
+        /* Unless the values are a list, the first and the last value are enough. */
         size_t step = axis->list || axis->count < 3 ? 1 : axis->count - 1;
         for (size_t k = 0; k < axis->count; k += step)
             answer_largest(a, axis->parameter->name, axis_value(axis, k));
@@ -145,8 +145,8 @@ static bool point_failed(const struct sweeper *w, struct problem *problem)
     return false;
 }
 
-/* Writes the rows of all points. The output before the first row must depend neither on the worker that
- * computes this row nor on the part that --shard selects, so this output is planned with a sample row. */
+/* Writes the rows of all points. The output before the first row is laid out for a sample row, because it
+ * must depend neither on the worker that computes the first row nor on the part that --shard selects. */
 static bool rows_write(struct sweeper *w, struct answer *a, struct problem *problem)
 {
     bool by_point = true;
